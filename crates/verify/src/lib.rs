@@ -1,6 +1,6 @@
 //! Checks an atlas with its certificate without searching again, by other means than those that made it.
 //!
-//! - Roots are counted in exact integers, by Descartes' rule of signs and by Sturm's theorem where its signs do not decide.
+//! - Roots are counted in exact integers, by Descartes' rule of signs, of the squarefree part where a root may be multiple.
 //!   The cusp polynomial is built from T J + 4V, not from 4Q'P − 3P'Q.
 //! - Intervals have integer ends (`fixed`) or, for paths on the sphere, ends that move outward (`interval`).
 //! - Each stretch of each pair, each slab and each box of a crossing is checked where the certificate names it.
@@ -89,7 +89,7 @@ fn certified(
     bits: usize,
 ) -> Result<Report, Refused> {
     let spaces =
-        Spaces::new(body, &number::unit(&certificate.units.moment)?, &number::unit(&certificate.units.energy)?, bits)?;
+        Spaces::new(body, [number::unit(&certificate.units.moment)?, number::unit(&certificate.units.energy)?], bits)?;
     meetings::count_roots(certificate, &spaces)?;
     let cusps = roots::cusps(certificate, &spaces)?;
     let pieces = Pieces::new(&spaces, cusps)?;
@@ -106,10 +106,10 @@ fn certified(
     curves::check(document, certificate, &orders, &slabs)?;
     listing::events(document, certificate, &events, &orders)?;
     listing::ranges(document, certificate, &cells)?;
-    let unproved = stability::check(document, certificate, &orders)?;
+    let unproved = stability::check(document, &orders)?;
     let samples = regions::samples(document, certificate, &orders, &slabs, &cells)?;
     topology::check(document, &orders, &slabs, &samples)?;
-    samples::check(document, certificate, &orders, &slabs, &samples)?;
+    samples::check(document, &orders, &slabs, &samples)?;
     totals::totals(document, &orders, &slabs)?;
     Ok(Report {
         regions: document.regions.len(),

@@ -47,9 +47,9 @@ pub enum Refused {
         /// The branch.
         branch: String,
         /// Entries of the certificate.
-        listed: i64,
+        listed: usize,
         /// Roots of the branch.
-        counted: i64,
+        counted: usize,
     },
     /// An entry of a list of the certificate: a cusp, a meeting, an event, a slab.
     #[error("{what} number {number}: {why}")]

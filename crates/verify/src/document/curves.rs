@@ -9,7 +9,6 @@ use crate::equilibria::pieces::{Branch, End, Piece};
 use crate::equilibria::spaces::Spaces;
 use crate::numbers::bounds;
 use crate::numbers::fixed::Fixed;
-use crate::numbers::number;
 use crate::order::slabs::Slab;
 use crate::order::stand::Orders;
 use crate::topology::morse;
@@ -40,7 +39,6 @@ pub(crate) fn check(
     orders: &Orders,
     slabs: &[Slab],
 ) -> Result<(), Refused> {
-    let units = [number::unit(&certificate.units.moment)?, number::unit(&certificate.units.energy)?];
     let pieces = &orders.pieces.list;
     let mut expected = (0..pieces.len()).map(|n| Expected::of(orders, slabs, n)).collect::<Result<Vec<_>, _>>()?;
     for plus in [true, false] {
@@ -55,7 +53,7 @@ pub(crate) fn check(
         return Err(Refused::Field { field: "the number of curves" });
     }
     for (curve, expected) in document.curves.iter().zip(&expected) {
-        expected.compare(curve, &units, &orders.spaces.norm)?;
+        expected.compare(curve, orders.spaces)?;
     }
     for (number, cusp) in certificate.cusps.iter().enumerate() {
         let named = cusp.curves.iter().map(|id| orders.pieces.find(id)).collect::<Result<Vec<usize>, _>>()?;
@@ -117,7 +115,8 @@ impl<'a> Expected<'a> {
         }
     }
 
-    fn compare(&self, curve: &CurveDocument, [moment, energy]: &[RBig; 2], norm: &Fixed) -> Result<(), Refused> {
+    fn compare(&self, curve: &CurveDocument, spaces: &Spaces) -> Result<(), Refused> {
+        let Spaces { moment, energy, norm, .. } = spaces;
         let multiplicity = if self.kind == CurveKind::Pair { 2 } else { 1 };
         if curve.id != self.id
             || (curve.kind, curve.multiplicity) != (self.kind, multiplicity)
@@ -135,7 +134,7 @@ impl<'a> Expected<'a> {
             (Some(claim), Some(found)) => (0..2).all(|end| same(claim[end], found[end].as_ref(), 1, moment)),
             _ => false,
         };
-        let l2 = moment * energy * RBig::from(2);
+        let l2 = spaces.square_of_momentum();
         let tail = match (&curve.tail, &self.tail) {
             (None, None) => true,
             (Some(claim), Some([j, h])) => {

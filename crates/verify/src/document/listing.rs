@@ -33,17 +33,16 @@ pub(crate) fn events(
     if !document.events.is_sorted_by(|p, q| p.l <= q.l) {
         return Err(Refused::Field { field: "events: by rising l" });
     }
-    let l2 = number::unit(&certificate.units.moment)? * number::unit(&certificate.units.energy)? * RBig::from(2);
-    let energy = number::unit(&certificate.units.energy)?;
+    let (energy, l2) = (&orders.spaces.energy, orders.spaces.square_of_momentum());
     let momentum = RBig::try_from(l2.to_f64().value().sqrt())
         .map_err(|_infinite| Refused::Field { field: "certificate.units" })?;
-    let norm = &orders.spaces.norm.ends()[1] * &energy;
+    let norm = &orders.spaces.norm.ends()[1] * energy;
     for listed in listed(document, certificate) {
         let refuse = |why| Refused::entry("event", listed.number, why);
         let claim = &certificate.events[listed.number];
         listed.is_of_its_kind(pieces, &events.curves[listed.number]).map_err(refuse)?;
         let squares = claim.x.each_ref().map(|x| number::read(x).map(|x| x * &l2));
-        let heights = claim.h.each_ref().map(|h| number::read(h).map(|h| h * &energy));
+        let heights = claim.h.each_ref().map(|h| number::read(h).map(|h| h * energy));
         let ([low, high], [h_low, h_high]) = (squares, heights);
         let (squares, heights) = ([low?, high?], [h_low?, h_high?]);
         let l = around(listed.document.l, listed.document.l_error).ok_or_else(|| refuse("its l is no number"))?;
@@ -64,7 +63,7 @@ pub(crate) fn events(
         }
         let enclosure = listed.document.enclosure.as_ref().ok_or_else(|| refuse("it has no enclosure"))?;
         let [l_low, l_high] = enclosure.l.each_ref().map(|text| number::in_units(text, &momentum));
-        let [h_low, h_high] = enclosure.h.each_ref().map(|text| number::in_units(text, &energy));
+        let [h_low, h_high] = enclosure.h.each_ref().map(|text| number::in_units(text, energy));
         let (claimed_l, claimed_h) = ([l_low?, l_high?], [h_low?, h_high?]);
         if !holds_root(&claimed_l, &squares) || !holds(&claimed_h, &heights) {
             return Err(refuse("its enclosure in the list does not hold it"));

@@ -1,6 +1,6 @@
 //! The samples that a document lists, against those of the certificate, which are proved to lie in their regions.
 
-use bifdiag_schema::{AtlasDocument, CertificateDocument, MarginDocument};
+use bifdiag_schema::{AtlasDocument, MarginDocument};
 use dashu_base::Abs;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
@@ -9,7 +9,6 @@ use super::curves::CONVERTED;
 use crate::Refused;
 use crate::numbers::bounds::{exact, roundings};
 use crate::numbers::fixed::Fixed;
-use crate::numbers::number;
 use crate::order::regions::Sample;
 use crate::order::slabs::Slab;
 use crate::order::stand::Orders;
@@ -28,13 +27,11 @@ struct Place<'a> {
 /// Checks each sample: (h, l) is the certificate's, rounded; its distance to the curves around, and which of them is nearest.
 pub(crate) fn check(
     document: &AtlasDocument,
-    certificate: &CertificateDocument,
     orders: &Orders,
     slabs: &[Slab],
     samples: &[Sample],
 ) -> Result<(), Refused> {
-    let (moment, energy) = (number::unit(&certificate.units.moment)?, number::unit(&certificate.units.energy)?);
-    let l2 = moment * &energy * RBig::from(2);
+    let (energy, l2) = (&orders.spaces.energy, orders.spaces.square_of_momentum());
     for (region, Sample { cell: (slab, position), h }) in document.regions.iter().zip(samples) {
         let slab = &slabs[*slab];
         let refuse = |why| Err(Refused::Region { region: region.id.clone(), why });
@@ -45,11 +42,11 @@ pub(crate) fn check(
         if l <= RBig::ZERO {
             return refuse("its sample is not at a positive l");
         }
-        let place = Place { exact: [&slab.x, h], written: [&l * &l / &l2, written / &energy] };
+        let place = Place { exact: [&slab.x, h], written: [&l * &l / &l2, written / energy] };
         if !place.is_near() {
             return refuse("its sample is not that of its certificate");
         }
-        if !place.has_margin(&region.sample.margin, orders, slab, *position, &energy) {
+        if !place.has_margin(&region.sample.margin, orders, slab, *position) {
             return refuse("the margin of its sample is another");
         }
     }
@@ -83,7 +80,8 @@ impl Place<'_> {
 
     /// The distance to the curves around is as stated, also where the sample is written, and the one that is named is the
     /// nearest.
-    fn has_margin(&self, claim: &MarginDocument, orders: &Orders, slab: &Slab, position: usize, energy: &RBig) -> bool {
+    fn has_margin(&self, claim: &MarginDocument, orders: &Orders, slab: &Slab, position: usize) -> bool {
+        let energy = &orders.spaces.energy;
         let at = orders.spaces.set(self.exact[1]);
         let below = slab.levels.get(position).map(|level| (level, &at - &level.height));
         let above = slab.levels.get(position + 1).map(|level| (level, &level.height - &at));

@@ -9,7 +9,7 @@ use super::point::{Place, Side};
 use super::roots::{isolated, listed, places};
 use super::spaces::Spaces;
 use crate::Refused;
-use crate::numbers::sturm::{Coefficients, Sturm};
+use crate::numbers::polynomial::Polynomial;
 
 /// A meeting with a pole line, checked.
 pub(crate) struct Meeting {
@@ -21,14 +21,14 @@ pub(crate) struct Meeting {
     /// The end at which it lies exactly.
     pub end: Option<End>,
     /// Its isolated root is a root of this.
-    pub polynomial: Coefficients,
+    pub polynomial: Polynomial,
 }
 
 /// The polynomials of a branch: `meeting` is 0 where it meets a pole line, and the sign of `side` there says which one.
 struct Equations {
     branch: Branch,
-    side: Coefficients,
-    meeting: Coefficients,
+    side: Polynomial,
+    meeting: Polynomial,
     /// Between these the parameter runs.
     ends: [Option<RBig>; 2],
 }
@@ -43,18 +43,18 @@ pub(crate) fn meetings(
     let places = places(certificate.meetings.iter().map(|meeting| &meeting.place), spaces, "meeting")?;
     let mut found: Vec<Option<Meeting>> = places.iter().map(|_| None).collect();
     for equations in branches(spaces) {
-        let sturm = Sturm::new(&equations.meeting);
         let ends = equations.ends.each_ref().map(Option::as_ref);
         let ranges = listed(&places, spaces, |place| equations.branch.holds(place), ends);
-        isolated(&sturm, &ranges, ends, ["meeting", "meetings with pole lines"], || match equations.branch {
-            Branch::Generic(number) => format!("G{number}"),
-            _ => "over a moment".to_owned(),
+        isolated(&equations.meeting, &ranges, ends, ["meeting", "meetings with pole lines"], || {
+            match equations.branch {
+                Branch::Generic(number) => format!("G{number}"),
+                _ => "over a moment".to_owned(),
+            }
         })?;
-        let sides = Sturm::new(&equations.side);
         for (number, range) in ranges {
             let refuse = |why| Refused::entry("meeting", number, why);
             let claim = &certificate.meetings[number];
-            let plus = line(claim, &sturm, &sides, &equations, &range).map_err(refuse)?;
+            let plus = line(claim, &equations, &range).map_err(refuse)?;
             let (curves, end) =
                 on_curves(spaces, pieces, &equations, &range).ok_or_else(|| refuse("its curve is not certain"))?;
             if !curves.iter().map(|&c| &pieces.list[c].id).eq(&claim.curves) {
@@ -148,19 +148,13 @@ impl Branch {
 }
 
 /// Whether a meeting is with P+, if all that is claimed of its line is right.
-fn line(
-    claim: &CertifiedMeeting,
-    sturm: &Sturm,
-    sides: &Sturm,
-    equations: &Equations,
-    range: &[RBig; 2],
-) -> Result<bool, &'static str> {
-    let crosses = sturm.sign_at(&range[0]) * sturm.sign_at(&range[1]) < 0;
+fn line(claim: &CertifiedMeeting, equations: &Equations, range: &[RBig; 2]) -> Result<bool, &'static str> {
+    let crosses = equations.meeting.sign_at(&range[0]) * equations.meeting.sign_at(&range[1]) < 0;
     if crosses == claim.touch {
         return Err("whether the curves touch or cross is not as claimed");
     }
-    let sign = sides.sign_at(&range[0]);
-    if sides.closed(&range[0], &range[1]) != 0 || sign == 0 {
+    let sign = equations.side.sign_at(&range[0]);
+    if equations.side.closed(range.each_ref()) != Some(0) || sign == 0 {
         return Err("its range does not tell the pole lines apart");
     }
     // N < 0 on P+ of the generic family; E > 0 on P+ over a space without r.
@@ -191,9 +185,9 @@ fn on_curves(
         let same = if lo > hi {
             false
         } else if station[0] == station[1] {
-            Sturm::new(&equations.meeting).sign_at(lo) == 0
+            equations.meeting.sign_at(lo) == 0
         } else {
-            Sturm::common_root(&equations.meeting, &spaces.cusp_polynomial(), lo, hi)
+            equations.meeting.share_root(&spaces.cusp_polynomial(), [lo, hi])
         };
         same.then(|| (pair.to_vec(), Some(end)))
     })

@@ -3,7 +3,6 @@
 use dashu_ratio::RBig;
 
 use super::point::{Place, Point, Side};
-use super::roots::count;
 use super::spaces::Spaces;
 use crate::Refused;
 use crate::numbers::fixed::Fixed;
@@ -55,28 +54,19 @@ pub(crate) struct Piece {
     pub critical: bool,
 }
 
-/// A pitchfork.
-#[derive(Clone, Debug)]
-pub(crate) struct Fork {
-    pub base: usize,
-    pub curves: Vec<usize>,
-}
-
 /// All curves, cusps and pitchforks.
 #[derive(Clone, Debug)]
 pub(crate) struct Pieces {
     pub list: Vec<Piece>,
     pub cusps: Vec<Place>,
-    pub forks: Vec<Fork>,
+    /// The space without r over which each pitchfork's pair runs.
+    pub forks: Vec<usize>,
     /// x at both ends of each curve; `None` for infinity.
     ends: Vec<[Option<Fixed>; 2]>,
 }
 
-#[derive(Clone)]
-struct Station {
-    range: [RBig; 2],
-    end: End,
-}
+/// A cusp or a pitchfork, and the range of μ that holds it.
+type Station = ([RBig; 2], End);
 
 impl Pieces {
     /// `cusps` are known to be all of the generic family and over the spaces without r, in the certificate's order.
@@ -131,13 +121,9 @@ impl Pieces {
             for number in 0..=forks.len() {
                 let to = if number < forks.len() { End::Pitchfork(self.forks.len()) } else { End::Infinity };
                 let id = format!("L{}.{}", if plus { "+" } else { "-" }, number + 1);
-                let this = self.list.len();
-                if let End::Pitchfork(fork) = from {
-                    self.forks[fork].curves.push(this);
-                }
                 self.list.push(line(id, plus, [from, to], plus && number == 0, true));
                 if number < forks.len() {
-                    self.forks.push(Fork { base: forks[number], curves: vec![this] });
+                    self.forks.push(forks[number]);
                 }
                 from = to;
             }
@@ -153,18 +139,18 @@ impl Pieces {
         for (cusp, place) in self.cusps.iter().enumerate().filter(|(_, place)| place.side != Side::Over) {
             let range = place.range(spaces);
             if above(&range[0]) && below(&range[1]) {
-                stations.push(Station { range, end: End::Cusp(cusp) });
+                stations.push((range, End::Cusp(cusp)));
             }
         }
         for base in spaces.passive() {
             let mu = &spaces.list[base].a;
             if above(mu) && below(mu) {
-                stations.push(Station { range: [mu.clone(), mu.clone()], end: End::Pitchfork(self.forks.len()) });
-                self.forks.push(Fork { base, curves: Vec::new() });
+                stations.push(([mu.clone(), mu.clone()], End::Pitchfork(self.forks.len())));
+                self.forks.push(base);
             }
         }
-        stations.sort_by(|p, q| p.range[0].cmp(&q.range[0]));
-        if stations.windows(2).any(|pair| pair[0].range[1] >= pair[1].range[0]) {
+        stations.sort_by(|(p, _), (q, _)| p[0].cmp(&q[0]));
+        if stations.windows(2).any(|pair| pair[0].0[1] >= pair[1].0[0]) {
             return Err(Refused::Uncertain {
                 what: format!("the ranges of cusps or pitchforks of the branch G{number} overlap"),
             });
@@ -182,13 +168,8 @@ impl Pieces {
         let mut start: (Option<[RBig; 2]>, End) = (None, if first { End::Origin } else { End::Infinity });
         for piece in 0..=stations.len() {
             let station = stations.get(piece);
-            let end = station.map_or(if last { End::Origin } else { End::Infinity }, |s| s.end);
-            let range = [start.0.clone(), station.map(|s| s.range.clone())];
-            for end in [start.1, end] {
-                if let End::Pitchfork(fork) = end {
-                    self.forks[fork].curves.push(self.list.len());
-                }
-            }
+            let end = station.map_or(if last { End::Origin } else { End::Infinity }, |(_, end)| *end);
+            let range = [start.0, station.map(|(range, _)| range.clone())];
             let limit = if start.1 == End::Infinity && piece == 0 {
                 left.map(|k| (k, 1))
             } else if station.is_none() && !last {
@@ -211,7 +192,7 @@ impl Pieces {
                 critical: true,
             });
             rising ^= matches!(end, End::Cusp(_));
-            start = (station.map(|s| s.range.clone()), end);
+            start = (station.map(|(range, _)| range.clone()), end);
         }
         Ok(())
     }
@@ -222,7 +203,7 @@ impl Pieces {
             return Ok(());
         }
         for base in spaces.passive() {
-            let Some(fork) = self.forks.iter().position(|f| f.base == base) else {
+            let Some(fork) = self.forks.iter().position(|&fork| fork == base) else {
                 return Err(Refused::uncertain("the ranges of pitchforks overlap"));
             };
             let piece = |number: usize, range, rising, ends, limit| Piece {
@@ -235,7 +216,6 @@ impl Pieces {
                 limit,
                 critical: true,
             };
-            let first = self.list.len();
             let zero = Some([RBig::ZERO, RBig::ZERO]);
             if let Some((cusp, turn)) = self.turn(spaces, base)? {
                 let at = Some([turn.clone(), turn]);
@@ -247,7 +227,6 @@ impl Pieces {
                 let ends = [End::Pitchfork(fork), End::Infinity];
                 self.list.push(piece(1, [zero, None], true, ends, Some((base, 0))));
             }
-            self.forks[fork].curves.push(first);
         }
         Ok(())
     }
@@ -262,20 +241,24 @@ impl Pieces {
         let counted = usize::from(turn > RBig::ZERO);
         let held = listed.iter().all(|&c| self.cusps[c].lo <= turn && turn <= self.cusps[c].hi);
         if listed.len() != counted || !held {
-            let (listed, counted) = (count(&listed), i64::from(turn > RBig::ZERO));
-            return Err(Refused::Count { what: "cusps", branch: pair_name(spaces, base), listed, counted });
+            let (branch, listed) = (pair_name(spaces, base), listed.len());
+            return Err(Refused::Count { what: "cusps", branch, listed, counted });
         }
         Ok(listed.first().map(|&cusp| (cusp, turn)))
     }
 
     /// The curves that end at a cusp.
     pub fn at_cusp(&self, cusp: usize) -> Vec<usize> {
-        (0..self.list.len()).filter(|&c| self.list[c].ends.contains(&End::Cusp(cusp))).collect()
+        self.at_end(End::Cusp(cusp))
+    }
+
+    fn at_end(&self, end: End) -> Vec<usize> {
+        (0..self.list.len()).filter(|&c| self.list[c].ends.contains(&end)).collect()
     }
 
     /// The curves at a pitchfork: the one before, the one after, the pair.
     pub fn at_fork(&self, fork: usize) -> Vec<usize> {
-        let mut curves = self.forks[fork].curves.clone();
+        let mut curves = self.at_end(End::Pitchfork(fork));
         curves.sort_by_key(|&c| {
             let piece = &self.list[c];
             (matches!(piece.branch, Branch::Over(_)), piece.ends[0] == End::Pitchfork(fork))
@@ -292,11 +275,11 @@ impl Pieces {
                 spaces.point(place.base, place.side, &place.y(spaces))
             }
             (End::Pitchfork(fork), Branch::Over(_) | Branch::Line(_)) => {
-                spaces.point(self.forks[fork].base, Side::Over, &Fixed::whole(0))
+                spaces.point(self.forks[fork], Side::Over, &Fixed::whole(0))
             }
             (End::Pitchfork(fork), Branch::Generic(number)) => {
                 let (base, side) = coordinates(spaces, number);
-                let mu = &spaces.list[self.forks[fork].base].a;
+                let mu = &spaces.list[self.forks[fork]].a;
                 spaces.point(base, side, &spaces.set(&distance(spaces, base, side, mu)))
             }
             _ => None,

@@ -6,7 +6,7 @@ use dashu_ratio::RBig;
 use super::point::{Place, Point, Side};
 use super::spaces::Spaces;
 use crate::Refused;
-use crate::numbers::sturm::Sturm;
+use crate::numbers::polynomial::Polynomial;
 
 /// Places of the entries of a list, each at a positive distance from its space.
 pub(crate) fn places<'a>(
@@ -40,15 +40,15 @@ fn lies_in(range: &[RBig; 2], [low, high]: [Option<&RBig>; 2]) -> bool {
 /// Every range holds one root: they are disjoint, hold a root each, and are as many as the roots between the ends. `names` are
 /// those of one root and of several, `branch` is that of the branch.
 pub(crate) fn isolated(
-    sturm: &Sturm,
+    polynomial: &Polynomial,
     ranges: &[(usize, [RBig; 2])],
     ends: [Option<&RBig>; 2],
     [what, several]: [&'static str; 2],
     branch: impl Fn() -> String,
 ) -> Result<(), Refused> {
     for (number, [lo, hi]) in ranges {
-        let changes_sign = sturm.sign_at(lo) * sturm.sign_at(hi) <= 0;
-        if !changes_sign && sturm.closed(lo, hi) == 0 {
+        let changes_sign = polynomial.sign_at(lo) * polynomial.sign_at(hi) <= 0;
+        if !changes_sign && polynomial.closed([lo, hi]).is_none_or(|roots| roots == 0) {
             return Err(Refused::not_isolated(what, *number));
         }
     }
@@ -57,9 +57,12 @@ pub(crate) fn isolated(
     if let Some(pair) = sorted.windows(2).find(|pair| pair[0].1[1] >= pair[1].1[0]) {
         return Err(Refused::not_isolated(what, pair[1].0));
     }
-    match (count(ranges), sturm.inside(ends[0], ends[1])) {
-        (listed, counted) if listed == counted => Ok(()),
-        (listed, counted) => Err(Refused::Count { what: several, branch: branch(), listed, counted }),
+    match (ranges.len(), polynomial.inside(ends)) {
+        (listed, Some(counted)) if listed == counted => Ok(()),
+        (listed, Some(counted)) => Err(Refused::Count { what: several, branch: branch(), listed, counted }),
+        (_, None) => {
+            Err(Refused::Uncertain { what: format!("the {several} of {} are too close to be counted", branch()) })
+        }
     }
 }
 
@@ -72,14 +75,14 @@ pub(crate) fn cusps(certificate: &CertificateDocument, spaces: &Spaces) -> Resul
         known[number] = place.side == Side::Over && !spaces.active.contains(&place.base);
     }
     if spaces.active.len() > 1 {
-        let sturm = Sturm::new(&spaces.cusp_polynomial());
+        let polynomial = spaces.cusp_polynomial();
         for branch in 0..=spaces.active.len() {
             let ends = spaces.interval(branch);
             let ranges = listed(&cusps, spaces, |place| place.side != Side::Over, ends);
-            isolated(&sturm, &ranges, ends, ["cusp", "cusps"], || format!("G{branch}"))?;
+            isolated(&polynomial, &ranges, ends, ["cusp", "cusps"], || format!("G{branch}"))?;
             for (number, [lo, hi]) in ranges {
                 // A root of even multiplicity is no cusp.
-                if sturm.sign_at(&lo) * sturm.sign_at(&hi) > 0 {
+                if polynomial.sign_at(&lo) * polynomial.sign_at(&hi) > 0 {
                     return Err(Refused::not_isolated("cusp", number));
                 }
                 known[number] = true;
@@ -92,41 +95,30 @@ pub(crate) fn cusps(certificate: &CertificateDocument, spaces: &Spaces) -> Resul
     }
 }
 
-/// The length of a list, to be compared with a number of roots.
-pub(crate) fn count<T>(list: &[T]) -> i64 {
-    i64::try_from(list.len()).unwrap_or(i64::MAX)
-}
-
 /// The one place of the generic family where dJ/dμ = 0, with its branch; there is none unless three spaces carry r.
 pub(crate) fn inflection(
     certificate: &CertificateDocument,
     spaces: &Spaces,
 ) -> Result<Option<(usize, Point)>, Refused> {
-    if spaces.active.len() < 3 {
-        return if certificate.inflection.is_none() {
-            Ok(None)
-        } else {
-            Err(Refused::Field { field: "certificate.inflection" })
-        };
-    }
-    let sturm = Sturm::new(&spaces.inflection_polynomial());
+    let refused = Refused::Field { field: "certificate.inflection" };
+    let [i, j, k] = spaces.active[..] else {
+        return if certificate.inflection.is_none() { Ok(None) } else { Err(refused) };
+    };
+    let polynomial = spaces.inflection_polynomial([i, j, k]);
+    let is_only_root = || polynomial.inside([None, None]) == Some(1);
     let Some(place) = &certificate.inflection else {
         // The one root is a moment itself, which lies on no branch.
-        let is_at_a_moment = spaces.active.iter().any(|&k| sturm.sign_at(&spaces.list[k].a) == 0);
-        return if is_at_a_moment && sturm.inside(None, None) == 1 {
-            Ok(None)
-        } else {
-            Err(Refused::Field { field: "certificate.inflection" })
-        };
+        let is_at_a_moment = spaces.active.iter().any(|&k| polynomial.sign_at(&spaces.list[k].a) == 0);
+        return if is_at_a_moment && is_only_root() { Ok(None) } else { Err(refused) };
     };
-    let place = Place::read(place, spaces)
-        .filter(|place| place.side != Side::Over)
-        .ok_or(Refused::Field { field: "certificate.inflection" })?;
+    let Some(place) = Place::read(place, spaces).filter(|place| place.side != Side::Over) else {
+        return Err(refused);
+    };
     let range = place.range(spaces);
     let branch = (0..=spaces.active.len()).find(|&branch| lies_in(&range, spaces.interval(branch)));
     let point = spaces.point(place.base, place.side, &place.y(spaces));
     match branch.zip(point) {
-        Some(found) if sturm.closed(&range[0], &range[1]) == 1 && sturm.inside(None, None) == 1 => Ok(Some(found)),
-        _ => Err(Refused::Field { field: "certificate.inflection" }),
+        Some(found) if polynomial.closed(range.each_ref()) == Some(1) && is_only_root() => Ok(Some(found)),
+        _ => Err(refused),
     }
 }

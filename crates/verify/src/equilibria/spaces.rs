@@ -7,7 +7,7 @@ use dashu_ratio::RBig;
 use crate::Refused;
 use crate::numbers::fixed::Fixed;
 use crate::numbers::number;
-use crate::numbers::sturm::{Coefficients, plus, times};
+use crate::numbers::polynomial::{Coefficients, Polynomial, plus, times};
 
 /// A and r as the document writes them.
 pub(crate) struct Body {
@@ -43,6 +43,9 @@ pub(crate) struct Space {
 /// The body in the certificate's units.
 #[derive(Clone, Debug)]
 pub(crate) struct Spaces {
+    /// The unit of moments of inertia, and that of energy, in those of the body.
+    pub moment: RBig,
+    pub energy: RBig,
     /// By rising moment.
     pub list: Vec<Space>,
     /// Numbers of those that carry r.
@@ -66,13 +69,13 @@ impl Space {
 
 impl Spaces {
     /// A in units of `moment`, r in units of `energy`; sets have this number of bits.
-    pub fn new(body: &Body, moment: &RBig, energy: &RBig, bits: usize) -> Result<Self, Refused> {
-        let r = body.center.each_ref().map(|r| r / energy);
+    pub fn new(body: &Body, [moment, energy]: [RBig; 2], bits: usize) -> Result<Self, Refused> {
+        let r = body.center.each_ref().map(|r| r / &energy);
         let mut order = [0, 1, 2];
         order.sort_by(|&i, &j| body.moments[i].cmp(&body.moments[j]));
         let mut groups: Vec<(RBig, Vec<usize>)> = Vec::new();
         for i in order {
-            let a = &body.moments[i] / moment;
+            let a = &body.moments[i] / &moment;
             match groups.last_mut() {
                 Some((last, axes)) if *last == a => axes.push(i),
                 _ => groups.push((a, vec![i])),
@@ -86,7 +89,12 @@ impl Spaces {
         let active = (0..list.len()).filter(|&k| !list[k].q.is_zero()).collect();
         let row = |i: &Space| list.iter().map(|k| Fixed::of(&(&i.a - &k.a), bits)).collect();
         let differences = list.iter().map(row).collect();
-        Ok(Self { list, active, r2, norm, differences, bits })
+        Ok(Self { moment, energy, list, active, r2, norm, differences, bits })
+    }
+
+    /// The unit of l², of which x = l²/2 is counted.
+    pub fn square_of_momentum(&self) -> RBig {
+        &self.moment * &self.energy * RBig::from(2)
     }
 
     /// An exact number as a set.
@@ -142,8 +150,7 @@ impl Spaces {
 
     /// D (Σ t_k)(Σ u_k a_k) + 4 Σ_{i<k} u_i u_k (a_i−a_k)² D/((μ−a_i)(μ−a_k)) with u_k = q_k Π_{j≠k}(μ−a_j)² and
     /// D t_k = q_k Π_{j≠k}(μ−a_j)³: the numerator of T J + 4V, whose zeros are the cusps (Lemma 4.5).
-    pub fn cusp_polynomial(&self) -> Coefficients {
-        let one = RBig::ONE;
+    pub fn cusp_polynomial(&self) -> Polynomial {
         let u = |k: usize| times(&self.product(&[k], 2), &[self.list[k].q.clone()]);
         let (mut t, mut j, mut v) = (Vec::new(), Vec::new(), Vec::new());
         for (n, &k) in self.active.iter().enumerate() {
@@ -155,11 +162,11 @@ impl Spaces {
                 v = plus(&v, &term, &(&d * &d));
             }
         }
-        plus(&times(&t, &j), &plus(&[], &v, &RBig::from(4)), &one)
+        Polynomial::new(&plus(&times(&t, &j), &v, &RBig::from(4)))
     }
 
     /// N and F of the meetings with pole lines (Proposition 5.3).
-    pub fn pole_polynomials(&self) -> [Coefficients; 2] {
+    pub fn pole_polynomials(&self) -> [Polynomial; 2] {
         let (mut p, mut q, mut r) = (Vec::new(), Vec::new(), Vec::new());
         for &k in &self.active {
             let squared = self.product(&[k], 2);
@@ -174,11 +181,11 @@ impl Spaces {
         let n = plus(&times(&height, &p), &times(&q, &q), &line);
         let cube = times(&times(&p, &times(&p, &p)), &times(&d, &d));
         let f = plus(&times(&n, &n), &cube, &-self.r2.clone());
-        [n, f]
+        [n, f].map(|polynomial| Polynomial::new(&polynomial))
     }
 
     /// E and E² − 4r²v³ over a space without r, in y = v − P̂ (Proposition 5.4).
-    pub fn pole_polynomials_over(&self, base: usize) -> [Coefficients; 2] {
+    pub fn pole_polynomials_over(&self, base: usize) -> [Polynomial; 2] {
         let (r_sum, p_sum) = self.sums(base);
         let a = &self.list[base].a;
         let j = [-r_sum.clone(), a.clone()];
@@ -187,21 +194,20 @@ impl Spaces {
         // Horner's scheme with v = P̂ + y.
         let v = [p_sum, RBig::ONE];
         [e, f].map(|polynomial| {
-            polynomial.iter().rev().fold(Vec::new(), |sum: Coefficients, coefficient| {
+            let in_y = polynomial.iter().rev().fold(Vec::new(), |sum: Coefficients, coefficient| {
                 plus(&times(&sum, &v), std::slice::from_ref(coefficient), &RBig::ONE)
-            })
+            });
+            Polynomial::new(&in_y)
         })
     }
 
     /// The cubic whose one root is the place where dJ/dμ = 0 (Proposition 3.8).
-    pub fn inflection_polynomial(&self) -> Coefficients {
-        let [i, j, k] = self.active[..] else {
-            return Vec::new();
-        };
-        [(i, j, k), (j, k, i), (k, i, j)].into_iter().fold(Vec::new(), |sum, (i, j, k)| {
+    pub fn inflection_polynomial(&self, [i, j, k]: [usize; 3]) -> Polynomial {
+        let sum = [(i, j, k), (j, k, i), (k, i, j)].into_iter().fold(Vec::new(), |sum, (i, j, k)| {
             let d = &self.list[i].a - &self.list[j].a;
             let cube = (0..3).fold(vec![RBig::ONE], |cube, _| times(&cube, &self.factor(k)));
             plus(&sum, &cube, &(&self.list[i].q * &self.list[j].q * &d * &d))
-        })
+        });
+        Polynomial::new(&sum)
     }
 }

@@ -185,8 +185,9 @@ impl Fixed {
 
     /// All of this lies between two numbers.
     pub fn lies_in(&self, lo: &RBig, hi: &RBig) -> bool {
-        let [low, high] = self.ends();
-        *lo <= low && high <= *hi
+        let compare =
+            |end: &IBig, x: &RBig| (end * IBig::from(x.denominator().clone())).cmp(&(x.numerator() << self.bits));
+        compare(&self.lo, lo).is_ge() && compare(&self.hi, hi).is_le()
     }
 
     /// The double next to the middle: for messages, not for bounds.

@@ -168,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_told_in_units_of_the_body_may_be_larger_than_the_body() {
+    fn numbers_in_units_of_the_body_may_be_larger_than_the_body() {
         let ten = |power: usize| RBig::from(IBig::from(10).pow(power));
         let refused = |text: &str| Refused::Number { text: text.to_owned() };
         assert_eq!(in_units("3e151", &ten(150)), Ok(ten(151) * RBig::from(3)));

@@ -12,7 +12,7 @@ use crate::equilibria::point::{Point, Side};
 use crate::equilibria::spaces::Spaces;
 use crate::numbers::fixed::Fixed;
 use crate::numbers::number;
-use crate::numbers::sturm::{self, Sturm};
+use crate::numbers::polynomial::{Polynomial, plus, times};
 
 /// The events of a certificate.
 #[derive(Default)]
@@ -192,7 +192,7 @@ fn gather(
             gathered.points.extend(spaces.point(place.base, place.side, &place.y(spaces)));
         }
         Source::Pitchfork(fork) => {
-            let base = pieces.forks.get(fork).ok_or(NO_SOURCE)?.base;
+            let base = *pieces.forks.get(fork).ok_or(NO_SOURCE)?;
             gathered.add(&pieces.at_fork(fork));
             gathered.points.extend(spaces.point(base, Side::Over, &Fixed::whole(0)));
         }
@@ -253,15 +253,15 @@ fn through(orders: &Orders, meeting: &Meeting, end: End) -> bool {
     let base = meeting.place.base;
     let (r_sum, p_sum) = spaces.sums(base);
     let alpha = &spaces.list[*axis].a;
-    let d = &spaces.list[orders.pieces.forks[fork].base].a - alpha;
+    let d = &spaces.list[orders.pieces.forks[fork]].a - alpha;
     let x2 = alpha * alpha * alpha * alpha * &spaces.r2 / (&d * &d);
     // In y: v = P̂ + y.
     let j = [spaces.list[base].a.clone() * &p_sum - r_sum, spaces.list[base].a.clone()];
     let v = [p_sum, RBig::ONE];
-    let fourth = sturm::times(&sturm::times(&j, &j), &sturm::times(&j, &j));
-    let cube = sturm::times(&sturm::times(&v, &v), &v);
-    let difference = sturm::plus(&fourth, &cube, &-x2);
-    Sturm::common_root(&meeting.polynomial, &difference, &meeting.place.lo, &meeting.place.hi)
+    let fourth = times(&times(&j, &j), &times(&j, &j));
+    let cube = times(&times(&v, &v), &v);
+    let difference = Polynomial::new(&plus(&fourth, &cube, &-x2));
+    meeting.polynomial.share_root(&difference, [&meeting.place.lo, &meeting.place.hi])
 }
 
 #[cfg(test)]

@@ -81,7 +81,7 @@ mod tests {
             moments: [RBig::from(2), RBig::from_parts(11.into(), 10u8.into()), RBig::ONE],
             center: [RBig::ONE, RBig::ONE, RBig::from(2)],
         };
-        Spaces::new(&body, &RBig::ONE, &RBig::ONE, 256).unwrap()
+        Spaces::new(&body, [RBig::ONE, RBig::ONE], 256).unwrap()
     }
 
     #[test]

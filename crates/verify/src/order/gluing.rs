@@ -24,7 +24,7 @@ pub(crate) fn check(transitions: &[Vec<usize>], events: &Events, slabs: &[Slab])
         let blocks: Vec<&[usize]> = group.iter().map(|&event| events.curves[event].as_slice()).collect();
         for (k, block) in blocks.iter().enumerate() {
             if blocks[..k].iter().any(|other| other.iter().any(|c| block.contains(c))) {
-                return Err(refuse(group[k], "another event on its curves is not told from it"));
+                return Err(refuse(group[k], "another event on its curves is not distinguished from it"));
             }
         }
         let pairs = continuations(&order(t), &order(t + 1), &blocks)

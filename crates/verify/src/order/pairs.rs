@@ -29,7 +29,7 @@ pub(crate) fn pairs(certificate: &CertificateDocument, orders: &Orders) -> Resul
             }
             let is_listed = |pair: &&CertifiedPair| [a, b].map(|c| &list[c].id) == pair.curves.each_ref();
             let claim = certificate.pairs.get(used).filter(is_listed);
-            let missing = || orders.refused([a, b], 0.0, "the certificate does not tell their order at its place");
+            let missing = || orders.refused([a, b], 0.0, "the certificate does not state their order at its place");
             let claim = claim.ok_or_else(missing)?;
             crossings.extend(pair(orders, [a, b], claim)?.into_iter().map(|x| ([a, b], x)));
             used += 1;
@@ -82,8 +82,7 @@ fn stretch(
     stretch: &CertifiedStretch,
     [from, to]: [Option<&Node>; 2],
 ) -> Result<Option<[Fixed; 2]>, Refused> {
-    let at = from.or(to).map_or(0.0, |node| node.x.to_f64());
-    let refuse = |why| orders.refused(curves, at, why);
+    let refuse = |why| orders.refused(curves, from.or(to).map_or(0.0, |node| node.x.to_f64()), why);
     if let (Some(from), Some(to)) = (from, to)
         && !from.x.below(&to.x)
     {

@@ -2,17 +2,16 @@
 //! polynomials in a parameter of the branch, and the linear type that follows (Corollary 13.2).
 
 use bifdiag_schema::Stability;
-use dashu_int::IBig;
 use dashu_ratio::RBig;
 
 use crate::equilibria::spaces::Spaces;
-use crate::numbers::sturm::{Coefficients, integers, plus, sign_at, times};
+use crate::numbers::polynomial::{Coefficients, Polynomial, plus, times};
 
 /// Polynomials with the signs of b, c and b² − 4c.
 pub(crate) struct Flow {
-    b: Vec<IBig>,
-    c: Vec<IBig>,
-    discriminant: Vec<IBig>,
+    b: Polynomial,
+    c: Polynomial,
+    discriminant: Polynomial,
     /// A circle of equilibria, along which c = 0: b alone decides the type across it.
     circle: bool,
 }
@@ -72,18 +71,19 @@ impl Flow {
         let c = plus(&times(&j, &hanging), &twisted, &one);
         let product = times(&times(&j, &j), &c);
         let discriminant = plus(&times(&b, &b), &product, &(RBig::from(-4) * determinant));
-        Self { b: integers(&b), c: integers(&c), discriminant: integers(&discriminant), circle }
+        let [b, c, discriminant] = [b, c, discriminant].map(|polynomial| Polynomial::new(&polynomial));
+        Self { b, c, discriminant, circle }
     }
 
     /// Where the type changes between the ends of curves, this is zero.
-    pub fn condition(&self) -> &[IBig] {
+    pub fn condition(&self) -> &Polynomial {
         if self.circle { &self.b } else { &self.discriminant }
     }
 
     /// The type at a parameter inside a curve.
     pub fn stability(&self, t: &RBig) -> Stability {
-        let b = sign_at(&self.b, t);
-        if self.circle { across(b) } else { linear_type(b, sign_at(&self.c, t), sign_at(&self.discriminant, t)) }
+        let b = self.b.sign_at(t);
+        if self.circle { across(b) } else { linear_type(b, self.c.sign_at(t), self.discriminant.sign_at(t)) }
     }
 }
 

@@ -2,13 +2,11 @@
 //! flow: between the ends of curves it changes where b² − 4c changes its sign (on a circle of equilibria, b), and all
 //! zeros of that are isolated.
 
-mod chart;
 mod flow;
+mod range;
 mod verdicts;
 
-use bifdiag_schema::{
-    AtlasDocument, CertificateDocument, CurveDocument, Stability, StabilityChangeDocument, StabilityChangeKind,
-};
+use bifdiag_schema::{AtlasDocument, CurveDocument, Stability, StabilityChangeDocument, StabilityChangeKind};
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
@@ -19,12 +17,10 @@ use crate::equilibria::spaces::Spaces;
 use crate::numbers::bounds::{is_at_most, is_root_within, is_within, roundings};
 use crate::numbers::fixed::Fixed;
 use crate::numbers::isolation::{Root, roots};
-use crate::numbers::number;
 use crate::order::stand::Orders;
-use chart::Chart;
 use flow::{Flow, without_weight};
 
-/// The part of the bits to which a root's range is narrowed, relative to its distance from the ends of the chart; the others are
+/// The part of the bits to which a root's range is narrowed, relative to its distance from the ends of the branch; the others are
 /// for what cancels where the root is evaluated.
 const NARROW: [usize; 2] = [1, 2];
 /// Halvings of a root's range at most.
@@ -57,14 +53,9 @@ struct Change {
 }
 
 /// Checks the types and verdicts along all curves and every change; the curves with a verdict that is not checked.
-pub(crate) fn check(
-    document: &AtlasDocument,
-    certificate: &CertificateDocument,
-    orders: &Orders,
-) -> Result<Vec<String>, Refused> {
-    let units = [number::unit(&certificate.units.moment)?, number::unit(&certificate.units.energy)?];
+pub(crate) fn check(document: &AtlasDocument, orders: &Orders) -> Result<Vec<String>, Refused> {
     let along = along_all(orders)?;
-    let l2 = &units[0] * &units[1] * RBig::from(2);
+    let l2 = orders.spaces.square_of_momentum();
     let mut unchecked = Vec::new();
     for curve in &document.curves {
         let own = along.iter().find(|along| orders.pieces.list[along.curve].id == curve.id);
@@ -85,7 +76,7 @@ pub(crate) fn check(
     }
     let mut open: Vec<&StabilityChangeDocument> = listed.iter().collect();
     for change in &expected {
-        let at = open.iter().position(|claim| change.is_told_by(claim, orders, &l2, &units[1])).ok_or(CHANGES)?;
+        let at = open.iter().position(|claim| change.is_listed(claim, orders, &l2)).ok_or(CHANGES)?;
         open.remove(at);
     }
     Ok(unchecked)
@@ -117,19 +108,19 @@ fn along_all(orders: &Orders) -> Result<Vec<Along>, Refused> {
             }
             _ => generic.as_ref().ok_or(CHANGES)?,
         };
-        let chart = Chart::of(spaces, branch).ok_or(CHANGES)?;
-        let mut zeros = roots(&chart.moved(flow.condition())).ok_or(CHANGES)?;
+        let whole = range::of(spaces, pieces, branch, flow.condition()).ok_or(CHANGES)?;
+        let mut zeros = roots(flow.condition(), whole.each_ref()).ok_or(CHANGES)?;
         for curve in curves {
-            found.push(along(orders, flow, &chart, &mut zeros, curve)?);
+            found.push(along(orders, flow, &whole, &mut zeros, curve)?);
         }
     }
     Ok(found)
 }
 
 /// The types along one curve.
-fn along(orders: &Orders, flow: &Flow, chart: &Chart, zeros: &mut [Root], curve: usize) -> Result<Along, Refused> {
+fn along(orders: &Orders, flow: &Flow, whole: &[RBig; 2], zeros: &mut [Root], curve: usize) -> Result<Along, Refused> {
     let piece = &orders.pieces.list[curve];
-    let [first, last] = chart.ends(orders.spaces, orders.pieces, piece);
+    let [first, last] = range::ends(orders.spaces, orders.pieces, piece, whole);
     let mut inside: Vec<&mut Root> = Vec::new();
     for root in zeros {
         if apart(root, &first)? && apart(root, &last)? && root.lo >= first[1] && root.hi <= last[0] {
@@ -140,7 +131,7 @@ fn along(orders: &Orders, flow: &Flow, chart: &Chart, zeros: &mut [Root], curve:
     let mut from = first[1].clone();
     let mut types = Vec::new();
     for upto in inside.iter().map(|root| &root.lo).chain([&last[0]]) {
-        types.push(flow.stability(&chart.parameter(&((&from + upto) * &half))));
+        types.push(flow.stability(&((&from + upto) * &half)));
         if let Some(root) = inside.get(types.len() - 1) {
             from.clone_from(&root.hi);
         }
@@ -149,24 +140,24 @@ fn along(orders: &Orders, flow: &Flow, chart: &Chart, zeros: &mut [Root], curve:
     for (n, root) in inside.iter_mut().enumerate() {
         // A zero without a change of the type is none.
         if types[n] != types[n + 1] {
-            narrow(root, orders.spaces.bits() * NARROW[0] / NARROW[1]);
-            turns.push(place(orders.spaces, piece.branch, chart, root).ok_or(CHANGES)?);
+            narrow(root, whole, orders.spaces.bits() * NARROW[0] / NARROW[1]);
+            turns.push(place(orders.spaces, piece.branch, root).ok_or(CHANGES)?);
         }
     }
     types.dedup();
-    if !chart.rises(piece) {
+    if !range::rises(piece) {
         types.reverse();
         turns.reverse();
     }
     Ok(Along { curve, types, turns })
 }
 
-/// Halves the range of a root until it is 2⁻ᵇ of its distance from 0 and 1: equilibria are distinguished by that distance.
-fn narrow(root: &mut Root, bits: usize) {
+/// Halves the range of a root until it is 2⁻ᵇ of its distance from the ends of the branch, by which equilibria are
+/// distinguished.
+fn narrow(root: &mut Root, [first, last]: &[RBig; 2], bits: usize) {
     let finer = RBig::from(IBig::ONE << bits);
     for _ in 0..NARROWEST {
-        let rest = RBig::ONE - &root.hi;
-        if (&root.hi - &root.lo) * &finer <= *(&root.lo).min(&rest) {
+        if (&root.hi - &root.lo) * &finer <= (&root.lo - first).min(last - &root.hi) {
             break;
         }
         root.halve();
@@ -188,23 +179,22 @@ fn apart(root: &mut Root, [low, high]: &[RBig; 2]) -> Result<bool, Refused> {
 }
 
 /// x and h at a root.
-fn place(spaces: &Spaces, branch: Branch, chart: &Chart, root: &Root) -> Option<[Fixed; 2]> {
-    let [t, u] = [&root.lo, &root.hi].map(|w| chart.parameter(w));
+fn place(spaces: &Spaces, branch: Branch, Root { lo: t, hi: u, .. }: &Root) -> Option<[Fixed; 2]> {
     let point: Point = match branch {
         Branch::Generic(number) => {
             let (base, side) = coordinates(spaces, number);
-            let y = [&t, &u].map(|mu| spaces.set(&distance(spaces, base, side, mu)));
+            let y = [t, u].map(|mu| spaces.set(&distance(spaces, base, side, mu)));
             spaces.point(base, side, &y[0].hull(&y[1]))?
         }
         Branch::Over(base) => {
             let p_sum = spaces.sums(base).1;
-            let y = [&t, &u].map(|z| spaces.set(&(RBig::ONE / z - &p_sum)));
+            let y = [t, u].map(|z| spaces.set(&(RBig::ONE / z - &p_sum)));
             spaces.point(base, Side::Over, &y[0].hull(&y[1]))?
         }
         Branch::Line(plus) => {
             // μ = a ± r/s and s = 2x/a².
             let a = &spaces.list[*spaces.active.first()?].a;
-            let apart = spaces.set(&(&t - a)).hull(&spaces.set(&(&u - a)));
+            let apart = spaces.set(&(t - a)).hull(&spaces.set(&(u - a)));
             let apart = if plus { apart } else { -&apart };
             let x = (&spaces.norm * &spaces.set(&(a * a))).over(&apart)?.half();
             spaces.line(plus, &x)?
@@ -231,7 +221,7 @@ fn changes(orders: &Orders, along: &[Along]) -> Result<Vec<Change>, Refused> {
         }
     }
     let cusps = (0..pieces.cusps.len()).map(|n| (End::Cusp(n), pieces.at_cusp(n)));
-    let forks = (0..pieces.forks.len()).map(|n| (End::Pitchfork(n), pieces.forks[n].curves.clone()));
+    let forks = (0..pieces.forks.len()).map(|n| (End::Pitchfork(n), pieces.at_fork(n)));
     for (end, mut curves) in cusps.chain(forks) {
         // The pair of a pitchfork begins there, the two others are one branch; they are listed by their numbers.
         if matches!(end, End::Pitchfork(_)) {
@@ -263,14 +253,16 @@ fn is_circle(orders: &Orders, curve: usize) -> bool {
 
 impl Change {
     /// The document lists this change; l and h are right within the error that it states.
-    fn is_told_by(&self, claim: &StabilityChangeDocument, orders: &Orders, l2: &RBig, energy: &RBig) -> bool {
+    fn is_listed(&self, claim: &StabilityChangeDocument, orders: &Orders, l2: &RBig) -> bool {
+        let energy = &orders.spaces.energy;
         let id = |curve: usize| orders.pieces.list[curve].id.as_str();
-        let told = claim.curve == id(self.curve)
+        let named = claim.curve == id(self.curve)
             && claim.onto.as_deref() == self.onto.map(id)
             && (claim.kind, claim.from, claim.to) == (self.kind, self.from, self.to);
         let sizes = [claim.l, claim.h.abs()].map(|x| RBig::try_from(x).unwrap_or(RBig::ZERO));
         let size = sizes.into_iter().fold(&orders.spaces.norm.ends()[1] * energy, |sum, size| sum + size);
-        told && claim.l >= 0.0
+        named
+            && claim.l >= 0.0
             && is_root_within(claim.l, claim.error_bound, l2, &self.at[0])
             && is_within(claim.h, claim.error_bound, energy, &self.at[1])
             && is_at_most(claim.error_bound, &roundings(ROUNDINGS, &size))

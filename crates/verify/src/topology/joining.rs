@@ -1,4 +1,4 @@
-//! Which minima the saddles join, with as few paths as possible: what the sphere's being connected and its symmetry tell
+//! Which minima the saddles join, with as few paths as possible: what follows from the connected sphere and its symmetry
 //! needs none (Corollary 9.8).
 
 use crate::order::gluing::Classes;

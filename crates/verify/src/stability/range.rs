@@ -1,0 +1,60 @@
+//! Where the parameter of a branch runs, and where each of its curves begins and ends: μ on the generic family and, where r
+//! lies on an axis, on the lines of ±r̂; z = 1/s² over a space without r.
+
+use dashu_base::Abs;
+use dashu_ratio::RBig;
+
+use crate::equilibria::pieces::{Branch, End, Piece, Pieces};
+use crate::equilibria::spaces::Spaces;
+use crate::numbers::polynomial::Polynomial;
+
+/// The range of the parameter; what has no end is cut beyond every zero of the condition and every end of a curve.
+pub(crate) fn of(spaces: &Spaces, pieces: &Pieces, branch: Branch, condition: &Polynomial) -> Option<[RBig; 2]> {
+    let ends = match branch {
+        Branch::Generic(number) => spaces.interval(number).map(Option::<&RBig>::cloned),
+        Branch::Line(plus) => {
+            let a = Some(spaces.list[*spaces.active.first()?].a.clone());
+            if plus { [a, None] } else { [None, a] }
+        }
+        Branch::Over(base) => [Some(RBig::ZERO), Some(RBig::ONE / spaces.sums(base).1)],
+        Branch::Rotation(_) => return None,
+    };
+    let stations = pieces.list.iter().filter(|piece| piece.branch == branch).flat_map(|piece| &piece.range);
+    let known = spaces.list.iter().map(|space| &space.a).chain(stations.flatten().flatten());
+    let beyond = known.fold(condition.bound(), |most, t| most.max(t.clone().abs())) * RBig::from(2);
+    let [lo, hi] = ends;
+    Some([lo.unwrap_or_else(|| -&beyond), hi.unwrap_or(beyond)])
+}
+
+/// x rises with the parameter along a curve.
+pub(crate) fn rises(piece: &Piece) -> bool {
+    match piece.branch {
+        Branch::Line(plus) => !plus,
+        // y = 1/z − P̂.
+        Branch::Over(_) => !piece.rising,
+        Branch::Generic(_) | Branch::Rotation(_) => piece.rising,
+    }
+}
+
+/// The ranges that hold the ends of a curve, by rising parameter; `whole` is that of its branch.
+pub(crate) fn ends(spaces: &Spaces, pieces: &Pieces, piece: &Piece, whole: &[RBig; 2]) -> [[RBig; 2]; 2] {
+    let mut ends = match piece.branch {
+        Branch::Line(_) => piece.ends.map(|end| match end {
+            End::Pitchfork(fork) => Some([(); 2].map(|()| spaces.list[pieces.forks[fork]].a.clone())),
+            _ => None,
+        }),
+        Branch::Over(base) => {
+            let p_sum = spaces.sums(base).1;
+            let z = |y: &RBig| RBig::ONE / (&p_sum + y);
+            piece.range.each_ref().map(|range| range.as_ref().map(|[low, high]| [z(high), z(low)]))
+        }
+        _ => piece.range.clone(),
+    };
+    // Those of a line are by rising x.
+    if matches!(piece.branch, Branch::Line(true) | Branch::Over(_)) {
+        ends.reverse();
+    }
+    let ([first, last], [lo, hi]) = (ends, whole);
+    let at = |t: &RBig| [t.clone(), t.clone()];
+    [first.unwrap_or_else(|| at(lo)), last.unwrap_or_else(|| at(hi))]
+}
