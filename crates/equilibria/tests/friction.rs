@@ -149,9 +149,13 @@ fn only_rotation_about_the_largest_moment_survives_without_weight() {
 #[test]
 fn rotations_about_a_principal_axis() {
     let mut seen = [0; 3];
-    for (a, r) in
-        [(["1", "2", "3"], "1"), (["3", "2", "1"], "1/2"), (["3", "5/2", "1"], "-1"), (["2", "7/4", "3/2"], "-2")]
-    {
+    for (a, r) in [
+        (["1", "3", "2"], "-1/2"),
+        (["1", "2", "3"], "1"),
+        (["3", "2", "1"], "1/2"),
+        (["3", "5/2", "1"], "-1"),
+        (["2", "7/4", "3/2"], "-2"),
+    ] {
         let body = Body::parse(&a, &["0", "0", r]).unwrap();
         let [first, second, about, weight] = [a[0], a[1], a[2], r].map(|x| x.parse::<Number>().unwrap().to_f64());
         let rotation = AxisRotation::new(&body, BodyAxis::ALL[2], Sign::Positive).unwrap();

@@ -1,7 +1,7 @@
 //! Birkhoff's normal form against results that are known.
 
 use bifdiag_body::{Axis, Body};
-use bifdiag_equilibria::nonlinear::{NormalForm, reduced_hamiltonian, series::Series};
+use bifdiag_equilibria::nonlinear::{NormalForm, arnold_numerator, reduced_hamiltonian, series::Series};
 use bifdiag_equilibria::stability::{Constants, LinearType, Reduced, State};
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
@@ -66,6 +66,47 @@ fn the_triangular_points_have_deprits_determinant() {
             assert!(hi - lo < 1e-6 * known.magnitude(), "{lo} {hi}");
         }
         assert_eq!(form.signs, [Sign::Positive, Sign::Negative]);
+        // Without eigenvectors, from the coefficients alone.
+        let numerator = arnold_numerator(&hamiltonian, &one, &square, ()).expect("no resonance");
+        let other = numerator / (square * (one - n(4.0) * square));
+        assert!(other.meet(&determinant).is_some(), "{other:?}");
+        // F and H₂ cancel as c → 0.
+        let is_narrow = width(other) < 1e-6 * determinant.magnitude();
+        assert!(is_narrow || square.lo < 0.1, "{other:?}");
+    }
+}
+
+/// Where the frequencies of the triangular points agree (Routh's mass), they are stable (A. G. Sokolskii, Prikl. Mat. Mekh. 41,
+/// 1977): the numerator is positive there, where the determinant is infinite.
+#[test]
+fn the_triangular_points_are_stable_at_rouths_mass() {
+    let point = |x| Interval::point(x);
+    let (one, half) = (point(1.0), point(0.5));
+    let mu = half * (one - (point(23.0) / point(27.0)).sqrt());
+    let height = point(3.0).sqrt() * half;
+    let [x, y, px, py] =
+        [(0, half - mu), (1, height), (2, -height), (3, half - mu)].map(|(k, at)| Series::variable(k, at, one));
+    let minus = point(-1.0);
+    let kinetic = px.times(&px).plus(&py.times(&py)).scaled(&half);
+    let turning = y.times(&px).plus(&x.times(&py).scaled(&minus));
+    let far = attraction(one - mu, [half, height]).scaled(&minus);
+    let near = attraction(mu, [-half, height]).scaled(&minus);
+    let hamiltonian = kinetic.plus(&turning).plus(&far).plus(&near);
+    let numerator = arnold_numerator(&hamiltonian, &one, &point(0.25), ()).expect("no resonance of order three");
+    // c(36 − 541c + 644c²)/(16(4 − 25c)) at c = ¼.
+    assert!((numerator.middle().lo - 59.0 / 144.0).abs() < 1e-6, "{numerator:?}");
+}
+
+/// The determinant from eigenvectors and from the coefficients alone.
+#[test]
+fn the_determinant_is_a_rational_function_of_the_coefficients() {
+    for (c, state, reduced) in elliptic_points() {
+        let [b, d] = reduced.coefficients();
+        let series = reduced_hamiltonian(&c, &state, Axis::ALL[0]);
+        let form = NormalForm::new(&series, b, d, ()).expect("a form");
+        let numerator = arnold_numerator(&series, b, d, ()).expect("no resonance");
+        let other = numerator / (*d * *reduced.discriminant());
+        assert!(other.meet(&form.arnold).is_some(), "{other:?} {form:?}");
     }
 }
 

@@ -93,6 +93,7 @@ fn reduced(frame: &Frame, point: &Point) -> (Reduced<Interval>, Option<u8>) {
     let constants = Constants::rounded(frame);
     let state = State {
         w: point.gamma.map(|g| near(g * g)),
+        gamma: point.gamma.map(near),
         tau: point.tau.map(near),
         j: near(point.moment(frame)),
         s: near(s),

@@ -14,6 +14,7 @@ pub mod sequence;
 mod sign;
 pub mod symmetric;
 pub mod table;
+pub mod taylor;
 pub mod vector;
 pub mod wide;
 

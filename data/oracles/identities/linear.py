@@ -121,3 +121,60 @@ def _():
                 root = -2 * (a * abs(qq) + bb * abs(pp) + branch * 2 * sp.sqrt(product)) / (cc**2 * total)
                 value = quadratic.subs({A: a, B: bb, C: cc, rho: 1, s: root})
                 assert sp.simplify(value) == 0
+
+
+def action(j, x):
+    return (x[j] ** 2 + x[j + 2] ** 2) / 2
+
+
+def turned_pairing(f, g, x):
+    """f(J∂) g with J(q, p) = (p, −q)."""
+    total = sp.Integer(0)
+    for powers, coefficient in sp.Poly(f, *x).terms():
+        term = g
+        # q_j becomes ∂/∂p_j, p_j becomes −∂/∂q_j.
+        for place, power in enumerate(powers):
+            for _ in range(power):
+                term = sp.diff(term, x[(place + 2) % 4]) * (1 if place < 2 else -1)
+        total += coefficient * term
+    return sp.expand(total)
+
+
+@check("Theorem 13.10")
+def _():
+    x = sp.symbols("q1 q2 p1 p2")
+    first, second = action(0, x), action(1, x)
+    squares = [first**2, first * second, second**2]
+    for i, f in enumerate(squares):
+        for j, g in enumerate(squares):
+            assert turned_pairing(f, g, x) == ((4, 1, 4)[i] if i == j else 0)
+    u, v, i1, i2 = sp.symbols("u v i1 i2")
+    h, f, b, c = u * i1 - v * i2, u**3 * i1 - v**3 * i2, u**2 + v**2, u**2 * v**2
+    z = v**2 * i1**2 / 4 + u * v * i1 * i2 + u**2 * i2**2 / 4
+    form = (b**2 + 2 * c) * f**2 - 2 * b * (b**2 - c) * f * h + (b**4 - 4 * b**2 * c + 6 * c**2) * h**2
+    zero(form - 4 * c * (b**2 - 4 * c) * z)
+
+
+@check("Proposition 13.11")
+def _():
+    # The mean of (|p|²/2)² over a torus of two equal oscillators: |p|²/2 = k (J + √(J² − S²) cos 2θ), k² = σ/(4ν).
+    j, s, t, k = sp.symbols("J S t k", positive=True)
+    mean = sp.integrate(sp.expand(k**2 * (j + sp.Symbol("w") * sp.cos(t)) ** 2), (t, 0, 2 * sp.pi)) / (2 * sp.pi)
+    zero(mean.subs(sp.Symbol("w"), sp.sqrt(j**2 - s**2)) - k**2 / 2 * (3 * j**2 - s**2))
+
+
+@check("Proposition 13.12")
+def _():
+    y, d, g, m1, m2, m3, k1, k2, k3 = sp.symbols("y d g m1 m2 m3 k1 k2 k3")
+    M, K, turn = Matrix([[m1, m3], [m3, m2]]), Matrix([[k1, k3], [k3, k2]]), Matrix([[0, g], [-g, 0]])
+    det = (y**2 * M + y * (turn + d * M) + K).det()
+    trace, eta = (M.inv() * K).trace(), y**2 + d * y
+    zero(det - M.det() * (eta**2 + trace * eta + K.det() / M.det() + g**2 / M.det() * y**2))
+    b, c, G = sp.symbols("b c G")
+    f = eta**2 + (b - G) * eta + c + G * y**2
+    slope = (-sp.diff(f, d) / sp.diff(f, y)).subs(d, 0)
+    zero(slope + (2 * y**2 + b - G) / (4 * y**2 + 2 * b))
+    for sign in (1, -1):
+        root = (-b + sign * sp.sqrt(b**2 - 4 * c)) / 2
+        rate = -(2 * root + b - G) / (4 * root + 2 * b)
+        zero(rate - (-sp.Rational(1, 2) + sign * G / (2 * sp.sqrt(b**2 - 4 * c))))

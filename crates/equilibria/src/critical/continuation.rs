@@ -390,6 +390,7 @@ impl RelativeEquilibria<'_> {
         let (gamma, s) = (tracker.gamma(at), at.omega * at.omega);
         let state = State {
             w: gamma.map(|x| near(x * x)),
+            gamma: gamma.map(near),
             tau: tracker.gaps(at).map(|gap| near(gap / s)),
             j: near(tracker.moment(&gamma)),
             s: near(s),

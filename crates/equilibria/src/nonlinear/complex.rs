@@ -13,8 +13,8 @@ pub(super) struct Complex<E> {
 }
 
 impl<E: Arithmetic> Complex<E> {
-    pub(super) fn conjugate(&self) -> Self {
-        Self { re: self.re.clone(), im: -self.im.clone() }
+    pub(super) fn scaled(&self, factor: &E) -> Self {
+        Self { re: self.re.clone() * factor.clone(), im: self.im.clone() * factor.clone() }
     }
 }
 

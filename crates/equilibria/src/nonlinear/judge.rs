@@ -1,9 +1,10 @@
-//! The theorems that decide what eigenvalues, energy and integrals leave open (Theorem 13.9 to Proposition 13.11 of
+//! The theorems that decide what eigenvalues, energy and integrals leave open (Theorem 13.9, Proposition 13.11 of
 //! docs/mathematics.md).
 
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
 
+use super::determinant::arnold_numerator;
 use super::normal_form::NormalForm;
 use super::reduced_hamiltonian::{farthest, reduced_hamiltonian};
 use super::verdict::{Determinant, Nonlinear, Setting, Verdict, Why};
@@ -35,7 +36,12 @@ impl<E: Enclosure> Question<'_, E> {
         let near = Some(near(self.reduced));
         let found = |verdict, why, arnold| Some(Nonlinear { verdict, why, arnold, near, proved: true });
         if self.kind == LinearType::DoubleElliptic {
-            return found(Verdict::Open, Why::Resonance11, None);
+            // At index 2 the faster pair has positive energy, and the double one is not semisimple.
+            let verdict = match self.numerator()?.strict_sign()? {
+                Sign::Negative => Verdict::Unstable,
+                _ => Verdict::Stable,
+            };
+            return found(verdict, Why::Resonance11, None);
         }
         let [two, three] = [1, 2].map(|n| match exact[n - 1] {
             Some(holds) => Some(holds),
@@ -70,12 +76,21 @@ impl<E: Enclosure> Question<'_, E> {
     #[must_use]
     pub fn undecided(&self, exact: [Option<bool>; 2]) -> Nonlinear {
         let why = match exact {
+            _ if self.kind == LinearType::DoubleElliptic => Why::Resonance11,
             [Some(true), _] => Why::Resonance12,
             [_, Some(true)] => Why::Resonance13,
             _ => Why::Degenerate,
         };
         let arnold = self.normal_form().and_then(|form| determinant(&form.arnold));
         Nonlinear { verdict: Verdict::Open, why, arnold, near: Some(near(self.reduced)), proved: false }
+    }
+
+    /// c(b² − 4c)D₄ in units in which Ω = 1, finite at ω₁ = ω₂; `None` where the enclosures do not give it.
+    #[must_use]
+    pub fn numerator(&self) -> Option<E> {
+        let series = reduced_hamiltonian(self.c, self.state, farthest(self.state));
+        let [b, c] = self.reduced.coefficients();
+        arnold_numerator(&series, b, c, self.c.precision)
     }
 
     /// The normal form of the flow reduced by l, in units in which Ω = 1: its determinant is D₄/s. `None` where the

@@ -5,7 +5,9 @@
 //! order up to four (ω₁ ≠ ω₂, 2ω₂, 3ω₂) and Arnold's determinant of the normal form does not vanish, invariant tori
 //! enclose the equilibrium on every energy level near it: it is stable.
 
+mod along;
 mod complex;
+mod determinant;
 mod friction;
 mod judge;
 mod normal_form;
@@ -13,6 +15,8 @@ mod reduced_hamiltonian;
 pub mod series;
 mod verdict;
 
+pub use along::{Failing, VerdictChange, VerdictSpan, Verdicts};
+pub use determinant::arnold_numerator;
 pub use friction::Friction;
 pub use judge::Question;
 pub use normal_form::NormalForm;

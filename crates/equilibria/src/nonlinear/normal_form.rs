@@ -11,7 +11,8 @@ use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
 
 use super::complex::Complex;
-use super::series::{Exponents, Series, VARIABLES, degree};
+use super::determinant::hessian;
+use super::series::{Exponents, Series, VARIABLES, degree, of_degree};
 
 /// H = ±ω₁I₁ ± ω₂I₂ + K₁₁I₁² + K₁₂I₁I₂ + K₂₂I₂² + …, with ω₁ > ω₂ > 0.
 #[derive(Clone, Debug)]
@@ -58,32 +59,37 @@ impl<E: Enclosure> NormalForm<E> {
         let modes = [mode(0)?, mode(1)?];
         let signs = [modes[0].energy.strict_sign()?, modes[1].energy.strict_sign()?];
 
-        let cubic = in_modes(hamiltonian, 3, &modes, precision);
-        let quartic = in_modes(hamiltonian, 4, &modes, precision);
-        let zero = Complex { re: small(0), im: small(0) };
+        let cubic = cubic_in_modes(&substituted(hamiltonian, 3, &modes, precision), precision);
+        let quartic = substituted(hamiltonian, 4, &modes, precision);
         // i G₃; a term that is known to vanish has no share in it, resonant or not.
-        let terms = cubic.terms(3).filter(|(_, value)| !value.is_zero());
-        let generator = Series::of(terms.map(|(powers, value)| {
-            let frequency = (0..2).fold(small(0), |sum, j| {
-                let winding = i32::from(powers[j]) - i32::from(powers[j + CONJUGATE]);
-                sum + small(winding) * omega[j].clone()
-            });
-            let inverse = Complex { re: small(1) / frequency, im: small(0) };
-            (powers, value.clone() * inverse)
-        }));
-        let whole = |power: u8| Complex { re: small(i32::from(power)), im: small(0) };
-        let mut rest = quartic;
-        for j in 0..2 {
-            let by = |series: &Series<Complex<E>>, variable: usize| series.derivative(variable, whole);
-            let bracket = by(&cubic, j).times(&by(&generator, j + CONJUGATE)).plus(
-                &by(&cubic, j + CONJUGATE).times(&by(&generator, j)).scaled(&Complex { re: small(-1), im: small(0) }),
-            );
-            // ½ · 1/(2ω_j n_j)
-            let factor = small(1) / (small(4) * omega[j].clone() * modes[j].energy.clone());
-            rest = rest.plus(&bracket.scaled(&Complex { re: factor, im: small(0) }));
-        }
-        let at = |powers: Exponents| rest.coefficient(powers).unwrap_or(&zero).re.clone();
-        let coefficients = [at([2, 0, 2, 0]), at([1, 1, 1, 1]), at([0, 2, 0, 2])];
+        let terms = cubic.iter().filter(|(_, value)| !value.is_zero());
+        let generator: Vec<(Exponents, Complex<E>)> = terms
+            .map(|(powers, value)| {
+                let frequency = (0..2).fold(small(0), |sum, j| {
+                    let winding = i32::from(powers[j]) - i32::from(powers[j + CONJUGATE]);
+                    sum + small(winding) * omega[j].clone()
+                });
+                (*powers, value.scaled(&(small(1) / frequency)))
+            })
+            .collect();
+        // ½ · 1/(2ω_j n_j)
+        let factors: [E; 2] =
+            std::array::from_fn(|j| small(1) / (small(4) * omega[j].clone() * modes[j].energy.clone()));
+        let rest = |wanted: Exponents| {
+            let mut sum = coefficient_in_modes(&quartic, wanted, precision);
+            for (powers, value) in &cubic {
+                for (others, other) in &generator {
+                    for (j, factor) in factors.iter().enumerate() {
+                        if let Some(n) = bracket(*powers, *others, j, wanted) {
+                            let scale = factor.clone() * small(n);
+                            sum = sum + (value.clone() * other.clone()).scaled(&scale);
+                        }
+                    }
+                }
+            }
+            sum
+        };
+        let coefficients = [[2, 0, 2, 0], [1, 1, 1, 1], [0, 2, 0, 2]].map(|powers| rest(powers).re);
         let action = |j: usize| {
             let size = small(2) * omega[j].clone() * modes[j].energy.clone();
             if signs[j] == Sign::Negative { -size } else { size }
@@ -92,12 +98,11 @@ impl<E: Enclosure> NormalForm<E> {
         let [k11, k12, k22] = coefficients;
         let twist = [k11 / first.square(), k12 / (first.clone() * second.clone()), k22 / second.square()];
         // 2|c| |z₁| |z₂|ⁿ with |z_j|² = I_j/(2ω_j|n_j|).
-        let resonant = |series: &Series<Complex<E>>, powers: Exponents, scale: E| {
-            let value = series.coefficient(powers).unwrap_or(&zero);
-            small(4) * (value.re.square() + value.im.square()) / scale
-        };
-        let cubic = resonant(&cubic, [1, 0, 0, 2], first.clone() * second.square());
-        let quartic = resonant(&rest, [1, 0, 0, 3], first * second.square() * second);
+        let square = |value: Complex<E>| small(4) * (value.re.square() + value.im.square());
+        let resonant = cubic.iter().find(|(powers, _)| *powers == [1, 0, 0, 2]);
+        let cubic = resonant.map_or_else(|| small(0), |(_, value)| square(value.clone()));
+        let cubic = cubic / (first.clone() * second.square());
+        let quartic = square(rest([1, 0, 0, 3])) / (first * second.square() * second);
         let mixed = twist[1].clone() * omega[0].clone() * omega[1].clone();
         let mixed = if signs[0] == signs[1] { -mixed } else { mixed };
         let arnold = twist[0].clone() * squares[1].clone() + mixed + twist[2].clone() * squares[0].clone();
@@ -134,61 +139,95 @@ impl<E: Enclosure> Mode<E> {
     }
 }
 
-/// H″ at the origin.
-fn hessian<E: Enclosure>(hamiltonian: &Series<E>, precision: E::Precision) -> [[E; VARIABLES]; VARIABLES] {
-    std::array::from_fn(|a| {
-        std::array::from_fn(|b| {
-            let mut powers = [0; VARIABLES];
-            powers[a] += 1;
-            powers[b] += 1;
-            let value = hamiltonian.coefficient(powers).cloned().unwrap_or_else(|| E::small(0, precision));
-            if a == b { value * E::small(2, precision) } else { value }
-        })
-    })
-}
-
-/// The terms of one degree in the coordinates z₁, z₂, z̄₁, z̄₂.
-fn in_modes<E: Enclosure>(
+/// The terms of one degree in the real coordinates X₁, X₂, Y₁, Y₂ of z_j = X_j + iY_j.
+fn substituted<E: Enclosure>(
     hamiltonian: &Series<E>,
     wanted: usize,
     modes: &[Mode<E>; 2],
     precision: E::Precision,
-) -> Series<Complex<E>> {
-    let zero = || E::small(0, precision);
-    // x_a as a linear form.
-    let form: [Series<Complex<E>>; VARIABLES] = std::array::from_fn(|a| {
+) -> Series<E> {
+    // x_a as a linear form: z v + z̄ v̄ = 2X re v − 2Y im v.
+    let form: [Series<E>; VARIABLES] = std::array::from_fn(|a| {
         Series::of((0..VARIABLES).map(|k| {
             let mut powers = [0; VARIABLES];
             powers[k] = 1;
             let part = &modes[k % CONJUGATE].vector[a];
-            (powers, if k < CONJUGATE { part.clone() } else { part.conjugate() })
+            let value = if k < CONJUGATE { part.re.clone() } else { -part.im.clone() };
+            (powers, E::small(2, precision) * value)
         }))
     });
-    let mut products: Vec<(Exponents, Series<Complex<E>>)> = Vec::new();
-    let mut sum = Series::of([]);
-    for (powers, value) in hamiltonian.terms(wanted) {
-        let product = product_of(powers, &form, &mut products);
-        sum = sum.plus(&product.scaled(&Complex { re: value.clone(), im: zero() }));
+    let terms: Vec<(Exponents, E)> = hamiltonian.terms(wanted).map(|(powers, value)| (powers, value.clone())).collect();
+    composed(&terms, &form)
+}
+
+/// A homogeneous polynomial of linear forms: its terms are divided by their last variable, and so on.
+fn composed<E: Enclosure>(terms: &[(Exponents, E)], forms: &[Series<E>; VARIABLES]) -> Series<E> {
+    let last = |powers: &Exponents| (0..VARIABLES).rev().find(|&a| powers[a] > 0);
+    let mut sum = Series::of(terms.iter().filter(|(powers, _)| degree(powers) == 0).cloned());
+    for (a, form) in forms.iter().enumerate() {
+        let divided = terms.iter().filter(|(powers, _)| last(powers) == Some(a)).map(|(powers, value)| {
+            let mut lower = *powers;
+            lower[a] -= 1;
+            (lower, value.clone())
+        });
+        let divided: Vec<(Exponents, E)> = divided.collect();
+        if !divided.is_empty() {
+            sum = sum.plus(&composed(&divided, forms).times(form));
+        }
     }
     sum
 }
 
-/// The product of linear forms with these powers; those of lower degree are kept.
-fn product_of<E: Enclosure>(
-    powers: Exponents,
-    form: &[Series<Complex<E>>; VARIABLES],
-    known: &mut Vec<(Exponents, Series<Complex<E>>)>,
-) -> Series<Complex<E>> {
-    if let Some((_, product)) = known.iter().find(|(other, _)| *other == powers) {
-        return product.clone();
+/// All terms of degree three in z₁, z₂, z̄₁, z̄₂.
+fn cubic_in_modes<E: Enclosure>(real: &Series<E>, precision: E::Precision) -> Vec<(Exponents, Complex<E>)> {
+    of_degree(3).map(|powers| (powers, coefficient_in_modes(real, powers, precision))).collect()
+}
+
+/// The coefficient of a monomial in z₁, z₂, z̄₁, z̄₂, from X = (z + z̄)/2 and Y = (z − z̄)/(2i).
+fn coefficient_in_modes<E: Enclosure>(real: &Series<E>, wanted: Exponents, precision: E::Precision) -> Complex<E> {
+    let zero = || E::small(0, precision);
+    let mut sum = Complex { re: zero(), im: zero() };
+    let whole = [0, 1].map(|j| wanted[j] + wanted[j + CONJUGATE]);
+    for first in 0..=whole[0] {
+        for second in 0..=whole[1] {
+            // Powers of Y₁ and Y₂.
+            let powers = [whole[0] - first, whole[1] - second, first, second];
+            let Some(value) = real.coefficient(powers) else { continue };
+            let share = |j: usize, y: u8| krawtchouk(whole[j], y, wanted[j + CONJUGATE]);
+            let count = share(0, first) * share(1, second);
+            if count == 0 {
+                continue;
+            }
+            let part = value.clone() * E::small(count, precision);
+            // (1/i)ⁿ
+            match (first + second) % 4 {
+                0 => sum.re = sum.re + part,
+                1 => sum.im = sum.im - part,
+                2 => sum.re = sum.re - part,
+                _ => sum.im = sum.im + part,
+            }
+        }
     }
-    let Some(last) = (0..VARIABLES).rev().find(|&a| powers[a] > 0) else { return Series::of([]) };
-    if degree(&powers) == 1 {
-        return form[last].clone();
-    }
-    let mut lower = powers;
-    lower[last] -= 1;
-    let product = product_of(lower, form, known).times(&form[last]);
-    known.push((powers, product.clone()));
-    product
+    let scale = E::small(1, precision) / E::small(1 << (whole[0] + whole[1]), precision);
+    sum.scaled(&scale)
+}
+
+/// The coefficient of z̄^k in (z + z̄)^(n−y) (z − z̄)^y.
+fn krawtchouk(n: u8, y: u8, k: u8) -> i32 {
+    let binomial = |n: u8, k: u8| (0..k).fold(1, |product, i| product * i32::from(n - i) / i32::from(i + 1));
+    (0..=k.min(y))
+        .filter(|&j| k - j <= n - y)
+        .map(|j| {
+            if j % 2 == 0 { binomial(y, j) * binomial(n - y, k - j) } else { -binomial(y, j) * binomial(n - y, k - j) }
+        })
+        .sum()
+}
+
+/// The factor of the product of two monomials in the bracket of mode j, if its powers are those wanted.
+fn bracket(left: Exponents, right: Exponents, j: usize, wanted: Exponents) -> Option<i32> {
+    let product: [u8; VARIABLES] = std::array::from_fn(|k| left[k] + right[k]);
+    let fits = (0..VARIABLES).all(|k| product[k] == wanted[k] + u8::from(k == j || k == j + CONJUGATE));
+    let power = |powers: Exponents, k: usize| i32::from(powers[k]);
+    let factor = power(left, j) * power(right, j + CONJUGATE) - power(left, j + CONJUGATE) * power(right, j);
+    (fits && factor != 0).then_some(factor)
 }

@@ -33,7 +33,7 @@ pub fn reduced_hamiltonian<E: Enclosure>(c: &Constants<E>, state: &State<E>, axi
     let small = |value| E::small(value, precision);
     let axes = [axis.next(), axis.next().next(), axis];
     let [first, second, third] = axes;
-    let gamma = axes.map(|k| state.w[k].sqrt());
+    let gamma = axes.map(|k| state.gamma[k].clone());
     let rho = (state.w[first].clone() + state.w[second].clone()).sqrt();
     let one = small(1);
 

@@ -17,6 +17,13 @@ pub(super) type Exponents = [u8; VARIABLES];
 struct Monomials {
     exponents: Vec<Exponents>,
     products: Vec<[usize; 3]>,
+    /// The place of each, by its powers as digits.
+    places: Vec<usize>,
+}
+
+/// Powers as one number with digits from 0 to 4.
+fn code(powers: &Exponents) -> usize {
+    powers.iter().fold(0, |code, &power| 5 * code + usize::from(power))
 }
 
 impl Monomials {
@@ -39,14 +46,28 @@ impl Monomials {
                     products.extend(place(std::array::from_fn(|k| first[k] + second[k])).map(|k| [i, j, k]));
                 }
             }
-            Self { exponents, products }
+            let mut places = vec![usize::MAX; 5_usize.pow(4)];
+            for (place, powers) in exponents.iter().enumerate() {
+                places[code(powers)] = place;
+            }
+            Self { exponents, products, places }
         })
+    }
+
+    /// The place of a monomial of degree at most four.
+    fn place(&self, powers: &Exponents) -> Option<usize> {
+        self.places.get(code(powers)).copied().filter(|&place| place != usize::MAX)
     }
 }
 
 /// The degree of a monomial.
 pub(super) fn degree(powers: &Exponents) -> usize {
     powers.iter().map(|&power| usize::from(power)).sum()
+}
+
+/// The monomials of one degree.
+pub(super) fn of_degree(wanted: usize) -> impl Iterator<Item = Exponents> {
+    Monomials::get().exponents.iter().copied().filter(move |powers| degree(powers) == wanted)
 }
 
 /// A power series without its terms above degree four. A coefficient that is known to vanish is `None`.
@@ -78,7 +99,7 @@ impl<T: Clone + Add<Output = T> + Mul<Output = T>> Series<T> {
     pub(super) fn of(terms: impl IntoIterator<Item = (Exponents, T)>) -> Self {
         let mut series = Self::zero();
         for (powers, value) in terms {
-            if let Some(place) = Monomials::get().exponents.iter().position(|known| *known == powers) {
+            if let Some(place) = Monomials::get().place(&powers) {
                 series.add_at(place, value);
             }
         }
@@ -105,7 +126,7 @@ impl<T: Clone + Add<Output = T> + Mul<Output = T>> Series<T> {
     /// The coefficient of a monomial; `None` if it is known to vanish.
     #[must_use]
     pub fn coefficient(&self, powers: Exponents) -> Option<&T> {
-        let place = Monomials::get().exponents.iter().position(|known| *known == powers)?;
+        let place = Monomials::get().place(&powers)?;
         self.coefficients[place].as_ref()
     }
 

@@ -36,7 +36,7 @@ impl<E: Enclosure> Reduced<E> {
     /// β = g²J/det A + Σ_i (τ_j w_k + τ_k w_j + 4v_i²/J)/A_i and χ det A = Σ_i (w_i τ_j τ_k J + 4τ_i v_i²).
     #[must_use]
     pub fn new(c: &Constants<E>, state: &State<E>) -> Self {
-        let State { w, tau, j, s } = state;
+        let State { w, tau, j, s, .. } = state;
         let (zero, four) = (c.small(0), c.small(4));
         let four_over_j = four.clone() / j.clone();
         let (mut beta, mut chi, mut squared) = (zero.clone(), zero.clone(), zero);

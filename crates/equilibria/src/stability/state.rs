@@ -85,6 +85,8 @@ impl Constants<Interval> {
 pub struct State<E> {
     /// w_k = γ_k².
     pub w: [E; 3],
+    /// γ, up to signs.
+    pub gamma: [E; 3],
     /// τ_k = μ − a_k.
     pub tau: [E; 3],
     /// J = ⟨γ, Aγ⟩.
@@ -115,20 +117,49 @@ impl<E: Enclosure> State<E> {
         });
         let total = weight.iter().flatten().cloned().reduce(|sum, x| sum + x).unwrap_or_else(|| c.small(0));
         let w = weight.map(|g| g.map_or_else(|| c.small(0), |g| g / total.clone()));
+        let length = total.sqrt();
+        let gamma = Axis::ALL.map(|k| {
+            if !c.active[k] {
+                c.small(0)
+            } else if k == base {
+                c.rho[k].sqrt() / length.clone()
+            } else {
+                c.rho[k].sqrt() * delta.clone() / (tau[k].clone() * length.clone())
+            }
+        });
         let j = moment(c, &w, base);
         let s = (total / delta.square()).sqrt();
-        Self { w, tau, j, s }
+        Self { w, gamma, tau, j, s }
     }
 
     /// The family over the passive moment a_axis at z = 1/s².
     #[must_use]
     pub fn over(c: &Constants<E>, axis: Axis, z: &E) -> Self {
+        Self::over_with(c, axis, z, &z.sqrt())
+    }
+
+    /// The same at ζ = 1/s, in which γ is smooth at ζ = 0.
+    #[must_use]
+    pub fn over_inverse(c: &Constants<E>, axis: Axis, zeta: &E) -> Self {
+        Self::over_with(c, axis, &zeta.square(), zeta)
+    }
+
+    fn over_with(c: &Constants<E>, axis: Axis, z: &E, zeta: &E) -> Self {
         let mut w: [E; 3] = Axis::ALL
             .map(|k| if c.active[k] { z.clone() * c.rho[k].clone() / c.diff[axis][k].square() } else { c.small(0) });
         w[axis] = w.iter().fold(c.small(1), |rest, w| rest - w.clone());
+        let gamma = Axis::ALL.map(|k| {
+            if c.active[k] {
+                zeta.clone() * c.rho[k].sqrt() / c.diff[axis][k].clone()
+            } else if k == axis {
+                w[k].sqrt()
+            } else {
+                c.small(0)
+            }
+        });
         let j = moment(c, &w, axis);
         let s = (c.small(1) / z.clone()).sqrt();
-        Self { w, tau: c.diff[axis].clone(), j, s }
+        Self { w, gamma, tau: c.diff[axis].clone(), j, s }
     }
 
     /// Rotation about a principal axis, γ = ±e_axis, with Ω² = s > 0 and weight: τ_k = a_axis − a_k + `shift`, where the
@@ -137,7 +168,7 @@ impl<E: Enclosure> State<E> {
     pub fn about(c: &Constants<E>, axis: Axis, s: &E, shift: &E) -> Self {
         let w = Axis::ALL.map(|k| c.small(i32::from(k == axis)));
         let tau = Axis::ALL.map(|k| if k == axis { shift.clone() } else { c.diff[axis][k].clone() + shift.clone() });
-        Self { w, tau, j: c.a[axis].clone(), s: s.clone() }
+        Self { gamma: w.clone(), w, tau, j: c.a[axis].clone(), s: s.clone() }
     }
 
     /// x = l²/2 = s J²/2.

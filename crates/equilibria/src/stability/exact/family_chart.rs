@@ -161,6 +161,66 @@ impl FamilyChart {
     }
 }
 
+/// A stretch of a family on a coordinate that is a double, in the frame's units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Part {
+    /// The moment from which μ is measured, or the passive moment of the family.
+    base: Axis,
+    /// ζ = 1/Ω² on the family over a passive moment, else μ − a_base.
+    is_over: bool,
+    /// From the end at smaller t …
+    pub from: f64,
+    /// … to that at larger t.
+    pub to: f64,
+}
+
+impl Part {
+    /// Both have the same coordinate.
+    pub fn measures_like(&self, other: &Self) -> bool {
+        self.base == other.base && self.is_over == other.is_over
+    }
+
+    /// The equilibria over a set of the coordinate.
+    pub fn state<E: Enclosure>(&self, c: &Constants<E>, at: &E) -> State<E> {
+        if self.is_over { State::over_inverse(c, self.base, at) } else { State::generic(c, self.base, at) }
+    }
+}
+
+impl FamilyChart {
+    /// The stretch from t₀ to t₁ in doubles, by rising t; its ends are rounded.
+    pub(crate) fn parts(&self, body: &ExactBody, from: &RBig, to: &RBig) -> Vec<Part> {
+        let double = |x: RBig| x.to_f64().value();
+        let gap = |x: RBig| double(body.moment_in_frame(&x));
+        match &self.coordinate {
+            Coordinate::Over { axis, z_max, .. } => {
+                let zeta = |t: &RBig| double(body.z_in_frame(&(t * z_max))).sqrt();
+                vec![Part { base: *axis, is_over: true, from: zeta(from), to: zeta(to) }]
+            }
+            Coordinate::Left(base) => {
+                vec![Part { base: *base, is_over: false, from: gap(-from), to: gap(-to) }]
+            }
+            Coordinate::Right(base) => {
+                vec![Part { base: *base, is_over: false, from: gap(from.clone()), to: gap(to.clone()) }]
+            }
+            Coordinate::Inner(left, right) => {
+                let (width, half) = (RBig::from(&body.a[*right] - &body.a[*left]), RBig::ONE / RBig::from(2));
+                let near = |t: &RBig| gap(t * &width);
+                let far = |t: &RBig| gap((t - RBig::ONE) * &width);
+                let mut parts = Vec::new();
+                if *from < half {
+                    let to = if *to < half { to } else { &half };
+                    parts.push(Part { base: *left, is_over: false, from: near(from), to: near(to) });
+                }
+                if *to > half {
+                    let from = if *from > half { from } else { &half };
+                    parts.push(Part { base: *right, is_over: false, from: far(from), to: far(to) });
+                }
+                parts
+            }
+        }
+    }
+}
+
 impl Coordinate {
     fn mapped(&self, body: &ExactBody, p: &Polynomial) -> Polynomial {
         let number = |k: &Axis| RBig::from(body.a[*k].clone());

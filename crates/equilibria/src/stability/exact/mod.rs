@@ -17,11 +17,12 @@ use bifdiag_numbers::polynomial::{Polynomial, Root};
 use bifdiag_numbers::table::{Id, Table};
 use bifdiag_numbers::wide::Wide;
 use bifdiag_numbers::{Number, Sign};
-use family_chart::{Family, FamilyChart};
-use profile::{Profile, StationKind};
+use profile::Profile;
 
 pub use body::{ExactBody, Forms};
+pub(crate) use family_chart::{Family, FamilyChart, Part};
 pub use profile::{ExactPoint, Touch};
+pub(crate) use profile::{StationKind, compare};
 pub use strands::{Start, Strand, StrandStretch};
 
 /// The families of a body with everything that decides the linear type along them.
@@ -92,6 +93,26 @@ impl StabilityProfile {
         Some([two, three].map(|polynomial| point.is_root_of(polynomial)))
     }
 
+    /// The exact body.
+    pub(crate) fn body(&self) -> &ExactBody {
+        &self.body
+    }
+
+    /// The families with what is known along them, and the curves of each by rising number of their piece; none where f64 cut
+    /// the branch otherwise.
+    pub(crate) fn families(&self, set: &CriticalSet) -> Vec<(&FamilyChart, &Profile, Vec<CurveId>)> {
+        let mut list = Vec::new();
+        for (chart, profile) in &self.families {
+            let here = |id: &CurveId| family(set.curves[*id].branch) == Some(chart.family);
+            let mut curves: Vec<CurveId> = set.curves.ids().filter(here).collect();
+            curves.sort_by_key(|&id| set.curves[id].piece);
+            if profile.pieces(chart.is_reversed).len() == curves.len() {
+                list.push((chart, profile, curves));
+            }
+        }
+        list
+    }
+
     /// The family of a branch.
     fn on(&self, branch: Branch) -> Option<&(FamilyChart, Profile)> {
         let family = family(branch)?;
@@ -108,14 +129,8 @@ impl StabilityProfile {
             Some(_) => None,
         });
         let mut between = Vec::new();
-        for (chart, profile) in &self.families {
-            let here = |id: &CurveId| family(set.curves[*id].branch) == Some(chart.family);
-            let mut curves: Vec<CurveId> = set.curves.ids().filter(here).collect();
-            curves.sort_by_key(|&id| set.curves[id].piece);
+        for (chart, profile, curves) in self.families(set) {
             let pieces = profile.pieces(chart.is_reversed);
-            if pieces.len() != curves.len() {
-                continue;
-            }
             let changes = |k: &usize| profile.types[*k] != profile.types[*k + 1];
             // The change at station k, by rising t.
             let turn = |k: usize| {

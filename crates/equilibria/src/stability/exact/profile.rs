@@ -61,7 +61,7 @@ pub struct Profile {
 const FIRST_BITS: usize = 64;
 
 /// The order of two algebraic numbers.
-pub(super) fn compare(one: &mut Root, other: &mut Root) -> Ordering {
+pub(crate) fn compare(one: &mut Root, other: &mut Root) -> Ordering {
     let mut bits = FIRST_BITS;
     let mut is_shared = None;
     loop {
