@@ -32,7 +32,7 @@ const ORDER: [(&str, &str); 12] = [
          section words",
     ),
     ("crates/verify/src", "refused numbers equilibria order topology stability document"),
-    ("crates/plot/src", "page animation campbell diagram map section sphere part"),
+    ("crates/plot/src", "page animation campbell steady diagram map section sphere part"),
     (
         "src/cli",
         "failure terminal input export batch listings part spin atlas show classify critical verify section sphere \

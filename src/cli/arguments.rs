@@ -162,7 +162,7 @@ commands! {
     State(Box<StateArguments>) = "state", spin::STATE_EXAMPLES;
     /// List the spins at which rotation about an axis changes its stability or its regions
     CriticalSpin(Box<CriticalSpinArguments>) = "critical-spin", spin::CRITICAL_SPIN_EXAMPLES;
-    /// Draw the frequencies of small oscillations over the spin of a permanent axis
+    /// Draw the frequencies of small oscillations over the spin of a steady rotation
     Campbell(Box<CampbellArguments>) = "campbell", spin::CAMPBELL_EXAMPLES;
     /// Follow a steady rotation that friction slows down, to rest or to its fall
     SpinDown(Box<SpinDownArguments>) = "spin-down", spin::SPIN_DOWN_EXAMPLES;

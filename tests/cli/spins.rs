@@ -154,6 +154,84 @@ fn degenerate_points_and_circles_are_explained() {
     assert!(!none.contains("mult 2") && !none.contains("circle"), "{none}");
 }
 
+/// Off the principal axes no rotation is permanent: bounds hold for the one that moves with the spin, and every part of the box
+/// that is tried has it there, with the type that is told.
+#[test]
+fn tolerances_off_the_principal_axes_have_bounds() {
+    let part = |tensor: [f64; 6], com: [f64; 3], within: bool| {
+        let text = |list: &[f64], share: f64| {
+            let one = |x: &f64| if within { format!("{x:?}±{:?}", x.abs() * share + 1e-6) } else { format!("{x:?}") };
+            list.iter().map(one).collect::<Vec<_>>().join(",")
+        };
+        format!(
+            "--inertia-com={} --com={} --mass 2 --products tensor --g 9.81",
+            text(&tensor, 0.002),
+            text(&com, 0.002)
+        )
+    };
+    let (tensor, com) = ([0.03, 0.024, 0.017, 0.002, -0.001, 0.0015], [0.01, 0.02, 0.05]);
+    let found = bifdiag(&format!("critical-spin {} --axis z --json", part(tensor, com, true))).succeeds().json();
+    assert_eq!((&found["permanent"], &found["tolerance"]["moving"]), (&json!(false), &json!(true)));
+    let ranges = found["tolerance"]["ranges"].as_array().unwrap();
+    assert!(ranges.iter().any(|range| range["to"] != json!(null)), "{found}");
+    let tilt = number(&found["tolerance"]["tilt_deg"]);
+    assert!(tilt < 5.0, "{tilt}");
+    assert_eq!(found["families"].as_array().unwrap().len(), 2);
+    // Fast, the type of both families of some corners of the box is that which is told.
+    for corner in 0..4_u32 {
+        let side = |k: u32| if corner >> (k % 2) & 1 == 0 { 0.998 } else { 1.002 };
+        let moved: [f64; 6] = std::array::from_fn(|k| tensor[k] * side(k as u32));
+        let one = bifdiag(&format!("critical-spin {} --axis z --json", part(moved, com.map(|x| x * side(1)), false)));
+        let one = one.succeeds().json();
+        for (end, up) in ["+axis", "-axis"].into_iter().enumerate() {
+            let stretches = one["families"][end]["stretches"].as_array().unwrap();
+            let here = ranges.iter().filter(|range| range["up"] == json!(up));
+            for range in here.filter(|range| !range["to"].is_null()) {
+                let after = number(&range["rpm"][1]) * 1.0001;
+                let at =
+                    stretches.iter().rfind(|stretch| stretch["from"]["spin"]["rpm"].as_f64().unwrap_or(0.0) <= after);
+                let told = range["to"].as_str().unwrap().split(' ').next().unwrap();
+                assert_eq!(at.unwrap()["stability"], json!(told), "{range} {one}");
+            }
+        }
+    }
+    let share = bifdiag("critical-spin --body paper --axis 1,0,0 --tolerance 0.1%").succeeds();
+    share.printing("of that of the nominal part at this spin").printing("components of r");
+    bifdiag("critical-spin --body paper --axis 1,0,0 --tolerance axis=1%")
+        .succeeds()
+        .printing("give one share for all");
+}
+
+/// At a range of spins: a table with the angle from the centre of mass, a line of JSON for each spin, and a picture.
+#[test]
+fn steady_axes_over_the_spin_are_a_table_and_a_picture() {
+    let directory = tempfile::tempdir().unwrap();
+    let run = |more: &str| {
+        bifdiag(&format!("critical --body paper {more} --spin")).and("0:60:13 rpm").inside(directory.path())
+    };
+    let csv = run("").succeeds().stdout();
+    assert!(csv.starts_with("spin_index,spin_rpm,axis1,axis2,axis3,angle_deg,l,h,gamma1,"), "{csv}");
+    let rows: Vec<Vec<&str>> = csv.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    let count = |index: &str| rows.iter().filter(|row| row[0] == index).count();
+    // Folds at 14.15 rpm and a fork at 23.9 rpm; at rest the body hangs or stands.
+    assert_eq!(["0", "2", "3", "4", "5", "12"].map(count), [2, 2, 4, 4, 6, 6]);
+    let angle = |row: usize| rows[row][5].parse::<f64>().unwrap();
+    assert!((angle(0) - 180.0).abs() < 1e-12 && angle(1).abs() < 1e-12, "{rows:?}");
+    let lines = run("--json").succeeds().json_lines();
+    assert_eq!(lines.len(), 13);
+    let one = bifdiag("critical --body paper --json --spin").and("15 rpm").succeeds().json();
+    assert_eq!((&lines[3]["axes"], &lines[3]["command"]), (&one["axes"], &one["command"]));
+    run("--out axes.svg").succeeds().printing("5 families of steady axes").printing("written: axes.svg");
+    let picture = std::fs::read_to_string(directory.path().join("axes.svg")).unwrap();
+    for text in ["spin in rpm", "in degrees", "unstable", "no eigenvalue grows", ">G2<", ">S2<"] {
+        assert!(picture.contains(text), "{text}");
+    }
+    bifdiag("critical --body paper --out axes.svg --spin").and("2 rpm").refused().telling("a picture needs a range");
+    bifdiag("critical --body euler --out axes.svg --spin").and("0:2:3 rpm").refused().telling("without weight");
+    bifdiag("critical --body paper --spin").and("5:2:3 rpm").refused().telling("write a smaller spin first");
+    bifdiag("critical --body paper --spin").and("0:2:3").refused().telling("has no unit");
+}
+
 /// Within half a degree of a permanent axis that axis is followed; the given one may be steady at a spin of its own.
 #[test]
 fn an_axis_beside_a_permanent_one_is_followed() {

@@ -33,9 +33,12 @@ pub use critical::{LINEAR_TYPES, VERDICTS, critical, equilibria, multiplicity, s
 pub use find::{find, witness};
 pub use grid::{GridAxis, grid};
 pub use section::{chaos, drift, integrator, section, sections, tolerance_option};
-pub use spin::{changes_beside, measured_command, measured_tolerance, spin, spin_changes, spin_stretches, tolerance};
+pub use spin::{
+    changes_beside, measured_command, measured_tolerance, spin, spin_changes, spin_stretches, tolerance,
+    tolerance_beside,
+};
 pub use spin_down::spin_down;
 pub use stability::{NONLINEAR_VERDICTS, REASONS, friction, nonlinear, nonlinear_verdict, reason};
-pub use steady::steady_spins;
+pub use steady::{steady_families, steady_spins};
 pub use subject::Subject;
 pub use witnesses::{ReadWitnessError, read_witness, shipped_witnesses};

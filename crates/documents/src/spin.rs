@@ -8,7 +8,8 @@ use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::region_changes::{RotationChange, rotation_changes};
 use bifdiag_equilibria::nonlinear::Verdict;
 use bifdiag_equilibria::permanent::{
-    AxisRotation, SpinRange, SpinType, sampled_bodies, sampled_parts, settled_types_of_part, spin_ranges,
+    AxisRotation, Near, SpinRange, SpinType, sampled_bodies, sampled_parts, sampled_shares, settled_types_of_part,
+    settled_types_of_shares, spin_ranges,
 };
 use bifdiag_numbers::{Number, decimal};
 use bifdiag_schema::{
@@ -131,6 +132,7 @@ pub fn tolerance(rotations: &[(&str, AxisRotation)], relative: &[Number; 4], sec
     ToleranceDocument {
         relative: Some(relative.each_ref().map(|relative| relative.text().to_owned())),
         inputs: Vec::new(),
+        moving: false,
         tilt_deg: None,
         sampled_parts,
         classes,
@@ -144,10 +146,11 @@ pub fn tolerance(rotations: &[(&str, AxisRotation)], relative: &[Number; 4], sec
 pub fn measured_tolerance(
     part: &Part,
     measured: &MeasuredPart,
-    ends: [(&str, [f64; 3]); 2],
+    ends: [(&str, [f64; 3], Near); 2],
     second: f64,
 ) -> ToleranceDocument {
-    let settled = ends.map(|(name, up)| (name, settled_types_of_part(part, measured, up)));
+    let moving = ends.iter().any(|(.., near)| *near != Near::Axis);
+    let settled = ends.map(|(name, up, near)| (name, settled_types_of_part(part, measured, up, near)));
     let (classes, sampled_parts) = sampled_classes(sampled_parts(part, measured));
     let input = |k: usize| MeasuredDocument {
         name: INPUT_NAMES[k].to_owned(),
@@ -159,6 +162,32 @@ pub fn measured_tolerance(
     ToleranceDocument {
         relative: None,
         inputs: measured.uncertain().map(input).collect(),
+        moving,
+        tilt_deg: Some(settled.iter().map(|(_, found)| found.tilt).fold(0.0, f64::max).to_degrees()),
+        sampled_parts,
+        classes,
+        ranges: ranges.collect(),
+    }
+}
+
+/// What one relative tolerance of the principal moments and of r does to the steady rotations that tend to an axis at fast
+/// spins. `ends` are the ends of the axis that are up, in principal axes, each with its name
+/// and the spin at which its rotation begins.
+#[must_use]
+pub fn tolerance_beside(
+    body: &Body,
+    share: &Number,
+    ends: [(&str, [f64; 3], f64); 2],
+    second: f64,
+) -> ToleranceDocument {
+    let settled = ends.map(|(name, up, slowest)| (name, settled_types_of_shares(body, share.value(), up, slowest)));
+    let (classes, sampled_parts) = sampled_classes(sampled_shares(body, share.value()));
+    let ranges =
+        settled.iter().flat_map(|(name, found)| found.ranges.iter().map(|range| spin_range(name, range, second)));
+    ToleranceDocument {
+        relative: Some(std::array::from_fn(|_| share.text().to_owned())),
+        inputs: Vec::new(),
+        moving: true,
         tilt_deg: Some(settled.iter().map(|(_, found)| found.tilt).fold(0.0, f64::max).to_degrees()),
         sampled_parts,
         classes,

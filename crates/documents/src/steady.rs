@@ -32,6 +32,12 @@ pub fn steady_spins(
     }
 }
 
+/// Families of steady axes.
+#[must_use]
+pub fn steady_families(subject: &Subject, families: &[&SteadyFamily]) -> Vec<SteadyFamilyDocument> {
+    families.iter().map(|found| family(subject, found)).collect()
+}
+
 /// γ points down.
 fn up(subject: &Subject, gamma: [f64; 3]) -> [f64; 3] {
     subject.to_given(gamma.map(|x| 0.0 - x))

@@ -13,6 +13,7 @@ pub mod page;
 mod part;
 mod section;
 mod sphere;
+mod steady;
 
 pub use animation::{AnimatedCrossing, AnimationScene, draw_animation};
 pub use campbell::{Campbell, Known, draw_campbell};
@@ -24,3 +25,4 @@ pub use section::{
     OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene, draw_section, draw_section_rows,
 };
 pub use sphere::{SphereScene, draw_sphere};
+pub use steady::{Steadiness, SteadyCurve, SteadyScene, draw_steady};

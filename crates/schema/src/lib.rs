@@ -66,13 +66,11 @@ pub use shown::{harmless, one_line, shown};
 pub use spin::{
     CriticalSpinDocument, MeasuredDocument, NearestAxisDocument, SampledClassDocument, SpinChangeDocument,
     SpinDocument, SpinRangeDocument, SpinStretchDocument, StateDocument, SteadyAxesDocument, SteadyAxisDocument,
-    SteadyDocument, SteadySpinDocument, ToleranceDocument,
+    SteadyDocument, SteadyFamilyDocument, SteadyPlaceDocument, SteadySpinDocument, SteadyStart, SteadyStretchDocument,
+    ToleranceDocument,
 };
 pub use spin_down::{SlowdownDocument, SlowdownEvent, SpinDownDocument};
-pub use steady::{
-    AxisCountDocument, PermanentAxisDocument, SteadyFamilyDocument, SteadyPlaceDocument, SteadySpinsDocument,
-    SteadyStart, SteadyStretchDocument,
-};
+pub use steady::{AxisCountDocument, PermanentAxisDocument, SteadySpinsDocument};
 
 /// Version of every document in this module.
 pub const SCHEMA_VERSION: &str = "3";

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     FrictionDocument, GivenBody, Head, MarginDocument, Multiplicity, NonlinearDocument, PartDocument,
-    RelativeEquilibriumDocument, Verdict,
+    RelativeEquilibriumDocument, Stability, StabilityChangeKind, Verdict,
 };
 
 /// A rate of turning in two units.
@@ -51,6 +51,67 @@ pub struct SteadyAxesDocument {
     /// The part from which A and r were computed, when one was given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part: Option<PartDocument>,
+}
+
+/// How a family of steady axes begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum SteadyStart {
+    /// At rest, where the body hangs or stands.
+    Rest,
+    /// Together with another family: slower, there is neither.
+    Fold,
+    /// On another family, from which a pair or a circle of axes leaves.
+    Fork,
+}
+
+/// A steady rotation of a family.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SteadyPlaceDocument {
+    /// The spin.
+    pub spin: SpinDocument,
+    /// Bound on the error of the spin, in rad/s.
+    pub error_bound: f64,
+    /// The axis, a unit vector in the frame of the question, pointing up; of a pair or circle one of them.
+    pub axis: [f64; 3],
+    /// l there.
+    pub l: f64,
+    /// h there.
+    pub h: f64,
+}
+
+/// A range of spins in which a family has one linear type, to the start of the next one or to infinity.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SteadyStretchDocument {
+    /// Where it begins; `null`: at rest.
+    pub from: Option<SteadyPlaceDocument>,
+    /// Which eigenvalues meet there; `null` where the family itself begins.
+    pub change: Option<StabilityChangeKind>,
+    /// Linear type of the flow reduced by l.
+    pub stability: Stability,
+    /// What is known of its stability.
+    pub stable: Verdict,
+}
+
+/// Steady axes that move with the spin without meeting others, from one spin to infinity.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SteadyFamilyDocument {
+    /// Id of the branch of relative equilibria on which it lies; two families that begin in a fold share one.
+    pub branch: String,
+    /// The branch in words.
+    pub branch_name: String,
+    /// How it begins.
+    pub start: SteadyStart,
+    /// How many axes it has at each spin; 2 is a symmetric pair.
+    pub axes: Multiplicity,
+    /// The axis is the same at every spin.
+    pub permanent: bool,
+    /// The axis at rest, pointing up, in the frame of the question; `null` for a family that begins later.
+    pub slow_axis: Option<[f64; 3]>,
+    /// The axis in the limit of fast spins; of a pair or circle one of them.
+    pub fast_axis: [f64; 3],
+    /// By rising spin.
+    pub stretches: Vec<SteadyStretchDocument>,
 }
 
 /// A permanent axis near to the one that was asked about.
@@ -149,7 +210,11 @@ pub struct CriticalSpinDocument {
     /// absent where the given axis is permanent at every spin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub steady: Option<Vec<SteadySpinDocument>>,
-    /// The spectral type at rest or at the slowest spins, with `+axis` and with `-axis` up.
+    /// Of an axis that is not permanent: the families of steady axes that tend to the principal axis nearest to it at fast
+    /// spins, with `+axis` and with `-axis` up.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub families: Vec<SteadyFamilyDocument>,
+    /// The spectral type at rest or at the slowest spins, with `+axis` and with `-axis` up; of `families` at their start.
     pub slow: Option<[String; 2]>,
     /// By the end that is up, then by rising spin.
     pub changes: Vec<SpinChangeDocument>,
@@ -176,8 +241,12 @@ pub struct ToleranceDocument {
     /// The numbers of the part that are known to within so much; empty with `relative`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub inputs: Vec<MeasuredDocument>,
-    /// Outside the ranges each part has at every spin a steady rotation nearer to the axis than this, in degrees; absent with
-    /// `relative`, where the axis itself is permanent.
+    /// The ranges are those of the steady rotation that moves with the spin and tends to the principal axis nearest to the
+    /// given one at fast spins, since no rotation about the given axis is permanent.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub moving: bool,
+    /// Outside the ranges each part has at every spin a steady rotation nearer than this, in degrees, to the axis or, with
+    /// `moving`, to that of the nominal part at the same spin; absent where the axis itself is permanent for all of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tilt_deg: Option<f64>,
     /// How many parts were tried for `classes`, and with `relative` for `between` and `most`.

@@ -3,71 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{
-    GivenBody, Head, Multiplicity, PartDocument, SpinChangeDocument, SpinDocument, Stability, StabilityChangeKind,
-    Verdict,
-};
-
-/// How a family of steady axes begins.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum SteadyStart {
-    /// At rest, where the body hangs or stands.
-    Rest,
-    /// Together with another family: slower, there is neither.
-    Fold,
-    /// On another family, from which a pair or a circle of axes leaves.
-    Fork,
-}
-
-/// A steady rotation of a family.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct SteadyPlaceDocument {
-    /// The spin.
-    pub spin: SpinDocument,
-    /// Bound on the error of the spin, in rad/s.
-    pub error_bound: f64,
-    /// The axis, a unit vector in the frame of the question, pointing up; of a pair or circle one of them.
-    pub axis: [f64; 3],
-    /// l there.
-    pub l: f64,
-    /// h there.
-    pub h: f64,
-}
-
-/// A range of spins in which a family has one linear type, to the start of the next one or to infinity.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct SteadyStretchDocument {
-    /// Where it begins; `null`: at rest.
-    pub from: Option<SteadyPlaceDocument>,
-    /// Which eigenvalues meet there; `null` where the family itself begins.
-    pub change: Option<StabilityChangeKind>,
-    /// Linear type of the flow reduced by l.
-    pub stability: Stability,
-    /// What is known of its stability.
-    pub stable: Verdict,
-}
-
-/// Steady axes that move with the spin without meeting others, from one spin to infinity.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct SteadyFamilyDocument {
-    /// Id of the branch of relative equilibria on which it lies; two families that begin in a fold share one.
-    pub branch: String,
-    /// The branch in words.
-    pub branch_name: String,
-    /// How it begins.
-    pub start: SteadyStart,
-    /// How many axes it has at each spin; 2 is a symmetric pair.
-    pub axes: Multiplicity,
-    /// The axis is the same at every spin.
-    pub permanent: bool,
-    /// The axis at rest, pointing up, in the frame of the question; `null` for a family that begins later.
-    pub slow_axis: Option<[f64; 3]>,
-    /// The axis in the limit of fast spins; of a pair or circle one of them.
-    pub fast_axis: [f64; 3],
-    /// By rising spin.
-    pub stretches: Vec<SteadyStretchDocument>,
-}
+use super::{GivenBody, Head, PartDocument, SpinChangeDocument, SpinDocument, SteadyFamilyDocument};
 
 /// An axis about which the body turns steadily at every spin.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

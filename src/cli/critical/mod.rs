@@ -1,7 +1,9 @@
 //! `bifdiag critical`: all relative equilibria at one l, at many, or at one spin.
 
+mod curve;
 mod momenta;
 mod report;
+mod spins;
 mod table;
 
 use std::sync::Arc;
@@ -19,6 +21,7 @@ use super::failure::{Failure, failed};
 use super::input::BodyArguments;
 use super::terminal::{Timings, print, significant};
 use momenta::Momenta;
+use spins::{Output, Spins, spin_at};
 use table::NOT_FOUND;
 
 pub const EXAMPLES: &str = "\
@@ -26,6 +29,7 @@ Examples:
   bifdiag critical --A 2,1.1,1 --r 0.94868,0,0.61623 --l 3.25
   bifdiag critical --body katok:6 --l 7/3 --json
   bifdiag critical --body paper --spin \"2 rad/s\"
+  bifdiag critical --body paper --spin \"0:60:241 rpm\" --out axes.svg
   bifdiag critical --A 2,1.1,1 --r 0.94868,0,0.61623 --l 3.25 --method newton
   bifdiag critical --body lagrange --l 0:4:401 --out lagrange.npz
   bifdiag critical --batch momenta.jsonl > equilibria.jsonl
@@ -54,21 +58,23 @@ pub struct CriticalArguments {
     #[arg(long = "l", value_name = "l|a:b:n", allow_hyphen_values = true, value_parser = Momenta::parse)]
     #[arg(help_heading = "Momentum")]
     pub momentum: Option<Momenta>,
-    /// Instead of l: list every axis about which the body turns steadily at this spin (rpm, Hz, rad/s, deg/s)
+    /// Instead of l: list every axis about which the body turns steadily at this spin (rpm, Hz, rad/s, deg/s), or at a range
+    /// of spins, such as "0:3000:301 rpm"
     #[arg(long, value_name = "\"300 rpm\"", allow_hyphen_values = true, conflicts_with = "momentum")]
-    #[arg(help_heading = "Momentum")]
-    pub spin: Option<Spin>,
+    #[arg(value_parser = Spins::parse, help_heading = "Momentum")]
+    pub spin: Option<Spins>,
     /// How they are found
     #[arg(long, value_enum, default_value_t, value_name = "METHOD", help_heading = "Momentum", hide_short_help = true)]
     pub method: Method,
     #[command(flatten)]
     pub batch: BatchArguments,
-    /// Print the answer as JSON, at a range one line for each momentum (a batch always is)
+    /// Print the answer as JSON, at a range one line for each momentum or spin (a batch always is)
     #[arg(long, conflicts_with = "out", help_heading = "Output")]
     pub json: bool,
-    /// Write the table of a range or a spin to FILE (.npz, .parquet, .csv, .jsonl; -: CSV to stdout, as a range without --out)
-    #[arg(long, value_name = "FILE", value_parser = DataTarget::parse, help_heading = "Output")]
-    pub out: Option<DataTarget>,
+    /// Write the table of a range or a spin to FILE (.npz, .parquet, .csv, .jsonl; -: CSV to stdout, as a range without
+    /// --out); .svg or .png: draw the steady axes of a range of spins, angle from the centre of mass against rpm
+    #[arg(long, value_name = "FILE", value_parser = Output::parse, help_heading = "Output")]
+    pub out: Option<Output>,
 }
 
 pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
@@ -90,8 +96,28 @@ pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Res
             .run(|queries| timings.stage("chunk", || lines(queries)));
     }
     let subject = body.subject()?;
+    if let (Some(Spins::Range { from, to, count }), Some(Output::Picture { path, format })) = (spin, out) {
+        return curve::draw(&subject, [from, to], *count, (path, *format), timings);
+    }
+    let out = match out {
+        Some(Output::Picture { .. }) => {
+            return Err(Failure::input(
+                "--out: a picture needs a range of spins, such as --spin \"0:3000:301 rpm\"; a table goes to FILE.csv, FILE.npz, \
+                 FILE.parquet or FILE.jsonl",
+            ));
+        }
+        Some(Output::Data(target)) => Some(target),
+        None => None,
+    };
     match (momentum, spin) {
-        (_, Some(spin)) => at_spin(&subject, spin, *json, out.as_ref(), timings),
+        (_, Some(Spins::One(spin))) => at_spin(&subject, spin, *json, out, timings),
+        (_, Some(Spins::Range { from, to, count })) if *json => {
+            timings.stage("critical", || spin_lines(&subject, [from, to], *count))
+        }
+        (_, Some(Spins::Range { from, to, count })) => {
+            let columns = timings.stage("critical", || table::at_spins(&subject, [from, to], *count));
+            written(&columns?, out, timings)
+        }
         (None, None) => Err(no_point("--l", "the momentum, such as --l 3.25, the spin, such as --spin \"300 rpm\"")),
         (Some(Momenta::One(_)), None) if out.is_some() => Err(Failure::input(
             "--out needs a range of momenta, such as --l 0:4:401, or --spin; at one momentum --json writes to stdout",
@@ -109,7 +135,7 @@ pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Res
         }
         (Some(Momenta::Range { from, to, count }), None) => {
             let columns = timings.stage("critical", || table::at_momenta(&subject.body, [from, to], *count));
-            written(&columns?, out.as_ref(), timings)
+            written(&columns?, out, timings)
         }
     }
 }
@@ -142,6 +168,21 @@ fn at_spin(
         }
         None => answer(json, &document, || report::steady_axes(subject, &document)),
     }
+}
+
+/// Prints the steady axes at the spins of a range, a line for each spin.
+fn spin_lines(subject: &Subject, ends: [&Spin; 2], count: u32) -> Result<(), Failure> {
+    let prepared = RelativeEquilibria::new(&subject.body).map_err(failed(NOT_FOUND))?;
+    for k in 0..count {
+        let spin = spin_at(ends, count, k);
+        let omega = spin.exact_rad_per_s() * subject.unit_of_time();
+        let found = prepared.at_spin(&omega).map_err(failed(NOT_FOUND))?;
+        let mut line = Vec::with_capacity(LINE);
+        serde_json::to_writer(&mut line, &bifdiag_documents::steady_axes(subject, &spin, &found))?;
+        line.push(b'\n');
+        print(line)?;
+    }
+    Ok(())
 }
 
 /// Writes a table.

@@ -1,13 +1,17 @@
 //! Relative equilibria at many l, or at one spin, as columns.
 
+use bifdiag_body::part::Spin;
 use bifdiag_body::{Body, Number};
+use bifdiag_documents::Subject;
 use bifdiag_equilibria::critical::{Equilibria, Multiplicity as Points, RelativeEquilibria};
+use bifdiag_equilibria::permanent::angle_between;
 use bifdiag_schema::{
     Multiplicity, NonlinearVerdict, Reason, SCHEMA_VERSION, SpinDocument, Stability, SteadyAxesDocument, Verdict,
 };
 use serde::Serialize;
 
 use super::momenta::Momenta;
+use super::spins::spin_at;
 use crate::cli::export::{Columns, Values};
 use crate::cli::failure::{Failure, failed};
 
@@ -84,6 +88,37 @@ pub fn at_spin(body: &Body, document: &SteadyAxesDocument, found: &Equilibria) -
 /// The place of a word in its list.
 fn place<T: PartialEq>(words: &[T], word: &T) -> i8 {
     words.iter().zip(0..).find(|(known, _)| *known == word).map_or(-1, |(_, place)| place)
+}
+
+/// All steady axes at all spins of a range.
+pub fn at_spins(subject: &Subject, ends: [&Spin; 2], count: u32) -> Result<Columns, Failure> {
+    let body = &subject.body;
+    let prepared = RelativeEquilibria::new(body).map_err(failed(NOT_FOUND))?;
+    let (mut rows, mut rpm, mut axes, mut angles) = (Rows::default(), Vec::new(), Vec::new(), Vec::new());
+    for k in 0..count {
+        let spin = spin_at(ends, count, k);
+        let found = prepared.at_spin(&(spin.exact_rad_per_s() * subject.unit_of_time())).map_err(failed(NOT_FOUND))?;
+        for point in &found.list {
+            rpm.push(Spin::rpm(spin.rad_per_s()));
+            let up = point.gamma.map(|x| 0.0 - x);
+            axes.push(subject.to_given(up));
+            angles.push(from_center(body, up));
+        }
+        rows.extend(&found, k, None);
+    }
+    let before = [
+        ("spin_index", Values::Int32(std::mem::take(&mut rows.index_of_l))),
+        ("spin_rpm", Values::floats(rpm.into_iter())),
+        ("axis", Values::vectors(axes.into_iter())),
+        ("angle_deg", Values::floats(angles.into_iter())),
+    ];
+    Ok(rows.columns(body, None, None, before, [])?)
+}
+
+/// The angle in degrees from the centre of mass to the end of an axis that points up, in principal axes: 0 for a body that
+/// stands, 180 for one that hangs; NaN without weight.
+pub fn from_center(body: &Body, up: [f64; 3]) -> f64 {
+    if body.is_euler() { f64::NAN } else { angle_between(body.center_f64(), up).to_degrees() }
 }
 
 impl Rows {

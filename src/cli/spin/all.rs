@@ -67,12 +67,9 @@ fn text(subject: &Subject, document: &SteadySpinsDocument) -> String {
     if !moving.is_empty() {
         report.line("");
         report.line("steady axes that move with the spin:");
-        report.line(table(&moving));
-        legend(&mut report, &moving);
+        families(&mut report, &moving, document.part.is_some());
     }
     report.line(counts(document));
-    let frame = if document.part.is_some() { "in the part's frame" } else { "in principal axes" };
-    report.line(format!("axis: the end that points up, {frame}"));
     if let Some(note) = &document.note {
         report.line(format!("note: {note}"));
     }
@@ -91,6 +88,14 @@ fn permanent_axis_text(report: &mut Report, permanent: &PermanentAxisDocument, u
             report.line(table_of_changes(&permanent.changes, if unknown { "not known" } else { "same" }));
         }
     }
+}
+
+/// Families as a table, and what its words mean.
+pub fn families(report: &mut Report, families: &[&SteadyFamilyDocument], of_part: bool) {
+    report.line(table(families));
+    legend(report, families);
+    let frame = if of_part { "in the part's frame" } else { "in principal axes" };
+    report.line(format!("axis: the end that points up, {frame}"));
 }
 
 /// Each family by rising spin, a row for each type.

@@ -1,7 +1,9 @@
 //! Axes of questions, and the rotations that they mean.
 
 use bifdiag_documents::Subject;
+use bifdiag_equilibria::critical::{Multiplicity, SteadyFamily};
 use bifdiag_equilibria::permanent::{NearestAxis, PermanentAxis, angle_between, nearest_permanent, permanent_axis};
+use bifdiag_numbers::vector::dot;
 use bifdiag_schema::NearestAxisDocument;
 use dashu_ratio::RBig;
 
@@ -124,4 +126,14 @@ pub fn followed_text(nearest: &NearestAxisDocument) -> String {
     let [x, y, z] = nearest.axis.map(|x| significant(x, 6));
     let angle = significant(nearest.angle_deg, 3);
     format!("the nearest permanent axis, ({x}, {y}, {z}), {angle}° from the one given, is followed")
+}
+
+/// The family whose axis is nearest to a direction that points up, at fast spins.
+pub fn fastest_along(families: &[SteadyFamily], up: [f64; 3]) -> Option<&SteadyFamily> {
+    // γ points down; a pair has both ends.
+    let along = |family: &SteadyFamily| {
+        let side = dot(family.fast, up);
+        if family.axes == Multiplicity::Points(1) { -side } else { side.abs() }
+    };
+    families.iter().max_by(|p, q| along(p).total_cmp(&along(q)))
 }

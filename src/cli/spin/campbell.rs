@@ -1,19 +1,21 @@
-//! `bifdiag campbell`: frequencies over the spin of a permanent axis.
+//! `bifdiag campbell`: frequencies over the spin of a steady rotation.
 
 use std::path::PathBuf;
 
 use bifdiag_body::part::Spin;
 use bifdiag_documents::Subject;
+use bifdiag_equilibria::critical::RelativeEquilibria;
 use bifdiag_equilibria::nonlinear::Verdict;
-use bifdiag_equilibria::permanent::{AxisRotation, angle_between, permanent_axis};
+use bifdiag_equilibria::permanent::{AxisRotation, PermanentAxis, angle_between, permanent_axis};
 use bifdiag_numbers::Sign;
 use bifdiag_plot::{Campbell, Known, draw_campbell};
+use bifdiag_schema::NearestAxisDocument;
 use clap::Args;
 use dashu_ratio::RBig;
 
-use super::axis::{Axis, AxisArgument, axis, followed_text};
+use super::axis::{Axis, AxisArgument, axis, fastest_along, followed_text};
 use crate::cli::export::{Column, Columns, DataFormat, FileSet, PictureFormat, Values};
-use crate::cli::failure::Failure;
+use crate::cli::failure::{Failure, failed};
 use crate::cli::input::BodyArguments;
 use crate::cli::terminal::{Report, Timings, print, significant};
 
@@ -28,7 +30,8 @@ Examples:
 pub struct CampbellArguments {
     #[command(flatten)]
     pub body: BodyArguments,
-    /// The axis of rotation, pointing up: x, y, z or a direction
+    /// The axis of rotation, pointing up: x, y, z or a direction; where no rotation about it is permanent, the steady one that
+    /// tends to the principal axis nearest to it at fast spins is followed
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "Rotation")]
     pub axis: AxisArgument,
     /// The largest spin, with its unit: rpm, Hz, rad/s, deg/s
@@ -45,6 +48,9 @@ pub struct CampbellArguments {
 /// An axis farther than this, in degrees, from the one that is followed is reported.
 const TOLD: f64 = 1e-9;
 
+/// What is said where there is no answer.
+const NOT_FOUND: &str = "the steady rotations could not be found";
+
 /// Spins in the table.
 const STEPS: u32 = 400;
 
@@ -55,47 +61,107 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
         let right = "the largest spin must be greater than 0, such as \"6000 rpm\"";
         return Err(Failure::input(format!("--to {}: {right}", arguments.to)));
     }
-    let Axis::Permanent { axis, nearest } = Axis::followed(&subject, arguments.axis.direction) else {
-        return Err(not_permanent(&subject, arguments.axis.direction));
+    let followed = match Axis::followed(&subject, arguments.axis.direction) {
+        Axis::Permanent { axis, nearest } => permanent(&subject, axis, &nearest, largest)?,
+        _ => moving(&subject, arguments.axis.direction, largest)?,
     };
-    // γ points down.
-    let Some(rotation) = AxisRotation::about(&subject.body, axis, Sign::Negative) else {
-        return Err(no_permanent_axis());
-    };
-    let second = subject.second();
-    let rows = rows(&rotation, largest, second);
+    let Followed { rows, changes, told } = followed;
     if rows.iter().any(|row| row.frequencies.into_iter().chain([row.growth]).any(f64::is_infinite)) {
         let right = "at such a spin the frequencies leave the range of numbers; give a smaller one";
         return Err(Failure::input(format!("--to {}: {right}", arguments.to)));
     }
     let mut files = FileSet::new(&arguments.out);
     files.add("campbell.csv", DataFormat::Csv.bytes(&columns(&rows))?);
-    let (changes, beyond): (Vec<_>, Vec<_>) = bifdiag_documents::spin_changes(&rotation, "+axis", None, second)
-        .into_iter()
-        .partition(|change| change.spin.rad_per_s <= largest);
+    let top = Spin::rpm(largest);
+    let (changes, beyond): (Vec<_>, Vec<_>) = changes.into_iter().partition(|(rpm, ..)| *rpm <= top);
     if !arguments.no_plot {
         let scene = Campbell {
             rows: rows.iter().map(|row| (row.rpm, row.frequencies, row.known)).collect(),
-            changes: changes.iter().map(|change| change.spin.rpm).collect(),
+            changes: changes.iter().map(|(rpm, ..)| *rpm).collect(),
         };
         let picture = draw_campbell(&scene, bifdiag_plot::Theme::Light)?;
         files.pictures("campbell", &picture, &[PictureFormat::Svg], timings)?;
     }
     let mut report = Report::default();
-    if nearest.angle_deg > TOLD {
-        report.line(followed_text(&nearest));
-    }
-    for change in &changes {
-        report.line(format!("{} rpm: {} to {}", significant(change.spin.rpm, 8), change.from, change.to));
+    told.iter().for_each(|line| report.line(line));
+    for (rpm, from, to) in &changes {
+        report.line(format!("{} rpm: {from} to {to}", significant(*rpm, 8)));
     }
     if changes.is_empty() {
-        report.line(format!("no change of type up to {} rpm", significant(Spin::rpm(largest), 8)));
+        report.line(format!("no change of type up to {} rpm", significant(top, 8)));
     }
-    if let Some(next) = beyond.first() {
-        report.line(format!("the next change of type is at {} rpm, beyond --to", significant(next.spin.rpm, 8)));
+    if let Some((next, ..)) = beyond.first() {
+        report.line(format!("the next change of type is at {} rpm, beyond --to", significant(*next, 8)));
     }
     report.written(&files.write()?);
     print(report.text())
+}
+
+/// A steady rotation over the spin.
+struct Followed {
+    rows: Vec<Row>,
+    /// In rpm, with the types below and above.
+    changes: Vec<(f64, String, String)>,
+    /// What is followed, where it is not the axis as given.
+    told: Vec<String>,
+}
+
+/// Rotation about a permanent axis.
+fn permanent(
+    subject: &Subject,
+    axis: PermanentAxis,
+    nearest: &NearestAxisDocument,
+    largest: f64,
+) -> Result<Followed, Failure> {
+    // γ points down.
+    let rotation = AxisRotation::about(&subject.body, axis, Sign::Negative).ok_or_else(no_permanent_axis)?;
+    let second = subject.second();
+    let changes = bifdiag_documents::spin_changes(&rotation, "+axis", None, second);
+    Ok(Followed {
+        rows: rows(&rotation, largest, second),
+        changes: changes.into_iter().map(|change| (change.spin.rpm, change.from, change.to)).collect(),
+        told: if nearest.angle_deg > TOLD { vec![followed_text(nearest)] } else { Vec::new() },
+    })
+}
+
+/// The steady rotation that moves with the spin and tends to the principal axis nearest to the given one at fast spins.
+fn moving(subject: &Subject, given: [f64; 3], largest: f64) -> Result<Followed, Failure> {
+    let prepared = RelativeEquilibria::new(&subject.body).map_err(failed(NOT_FOUND))?;
+    let families = prepared.families().ok_or_else(|| Failure::work(NOT_FOUND))?;
+    let family = fastest_along(&families, subject.to_principal(given)).filter(|family| !family.is_permanent);
+    let family = family.ok_or_else(|| not_permanent(subject, given))?;
+    let second = subject.second();
+    let mut rows = Vec::new();
+    for k in 1..=STEPS {
+        let spin = largest * f64::from(k) / f64::from(STEPS);
+        let omega = RBig::try_from(spin / second).unwrap_or_default();
+        let found = prepared.at_spin(&omega).map_err(failed(NOT_FOUND))?;
+        let Some(point) = found.list.iter().find(|point| family.holds(&subject.body, point)) else { continue };
+        let [[growth, p], [other, q]] = point.eigenvalues.pairs;
+        rows.push(Row {
+            rpm: Spin::rpm(spin),
+            frequencies: frequencies([p, q], second),
+            growth: if point.stability.is_unstable() { growth.max(other) * second } else { 0.0 },
+            known: known(point.nonlinear.verdict, point.friction.survives),
+        });
+    }
+    let rpm = |omega: f64| Spin::rpm(omega * second);
+    let start = family.stretches.first().and_then(|first| first.from).map_or(0.0, |place| rpm(place.omega));
+    let pairs = family.stretches.windows(2).filter(|pair| pair[0].kind != pair[1].kind);
+    let changes = pairs.filter_map(|pair| {
+        Some((rpm(pair[1].from?.omega), pair[0].kind.word().to_owned(), pair[1].kind.word().to_owned()))
+    });
+    let [x, y, z] = subject.to_given(family.fast.map(|x| 0.0 - x)).map(|x| significant(x, 6));
+    let told = format!(
+        "the steady rotation from {} rpm on that tends to ({x}, {y}, {z}) at fast spins is followed ({})",
+        significant(start, 8),
+        family.branch
+    );
+    if rows.is_empty() {
+        let right = format!("the rotation near this axis begins at {} rpm; give a larger spin", significant(start, 8));
+        return Err(Failure::input(format!("--to: {right}")));
+    }
+    Ok(Followed { rows, changes: changes.collect(), told: vec![told] })
 }
 
 /// Why an axis has no frequencies over the spin.
@@ -136,23 +202,32 @@ fn rows(rotation: &AxisRotation, largest: f64, second: f64) -> Vec<Row> {
         let spin = largest * f64::from(k) / f64::from(STEPS);
         let omega = RBig::try_from(spin / second).unwrap_or_default();
         let (frequencies, growth) = rotation.frequencies_and_growth(&omega);
-        let [p, q] = frequencies.map(|frequency| Spin::hertz(frequency * second));
         let judged = rotation.stability_at_spin(&omega);
-        let known = judged.map_or(Known::Open, |judged| match judged.nonlinear.verdict {
-            Verdict::Stable if judged.friction.survives == Some(true) => Known::Lasting,
-            Verdict::Stable => Known::Frictionless,
-            Verdict::Open => Known::Open,
-            Verdict::Unstable => Known::Unstable,
-        });
+        let known = judged.map_or(Known::Open, |judged| known(judged.nonlinear.verdict, judged.friction.survives));
         let grows = judged.is_none_or(|judged| judged.kind.is_unstable());
         Row {
             rpm: Spin::rpm(spin),
-            frequencies: [p.min(q), p.max(q)].map(|frequency| if frequency == 0.0 { f64::NAN } else { frequency }),
+            frequencies: self::frequencies(frequencies, second),
             growth: if grows { growth * second } else { 0.0 },
             known,
         }
     };
     (1..=STEPS).map(row).collect()
+}
+
+fn known(verdict: Verdict, survives_friction: Option<bool>) -> Known {
+    match verdict {
+        Verdict::Stable if survives_friction == Some(true) => Known::Lasting,
+        Verdict::Stable => Known::Frictionless,
+        Verdict::Open => Known::Open,
+        Verdict::Unstable => Known::Unstable,
+    }
+}
+
+/// In Hz, the slower one first; NaN where nothing oscillates.
+fn frequencies(per_unit: [f64; 2], second: f64) -> [f64; 2] {
+    let [p, q] = per_unit.map(|frequency| Spin::hertz(frequency * second));
+    [p.min(q), p.max(q)].map(|frequency| if frequency == 0.0 { f64::NAN } else { frequency })
 }
 
 fn columns(rows: &[Row]) -> Columns {

@@ -2,7 +2,8 @@
 
 use bifdiag_body::part::{MeasuredPart, Part};
 use bifdiag_documents::{CommandLine, Subject, words};
-use bifdiag_equilibria::permanent::{NearestAxis, exact_spin, nearest_steady};
+use bifdiag_equilibria::critical::RelativeEquilibria;
+use bifdiag_equilibria::permanent::{Near, NearestAxis, exact_spin, nearest_steady};
 use bifdiag_exact::{Accuracy, Solver};
 use bifdiag_numbers::Number;
 use bifdiag_numbers::vector::dot;
@@ -11,7 +12,7 @@ use clap::Args;
 use dashu_ratio::RBig;
 
 use super::all;
-use super::axis::{Axis, AxisArgument, MEANT, axis, end_up, followed_text};
+use super::axis::{Axis, AxisArgument, MEANT, axis, end_up, fastest_along, followed_text};
 use super::permanent::{Changes, changes_about, table_of_changes};
 use super::tolerance::{self, ToleranceArgument};
 use crate::cli::export::answer;
@@ -120,6 +121,7 @@ fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> Criti
             Axis::Permanent { .. } | Axis::Unknown => None,
             Axis::Principal | Axis::Other { .. } => Some(Vec::new()),
         },
+        families: Vec::new(),
         slow: None,
         changes: Vec::new(),
         stretches: Vec::new(),
@@ -128,12 +130,7 @@ fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> Criti
         part: subject.part.clone(),
     };
     let Axis::Permanent { axis, .. } = found else {
-        if !matches!(known, Known::Exactly) {
-            document.note = Some(
-                "tolerances are reported for an axis that is permanent at every spin for the nominal numbers"
-                    .to_owned(),
-            );
-        }
+        beside(&mut document, subject, given, known);
         return document;
     };
     let prepared = Solver::new(subject.body.clone(), Accuracy::Exact);
@@ -152,12 +149,49 @@ fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> Criti
         Known::Relative(tolerance) => Some(bifdiag_documents::tolerance(&rotations, &tolerance.0, second)),
         Known::Measured(part, measured) => {
             let up = subject.to_given(axis.direction);
-            let ends = [("+axis", up), ("-axis", up.map(|x| -x))];
+            let ends = [("+axis", up, Near::Axis), ("-axis", up.map(|x| -x), Near::Axis)];
             Some(bifdiag_documents::measured_tolerance(part, measured, ends, second))
         }
     };
     document.slow = slow;
     document
+}
+
+/// What there is near an axis that is not permanent: the steady rotations that tend to the principal axis beside it at fast
+/// spins, and what the tolerances do to them.
+fn beside(document: &mut CriticalSpinDocument, subject: &Subject, given: &AxisArgument, known: &Known<'_>) {
+    let families = RelativeEquilibria::new(&subject.body).ok().and_then(|found| found.families()).unwrap_or_default();
+    let up = subject.to_principal(given.direction);
+    let near = [up, up.map(|x| -x)].map(|up| fastest_along(&families, up));
+    let [Some(plus), Some(minus)] = near else { return };
+    document.families = bifdiag_documents::steady_families(subject, &[plus, minus]);
+    document.slow = Some(
+        [plus, minus]
+            .map(|family| family.stretches.first().map_or_else(String::new, |first| first.kind.word().to_owned())),
+    );
+    let slowest = [plus, minus]
+        .map(|family| family.stretches.first().and_then(|first| first.from).map_or(0.0, |place| place.omega));
+    let second = subject.second();
+    let ends = |up: [f64; 3]| [("+axis", up, slowest[0]), ("-axis", up.map(|x| -x), slowest[1])];
+    document.tolerance = match known {
+        Known::Exactly => None,
+        Known::Measured(part, measured) => Some(bifdiag_documents::measured_tolerance(
+            part,
+            measured,
+            ends(given.direction).map(|(name, up, slowest)| (name, up, Near::NominalRotation { slowest })),
+            second,
+        )),
+        Known::Relative(tolerance) => match tolerance.for_all() {
+            Some(share) => Some(bifdiag_documents::tolerance_beside(&subject.body, share, ends(up), second)),
+            None => {
+                document.note = Some(
+                    "tolerances by name are for an axis that is permanent at every spin; give one share for all, such as 1%"
+                        .to_owned(),
+                );
+                None
+            }
+        },
+    };
 }
 
 fn command(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> CommandLine {
@@ -228,6 +262,12 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
     at_one_spin(&mut report, document);
     if !document.permanent {
         not_permanent(&mut report, subject, document);
+        if !document.families.is_empty() {
+            report.line("");
+            report.line("the steady rotations that tend to the principal axis nearest to it at fast spins:");
+            all::families(&mut report, &document.families.iter().collect::<Vec<_>>(), document.part.is_some());
+        }
+        tolerance::report(&mut report, document);
         note(&mut report, document);
         return report.text();
     }

@@ -31,12 +31,18 @@ const NAMES: [(&str, [bool; 4]); 4] = [
 ];
 
 impl ToleranceArgument {
+    /// The share of all, where it is the same.
+    pub fn for_all(&self) -> Option<&Number> {
+        let [axis, others @ ..] = &self.0;
+        others.iter().all(|other| other == axis).then_some(axis)
+    }
+
     /// The canonical text.
     pub fn text(&self) -> String {
-        let [axis, first, second, weight] = &self.0;
-        if [first, second, weight].iter().all(|other| *other == axis) {
-            return axis.text().to_owned();
+        if let Some(share) = self.for_all() {
+            return share.text().to_owned();
         }
+        let [axis, first, _, weight] = &self.0;
         format!("axis={},across={},weight={}", axis.text(), first.text(), weight.text())
     }
 }
@@ -87,6 +93,14 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
     let Some(relative) = &tolerance.relative else {
         return measured(report, tolerance, document.slow.as_ref());
     };
+    if tolerance.moving {
+        let [share, ..] = relative;
+        report.line(format!(
+            "every body whose principal moments and components of r differ by a factor of 1 ± {share} at most (bounds, not \
+             samples):"
+        ));
+        return beside(report, tolerance, document.slow.as_ref());
+    }
     let [axis, first, second, weight] = relative;
     report.line(if [first, second, weight].iter().all(|other| *other == axis) {
         format!("every part whose moments and weight differ by a factor of 1 ± {axis} at most (bounds, not samples):")
@@ -111,8 +125,19 @@ fn measured(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[S
     let inputs: Vec<String> =
         tolerance.inputs.iter().map(|input| format!("{} {} ± {}", input.name, input.value, input.within)).collect();
     report.line(format!("every part with {} (bounds, not samples):", inputs.join(", ")));
+    beside(report, tolerance, slow);
+}
+
+/// The ranges of steady rotations near the axis or the nominal rotation.
+fn beside(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[String; 2]>) {
     let tilt = tolerance.tilt_deg.map_or_else(String::new, |tilt| significant(tilt, 2));
-    report.line(format!("at each spin outside these ranges it has a steady rotation within {tilt}° of the axis"));
+    let of = if tolerance.moving { "that of the nominal part at this spin" } else { "the axis" };
+    if tolerance.tilt_deg == Some(0.0) {
+        report
+            .line("at no spin was a steady rotation near the nominal one shown for all of them: they may tilt too far");
+    } else {
+        report.line(format!("at each spin outside these ranges it has a steady rotation within {tilt}° of {of}"));
+    }
     ranges(report, &tolerance.ranges, slow, false);
     report.line(classes(tolerance));
 }

@@ -60,6 +60,13 @@ impl MeasuredPart {
         (0..INPUTS).filter(|&k| !self.inputs[k].within.is_zero())
     }
 
+    /// The nominal part, all of its numbers exact.
+    #[must_use]
+    pub fn nominal(&self) -> Self {
+        let exact = |number: &Measured| Measured { value: number.value.clone(), within: RBig::ZERO };
+        Self { about_com: self.about_com, inputs: self.inputs.each_ref().map(exact) }
+    }
+
     /// The same part with all numbers but this one exact.
     #[must_use]
     pub fn only(&self, input: usize) -> Self {

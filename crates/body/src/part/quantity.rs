@@ -207,11 +207,12 @@ impl FromStr for Unit {
                 return Err(unknown());
             }
             for word in factors {
-                let (name, power) = name_and_power(word).ok_or_else(unknown)?;
-                let (kind, own) = known(name).ok_or_else(unknown)?;
-                let power = side * power;
-                dimension[kind] = dimension[kind].checked_add(power).ok_or_else(unknown)?;
-                factor *= power_of(&own, power);
+                for (name, power) in names_and_powers(word).ok_or_else(unknown)? {
+                    let (kind, own) = known(name).ok_or_else(unknown)?;
+                    let power = side * power;
+                    dimension[kind] = dimension[kind].checked_add(power).ok_or_else(unknown)?;
+                    factor *= power_of(&own, power);
+                }
             }
         }
         Ok(Self { text: text.to_owned(), factor, dimension: Dimension(dimension) })
@@ -235,6 +236,17 @@ fn name_and_power(word: &str) -> Option<(&str, i8)> {
         digits => digits.parse().ok().filter(|power: &i8| (1..=6).contains(&power.abs()))?,
     };
     Some((name, power))
+}
+
+/// The same of two names in one word, such as `kgm2`.
+fn names_and_powers(word: &str) -> Option<Vec<(&str, i8)>> {
+    let (name, power) = name_and_power(word)?;
+    if known(name).is_some() {
+        return Some(vec![(name, power)]);
+    }
+    let splits = name.char_indices().skip(1).map(|(at, _)| name.split_at(at));
+    let (first, second) = splits.into_iter().find(|(p, q)| known(p).is_some() && known(q).is_some())?;
+    Some(vec![(first, 1), (second, power)])
 }
 
 /// Of a name: 0 for mass, 1 for length, 2 for time, and what it is in kg, m, s.
@@ -274,6 +286,8 @@ mod tests {
         assert_eq!(in_units("50kg", Dimension::MASS, "g,mm,s").unwrap()[0], "50000");
         assert_eq!(in_units("9.81m/s2", Dimension::ACCELERATION, "kg,m,s").unwrap()[0], "981/100");
         assert_eq!(in_units("1 in", Dimension::LENGTH, "kg,mm,s").unwrap()[0], "127/5");
+        assert_eq!(in_units("3kgm2", Dimension::MOMENT, "kg,mm,s").unwrap()[0], "3000000");
+        assert_eq!(in_units("3 kgmm^2", Dimension::MOMENT, "g,mm,s").unwrap()[0], "3000");
         assert_eq!(in_units("3 kg m2", Dimension::MOMENT, "kg,mm,s").unwrap()[0], "3000000");
         // Without a unit the number is in those of the part.
         assert_eq!(in_units("1/3", Dimension::MASS, "g,mm,s").unwrap()[0], "1/3");

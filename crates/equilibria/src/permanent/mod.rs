@@ -12,12 +12,16 @@
 
 mod cone;
 mod near;
+mod path;
 mod rotation;
 mod steady;
 mod tolerance;
 
 pub use cone::{NearestAxis, PermanentAxis, angle_between, nearest_permanent, permanent_axis};
-pub use near::{BoxedBody, SettledTypes, Vector, sampled_parts, settled_types, settled_types_of_part};
+pub use near::{
+    BoxedBody, Near, SettledTypes, Vector, sampled_parts, sampled_shares, settled_types, settled_types_of_part,
+    settled_types_of_shares,
+};
 pub use rotation::{AxisRotation, Judged, SpinChange, SpinType};
 pub use steady::{SteadyRotation, exact_spin, nearest_steady};
 pub use tolerance::{INPUTS, SAMPLES, SpinRange, sampled_bodies, spin_ranges};

@@ -8,12 +8,14 @@
 
 use bifdiag_body::Body;
 use bifdiag_body::part::{INPUT_NAMES, INPUTS, MeasuredPart, Part};
+use bifdiag_numbers::Number;
 use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
 use bifdiag_numbers::interval::Interval;
 use bifdiag_numbers::sequence;
 use bifdiag_numbers::vector::{self, normalised};
 use dashu_ratio::RBig;
 
+use super::path::{NominalBody, Path};
 use super::rotation::SpinType;
 use super::tolerance::SpinRange;
 
@@ -34,8 +36,21 @@ pub struct BoxedBody {
 pub struct SettledTypes {
     /// Where the type is not settled, by rising spin and apart.
     pub ranges: Vec<SpinRange>,
-    /// Outside the ranges the axis of the rotation is nearer to the given one than this angle, in radians.
+    /// Outside the ranges the axis of the rotation is nearer than this angle, in radians, to the given one or, where that of
+    /// the nominal part is followed, to that at the same spin.
     pub tilt: f64,
+}
+
+/// Near what rotations are meant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Near {
+    /// The axis itself, which is permanent for the nominal part.
+    Axis,
+    /// The nominal part's steady rotation that tends to the principal axis nearest to the given one at fast spins.
+    NominalRotation {
+        /// The spin at which it begins.
+        slowest: f64,
+    },
 }
 
 /// Steady rotations tilted by more than about this, in radians, are not called near.
@@ -58,10 +73,15 @@ const MEASURED_SAMPLES: u64 = 81;
 /// The types of a measured part's steady rotations near the axis that points up along `up` in the part's frame. With each
 /// range the number that alone leaves the largest part of it unsettled, and half of that.
 #[must_use]
-pub fn settled_types_of_part(part: &Part, measured: &MeasuredPart, up: [f64; 3]) -> SettledTypes {
-    let settled = |measured: &MeasuredPart| {
+pub fn settled_types_of_part(part: &Part, measured: &MeasuredPart, up: [f64; 3], near: Near) -> SettledTypes {
+    let boxed = |measured: &MeasuredPart| {
         let (tensor, center) = measured.bounds(&part.units);
-        settled_types(&BoxedBody { tensor, center }, up)
+        BoxedBody { tensor, center }
+    };
+    let nominal = boxed(&measured.nominal()).middle();
+    let settled = |measured: &MeasuredPart| match near {
+        Near::Axis => settled_types(&boxed(measured), up),
+        Near::NominalRotation { slowest } => settled_types_beside(&boxed(measured), nominal, up, slowest),
     };
     let mut found = settled(measured);
     let alone: Vec<(usize, SettledTypes)> = measured.uncertain().map(|k| (k, settled(&measured.only(k)))).collect();
@@ -100,10 +120,58 @@ fn deviations(number: u64) -> [RBig; INPUTS] {
     })
 }
 
+/// The same of all bodies whose principal moments and components of r differ by a factor from 1 − `share` to 1 + `share`,
+/// with the principal axes of the nominal one: beside its steady rotation, which begins at the spin `slowest`.
+#[must_use]
+pub fn settled_types_of_shares(body: &Body, share: &RBig, up: [f64; 3], slowest: f64) -> SettledTypes {
+    let around = |value: &RBig| {
+        let end = |factor: RBig| Interval::rational(&(value * factor), ());
+        end(RBig::ONE - share).hull(&end(RBig::ONE + share))
+    };
+    let moments = body.moments().each_ref().map(|a| around(a.value()));
+    let tensor = [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { moments[i] } else { Interval::ZERO }));
+    let center = body.center().each_ref().map(|r| around(r.value()));
+    let boxed = BoxedBody { tensor, center };
+    let (a, center) = (body.moments_f64(), body.center_f64());
+    let tensor = [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { a[i] } else { 0.0 }));
+    settled_types_beside(&boxed, NominalBody { tensor, center }, up, slowest)
+}
+
+/// Bodies within a share of a nominal one; `None` for one that is no body.
+pub fn sampled_shares<'a>(body: &'a Body, share: &'a RBig) -> impl Iterator<Item = Option<Body>> + 'a {
+    (0..MEASURED_SAMPLES).map(move |number| {
+        let steps = deviations(number);
+        let text = |(value, step): (&Number, &RBig)| (value.value() * (RBig::ONE + share * step)).to_string();
+        let list = |numbers: &[Number; 3], steps: &[RBig]| -> [String; 3] {
+            let texts: Vec<String> = numbers.iter().zip(steps).map(text).collect();
+            texts.try_into().unwrap_or_default()
+        };
+        let (a, r) = (list(body.moments(), &steps[..3]), list(body.center(), &steps[3..6]));
+        Body::parse(&a.each_ref().map(String::as_str), &r.each_ref().map(String::as_str)).ok()
+    })
+}
+
+/// The types of the steady rotations near the nominal one that tends to the principal axis nearest to `up`.
+fn settled_types_beside(body: &BoxedBody, nominal: NominalBody, up: [f64; 3], slowest: f64) -> SettledTypes {
+    match Path::new(nominal, body.unit(), up, slowest) {
+        Some(path) => settled_by(Search::new(body, Middle::Along(path))),
+        None => {
+            let omega = [0.0, f64::INFINITY];
+            SettledTypes {
+                ranges: vec![SpinRange { from: None, to: None, omega, between: Vec::new(), most: None }],
+                tilt: 0.0,
+            }
+        }
+    }
+}
+
 /// The types of the steady rotations near the axis that points up along `up`, at all spins.
 #[must_use]
 pub fn settled_types(body: &BoxedBody, up: [f64; 3]) -> SettledTypes {
-    let mut search = Search::new(body, up);
+    settled_by(Search::new(body, Middle::Fixed(basis(up))))
+}
+
+fn settled_by(mut search: Search) -> SettledTypes {
     for half in [[0.0, 1.0], [1.0, 2.0]] {
         search.settle(half);
     }
@@ -124,18 +192,27 @@ struct Search {
     /// The box, whole and cut more and more finely.
     boxes: [Vec<BoxedBody>; CUTS.len()],
     unit: f64,
-    /// −up, e, f.
-    basis: [[f64; 3]; 3],
+    middle: Middle,
     settled: Vec<Settled>,
 }
 
+/// The middle of the squares, each as −up, e, f.
+enum Middle {
+    Fixed([[f64; 3]; 3]),
+    /// That of the nominal rotation.
+    Along(Path),
+}
+
 impl Search {
-    fn new(body: &BoxedBody, up: [f64; 3]) -> Self {
-        let largest = |list: &[Interval]| list.iter().map(|x| x.magnitude()).fold(0.0, f64::max);
-        let weight = largest(&body.center);
-        let moment = body.tensor.iter().map(|row| largest(row)).fold(0.0, f64::max);
-        let unit = if weight > 0.0 { weight / moment } else { 1.0 };
-        Self { boxes: CUTS.map(|pieces| body.cut(pieces)), unit, basis: basis(up), settled: Vec::new() }
+    fn new(body: &BoxedBody, middle: Middle) -> Self {
+        Self { boxes: CUTS.map(|pieces| body.cut(pieces)), unit: body.unit(), middle, settled: Vec::new() }
+    }
+
+    fn basis(&self, [from, to]: [f64; 2]) -> Option<[[f64; 3]; 3]> {
+        match &self.middle {
+            Middle::Fixed(basis) => Some(*basis),
+            Middle::Along(path) => path.at(0.5 * (from + to)).map(basis),
+        }
     }
 
     /// Halves a piece until each part is settled or too short.
@@ -160,61 +237,13 @@ impl Search {
 
     /// The type of every part at every parameter of a piece, and the largest tilt.
     fn kind(&self, [from, to]: [f64; 2]) -> Option<(SpinType, f64)> {
-        let at = |s, weight| self.boxes.iter().find_map(|boxes| self.kind_of_all(boxes, s, weight));
+        let basis = self.basis([from, to])?;
+        let at = |s, weight| self.boxes.iter().find_map(|boxes| kind_of_all(boxes, &basis, s, weight));
         if to <= 1.0 {
             at(Interval::between(from, to) * Interval::point(self.unit), Interval::point(1.0))
         } else {
             at(Interval::point(self.unit), Interval::between(2.0 - from, 2.0 - to))
         }
-    }
-
-    /// The type that all boxes share, and the largest tilt.
-    fn kind_of_all(&self, boxes: &[BoxedBody], s: Interval, weight: Interval) -> Option<(SpinType, f64)> {
-        let mut shared: Option<(SpinType, f64)> = None;
-        for body in boxes {
-            let rotation = self.rotation(body, s, weight)?;
-            let kind = rotation.kind(s, weight)?;
-            let tilt = match shared {
-                Some((other, _)) if other != kind => return None,
-                Some((_, tilt)) => tilt.max(rotation.tilt),
-                None => rotation.tilt,
-            };
-            shared = Some((kind, tilt));
-        }
-        shared
-    }
-
-    /// The square that holds exactly one steady rotation of every part of a box.
-    fn rotation<'a>(&'a self, body: &'a BoxedBody, s: Interval, weight: Interval) -> Option<Rotation<'a>> {
-        let middle = Square { body, basis: &self.basis, half: 0.0 };
-        let value = middle.value(s, weight);
-        let inverse = inverse(middle.jacobian(s, weight))?;
-        let step = apply(&inverse, value).map(Interval::magnitude);
-        for inflation in [1.5, 4.0] {
-            let half = inflation * step[0].max(step[1]) + 1e-15;
-            if half.is_nan() || half > NEAR {
-                return None;
-            }
-            let square = Square { half, ..middle };
-            let jacobian = square.jacobian(s, weight);
-            let inside = (0..2).all(|i| {
-                // −Y F(0) + (1 − Y J) X
-                let rest: f64 = (0..2)
-                    .map(|j| {
-                        let product = Interval::point(inverse[i][0]) * jacobian[0][j]
-                            + Interval::point(inverse[i][1]) * jacobian[1][j];
-                        let unit = if i == j { Interval::point(1.0) } else { Interval::ZERO };
-                        ((unit - product) * Interval::point(half)).magnitude()
-                    })
-                    .map(f64::next_up)
-                    .sum();
-                (step[i] + rest).next_up().next_up() < half
-            });
-            if inside {
-                return Some(Rotation { square, tilt: 1.001 * std::f64::consts::SQRT_2 * half });
-            }
-        }
-        None
     }
 
     /// What lies between the settled pieces, as ranges of Ω.
@@ -227,7 +256,9 @@ impl Search {
         let mut before: Option<&Settled> = None;
         let mut unsettled = |before: Option<&Settled>, after: Option<&Settled>| {
             let [low, high] = [before.map_or(0.0, |piece| piece.ends[1]), after.map_or(2.0, |piece| piece.ends[0])];
-            if low < high {
+            // Squares with another middle may hold another rotation.
+            let differ = before.zip(after).is_some_and(|(before, after)| before.kind != after.kind);
+            if low < high || differ {
                 let ends = [omega(low) * (1.0 - 4.0 * f64::EPSILON), omega(high) * (1.0 + 4.0 * f64::EPSILON)];
                 let [from, to] = [before, after].map(|piece| piece.map(|piece| piece.kind));
                 ranges.push(SpinRange { from, to, omega: ends, between: Vec::new(), most: None });
@@ -238,8 +269,60 @@ impl Search {
             before = Some(piece);
         }
         unsettled(before, None);
-        SettledTypes { ranges, tilt: self.settled.iter().map(|piece| piece.tilt).fold(0.0, f64::max) }
+        let tilt = self.settled.iter().map(|piece| piece.tilt).fold(0.0, f64::max);
+        // The nominal rotation lies in the square, too, but not in its middle.
+        let tilt = if matches!(self.middle, Middle::Along(_)) { 2.0 * tilt } else { tilt };
+        SettledTypes { ranges, tilt }
     }
+}
+
+/// The type that all boxes share, and the largest tilt.
+fn kind_of_all(boxes: &[BoxedBody], basis: &[[f64; 3]; 3], s: Interval, weight: Interval) -> Option<(SpinType, f64)> {
+    let mut shared: Option<(SpinType, f64)> = None;
+    for body in boxes {
+        let rotation = rotation(body, basis, s, weight)?;
+        let kind = rotation.kind(s, weight)?;
+        let tilt = match shared {
+            Some((other, _)) if other != kind => return None,
+            Some((_, tilt)) => tilt.max(rotation.tilt),
+            None => rotation.tilt,
+        };
+        shared = Some((kind, tilt));
+    }
+    shared
+}
+
+/// The square that holds exactly one steady rotation of every part of a box.
+fn rotation<'a>(body: &'a BoxedBody, basis: &'a [[f64; 3]; 3], s: Interval, weight: Interval) -> Option<Rotation<'a>> {
+    let middle = Square { body, basis, half: 0.0 };
+    let value = middle.value(s, weight);
+    let inverse = inverse(middle.jacobian(s, weight))?;
+    let step = apply(&inverse, value).map(Interval::magnitude);
+    for inflation in [1.5, 4.0] {
+        let half = inflation * step[0].max(step[1]) + 1e-15;
+        if half.is_nan() || half > NEAR {
+            return None;
+        }
+        let square = Square { half, ..middle };
+        let jacobian = square.jacobian(s, weight);
+        let inside = (0..2).all(|i| {
+            // −Y F(0) + (1 − Y J) X
+            let rest: f64 = (0..2)
+                .map(|j| {
+                    let product = Interval::point(inverse[i][0]) * jacobian[0][j]
+                        + Interval::point(inverse[i][1]) * jacobian[1][j];
+                    let unit = if i == j { Interval::point(1.0) } else { Interval::ZERO };
+                    ((unit - product) * Interval::point(half)).magnitude()
+                })
+                .map(f64::next_up)
+                .sum();
+            (step[i] + rest).next_up().next_up() < half
+        });
+        if inside {
+            return Some(Rotation { square, tilt: 1.001 * std::f64::consts::SQRT_2 * half });
+        }
+    }
+    None
 }
 
 /// Points g = −up + x e + y f with |x| and |y| up to `half`.
@@ -348,6 +431,19 @@ impl Rotation<'_> {
 }
 
 impl BoxedBody {
+    /// Ω² at which weight and turning are alike.
+    fn unit(&self) -> f64 {
+        let largest = |list: &[Interval]| list.iter().map(|x| x.magnitude()).fold(0.0, f64::max);
+        let weight = largest(&self.center);
+        let moment = self.tensor.iter().map(|row| largest(row)).fold(0.0, f64::max);
+        if weight > 0.0 { weight / moment } else { 1.0 }
+    }
+
+    fn middle(&self) -> NominalBody {
+        let middle = |x: Interval| x.middle().lo;
+        NominalBody { tensor: self.tensor.map(|row| row.map(middle)), center: self.center.map(middle) }
+    }
+
     fn times(&self, v: &Vector) -> Vector {
         [0, 1, 2].map(|k| dot(&self.tensor[k], v))
     }

@@ -1,0 +1,156 @@
+//! Steady axes over the spin: the angle of each from the centre of mass, coloured by stability.
+
+use plotters::style::RGBColor;
+
+use crate::page::{
+    Anchor, Axis, Dash, INK, Ink, Legend, Picture, PlotError, Point, Rect, Symbol, TICK_SIZE, Theme, draw_axes, render,
+    rgb, ticks,
+};
+
+/// What is known of the stability along a piece of a curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Steadiness {
+    /// Stable.
+    Stable,
+    /// No eigenvalue grows, and stability itself is not decided.
+    Open,
+    /// Unstable.
+    Unstable,
+}
+
+/// One family of steady axes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SteadyCurve {
+    /// The branch.
+    pub name: String,
+    /// Pieces by rising spin, each with its points: rpm and angle in degrees.
+    pub runs: Vec<(Steadiness, Vec<(f64, f64)>)>,
+}
+
+/// All steady axes over a range of spins.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SteadyScene {
+    /// The range in rpm.
+    pub range: [f64; 2],
+    /// The families.
+    pub curves: Vec<SteadyCurve>,
+}
+
+const RECT: Rect = Rect { x: 74.0, y: 48.0, width: 500.0, height: 360.0 };
+const SIZE: [f64; 2] = [650.0, 520.0];
+const TEXT: f64 = 12.0;
+/// Between the names of curves that end side by side.
+const ROW: f64 = 13.0;
+
+impl Steadiness {
+    const ALL: [Self; 3] = [Self::Stable, Self::Open, Self::Unstable];
+
+    fn color(self) -> RGBColor {
+        match self {
+            Self::Stable => rgb(0x12_50_a8),
+            Self::Open => rgb(0x0e_7c_5a),
+            Self::Unstable => rgb(0xc2_14_2d),
+        }
+    }
+
+    fn pattern(self) -> Vec<Dash> {
+        let color = Some(self.color());
+        match self {
+            Self::Stable => vec![(color, 1.0)],
+            Self::Open => vec![(color, 9.0), (None, 3.0), (color, 2.0), (None, 3.0)],
+            Self::Unstable => vec![(color, 6.0), (None, 4.0)],
+        }
+    }
+
+    fn meaning(self) -> &'static str {
+        match self {
+            Self::Stable => "stable",
+            Self::Open => "no eigenvalue grows, stability itself not decided",
+            Self::Unstable => "unstable",
+        }
+    }
+}
+
+/// Draws the angle of every steady axis from the centre of mass over the spin.
+///
+/// # Errors
+/// [`PlotError`].
+pub fn draw_steady(scene: &SteadyScene, theme: Theme) -> Result<Picture, PlotError> {
+    let [from, to] = scene.range;
+    let below = ticks("spin in rpm", from, to, 8);
+    let left = ticks("angle between the end of the axis that is up and the centre of mass, in degrees", 0.0, 180.0, 9);
+    let at = |(rpm, angle): (f64, f64)| {
+        [RECT.x + RECT.width * (rpm - from) / (to - from), RECT.bottom() - RECT.height * angle / 180.0]
+    };
+    render(SIZE, "Steady axes over the spin", theme, |canvas| {
+        let axes = [Axis { range: [from, to], ticks: &below }, Axis { range: [0.0, 180.0], ticks: &left }];
+        draw_axes(canvas, &RECT, [24.0, 52.0], axes);
+        let mut ends: Vec<(Point, &str)> = Vec::new();
+        for curve in &scene.curves {
+            for (kind, points) in &curve.runs {
+                let line: Vec<Point> = within(points, scene.range).into_iter().map(at).collect();
+                match kind {
+                    Steadiness::Stable => canvas.path(&line, Ink { color: kind.color(), width: 2.2 }),
+                    _ => canvas.dashed(&line, &kind.pattern(), 2.0),
+                }
+            }
+            let last = curve.runs.iter().rev().find_map(|(_, points)| within(points, scene.range).last().copied());
+            ends.extend(last.map(|last| (at(last), curve.name.as_str())));
+        }
+        names(canvas, ends);
+        canvas.text(&below.quantity, [RECT.center()[0], RECT.bottom() + 42.0], TEXT, INK, Anchor::Middle);
+        canvas.text(&left.quantity, [16.0, RECT.y - 24.0], TEXT, INK, Anchor::Start);
+        let is_drawn =
+            |kind: &Steadiness| scene.curves.iter().flat_map(|curve| &curve.runs).any(|(own, _)| own == kind);
+        let entry = |kind: Steadiness| (Symbol::Line(kind.pattern(), 2.0), kind.meaning().to_owned());
+        let legend =
+            Legend::new(Steadiness::ALL.into_iter().filter(is_drawn).map(entry).collect(), SIZE[0] - 2.0 * 30.0);
+        legend.draw(canvas, [30.0, RECT.bottom() + 58.0]);
+    })
+}
+
+/// The names of curves behind their ends, one below another where they would meet.
+fn names(canvas: &crate::page::Canvas, mut ends: Vec<(Point, &str)>) {
+    ends.sort_by(|p, q| p.0[1].total_cmp(&q.0[1]));
+    let mut lowest = f64::NEG_INFINITY;
+    for ([x, y], name) in ends {
+        let y = (y + 4.0).max(lowest + ROW);
+        lowest = y;
+        canvas.text(name, [x + 5.0, y], TICK_SIZE, INK, Anchor::Start);
+    }
+}
+
+/// The part of a polyline over a range, cut at its ends.
+fn within(points: &[(f64, f64)], [from, to]: [f64; 2]) -> Vec<(f64, f64)> {
+    let mut inside = Vec::new();
+    let mut before: Option<(f64, f64)> = None;
+    for &point in points {
+        if let Some(last) = before {
+            for end in [from, to] {
+                if (last.0 < end) == (end < point.0) && last.0 != end && point.0 != end {
+                    let share = (end - last.0) / (point.0 - last.0);
+                    inside.push((end, last.1 + share * (point.1 - last.1)));
+                }
+            }
+        }
+        if (from..=to).contains(&point.0) {
+            inside.push(point);
+        }
+        before = Some(point);
+    }
+    inside
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_curve_is_cut_at_the_ends_of_the_range() {
+        let line = [(0.0, 0.0), (10.0, 100.0), (20.0, 150.0)];
+        assert_eq!(within(&line, [5.0, 15.0]), [(5.0, 50.0), (10.0, 100.0), (15.0, 125.0)]);
+        assert_eq!(within(&line, [0.0, 20.0]), line);
+        assert_eq!(within(&line, [1.0, 2.0]), [(1.0, 10.0), (2.0, 20.0)]);
+        assert_eq!(within(&line, [30.0, 40.0]), []);
+    }
+}

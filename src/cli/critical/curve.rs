@@ -1,0 +1,94 @@
+//! The steady axes over the spin as a picture.
+
+use std::path::Path;
+
+use bifdiag_body::part::Spin;
+use bifdiag_documents::Subject;
+use bifdiag_equilibria::critical::{Place, RelativeEquilibria, SteadyFamily};
+use bifdiag_equilibria::nonlinear::Verdict;
+use bifdiag_plot::{Steadiness, SteadyCurve, SteadyScene, Theme, draw_steady};
+use dashu_ratio::RBig;
+
+use super::spins::spin_at;
+use super::table::{NOT_FOUND, from_center};
+use crate::cli::export::{FileSet, PictureFormat};
+use crate::cli::failure::{Failure, failed};
+use crate::cli::terminal::{Report, Timings, print};
+
+/// Draws every steady axis at the spins of a range: its angle from the centre of mass.
+pub fn draw(
+    subject: &Subject,
+    ends: [&Spin; 2],
+    count: u32,
+    (path, format): (&Path, PictureFormat),
+    timings: &Timings,
+) -> Result<(), Failure> {
+    if subject.body.is_euler() {
+        return Err(Failure::input(
+            "--out: without weight the steady axes are the same at every spin, so that there is nothing to draw",
+        ));
+    }
+    let scene = timings.stage("critical", || scene(subject, ends, count))?;
+    let picture = draw_steady(&scene, Theme::Light)?;
+    let mut files = FileSet::new(path.parent().unwrap_or(path));
+    files.add_at(path, format.bytes(&picture)?);
+    let written = timings.stage("files", || files.write())?;
+    let mut report = Report::default();
+    report.line(format!("{} families of steady axes", scene.curves.len()));
+    report.written(&written);
+    print(report.text())
+}
+
+/// Each family as a curve, cut where its stability changes.
+fn scene(subject: &Subject, ends: [&Spin; 2], count: u32) -> Result<SteadyScene, Failure> {
+    let body = &subject.body;
+    let prepared = RelativeEquilibria::new(body).map_err(failed(NOT_FOUND))?;
+    let families = prepared.families().ok_or_else(|| Failure::work(NOT_FOUND))?;
+    let angle = |gamma: [f64; 3]| from_center(body, gamma.map(|x| 0.0 - x));
+    let rpm = |omega: f64| Spin::rpm(omega * subject.second());
+    let [from, to] = ends.map(|end| Spin::rpm(end.rad_per_s()));
+    let start = |family: &SteadyFamily| -> Vec<(f64, f64)> {
+        let place = family.stretches.first().and_then(|first| first.from);
+        let at_start = |place: Place| (rpm(place.omega), angle(place.gamma));
+        place.map(at_start).or(family.slow.map(|gamma| (0.0, angle(gamma)))).into_iter().collect()
+    };
+    let mut points: Vec<Vec<(f64, f64)>> = families.iter().map(start).collect();
+    for k in 0..count {
+        let spin = spin_at(ends, count, k);
+        let omega: RBig = spin.exact_rad_per_s() * subject.unit_of_time();
+        if omega.is_zero() {
+            continue;
+        }
+        let found = prepared.at_spin(&omega).map_err(failed(NOT_FOUND))?;
+        for (family, points) in families.iter().zip(&mut points) {
+            if let Some(axis) = found.list.iter().find(|axis| family.holds(body, axis)) {
+                points.push((Spin::rpm(spin.rad_per_s()), angle(axis.gamma)));
+            }
+        }
+    }
+    let curves = families.iter().zip(points).map(|(family, mut points)| {
+        // The places where the type changes are exact.
+        let places = family.stretches.iter().skip(1).filter_map(|stretch| stretch.from);
+        points.extend(places.map(|place| (rpm(place.omega), angle(place.gamma))));
+        points.sort_by(|p, q| p.0.total_cmp(&q.0));
+        SteadyCurve { name: family.branch.to_string(), runs: runs(family, &points, rpm) }
+    });
+    Ok(SteadyScene { range: [from, to], curves: curves.collect() })
+}
+
+/// The points of each range of one verdict, the ends of it in both neighbours.
+fn runs(family: &SteadyFamily, points: &[(f64, f64)], rpm: impl Fn(f64) -> f64) -> Vec<(Steadiness, Vec<(f64, f64)>)> {
+    let starts: Vec<f64> =
+        family.stretches.iter().map(|stretch| stretch.from.map_or(0.0, |place| rpm(place.omega))).collect();
+    let run = |(number, stretch): (usize, &bifdiag_equilibria::critical::SteadyStretch)| {
+        let until = starts.get(number + 1).copied().unwrap_or(f64::INFINITY);
+        let kind = match stretch.verdict {
+            Some((Verdict::Stable, _)) => Steadiness::Stable,
+            Some((Verdict::Unstable, _)) => Steadiness::Unstable,
+            Some((Verdict::Open, _)) | None => Steadiness::Open,
+        };
+        let here = points.iter().copied().filter(|(at, _)| (starts[number]..=until).contains(at));
+        (kind, here.collect())
+    };
+    family.stretches.iter().enumerate().map(run).collect()
+}

@@ -1,0 +1,95 @@
+//! The spins at which steady axes are wanted.
+
+use std::path::PathBuf;
+
+use bifdiag_body::part::Spin;
+
+use crate::cli::export::{DataTarget, PictureFormat};
+use crate::cli::failure::Failure;
+
+/// Spins as the option says them.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Spins {
+    /// One.
+    One(Spin),
+    /// Equally spaced, both ends included.
+    Range { from: Spin, to: Spin, count: u32 },
+}
+
+/// The most spins of a range.
+const MOST: u32 = 1_000_000;
+
+/// How a range is written.
+const RANGE: &str =
+    "a range of spins is written \"a:b:n UNIT\", such as \"0:3000:301 rpm\" for 301 spins from 0 to 3000 rpm";
+
+impl Spins {
+    /// Of the text of the option.
+    pub fn parse(text: &str) -> Result<Self, Failure> {
+        if !text.contains(':') {
+            return text.parse().map(Self::One).map_err(Failure::input);
+        }
+        let parts: Vec<&str> = text.split(':').map(str::trim).collect();
+        let [from, to, last] = parts[..] else { return Err(Failure::input(RANGE)) };
+        let digits = last.find(|letter: char| !letter.is_ascii_digit()).unwrap_or(last.len());
+        let (count, unit) = last.split_at(digits);
+        let end = |number: &str| {
+            format!("{number} {unit}").parse::<Spin>().map_err(|error| Failure::input(format!("{error}; {RANGE}")))
+        };
+        let (from, to) = (end(from)?, end(to)?);
+        if from.rad_per_s() < 0.0 || from.rad_per_s() > to.rad_per_s() {
+            return Err(Failure::input(format!(
+                "from {from} to {to}: write a smaller spin first, not below 0; {RANGE}"
+            )));
+        }
+        match count.parse() {
+            Ok(count) if (2..=MOST).contains(&count) => Ok(Self::Range { from, to, count }),
+            _ => Err(Failure::input(format!("n = `{count}` is not a whole number from 2 to {MOST}; {RANGE}"))),
+        }
+    }
+}
+
+/// Spin `k` of a range.
+pub fn spin_at([from, to]: [&Spin; 2], count: u32, k: u32) -> Spin {
+    from.between(to, k, count - 1)
+}
+
+/// Where a table or a picture goes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Output {
+    /// A table.
+    Data(DataTarget),
+    /// A picture, in the format of its extension.
+    Picture { path: PathBuf, format: PictureFormat },
+}
+
+impl Output {
+    /// Of the text of an option.
+    pub fn parse(text: &str) -> Result<Self, Failure> {
+        let path = PathBuf::from(text);
+        let format = match path.extension().and_then(|extension| extension.to_str()) {
+            Some("svg") => PictureFormat::Svg,
+            Some("png") => PictureFormat::Png,
+            _ => return DataTarget::parse(text).map(Self::Data),
+        };
+        Ok(Self::Picture { path, format })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_of_spins_have_one_unit() {
+        let Ok(Spins::Range { from, to, count }) = Spins::parse("0:3000:4 rpm") else { panic!("a range") };
+        let spins: Vec<String> = (0..count).map(|k| spin_at([&from, &to], count, k).to_string()).collect();
+        assert_eq!(spins, ["0 rpm", "1000 rpm", "2000 rpm", "3000 rpm"]);
+        assert!(matches!(Spins::parse("1:2:3Hz"), Ok(Spins::Range { count: 3, .. })));
+        let wrong = |text| Spins::parse(text).unwrap_err().to_string();
+        assert!(wrong("0:3000:301").contains("has no unit"));
+        assert!(wrong("0:3000 rpm").starts_with("a range of spins is written"));
+        assert!(wrong("9:3:4 rpm").contains("write a smaller spin first"));
+        assert!(wrong("1:3:1 rpm").starts_with("n = `1` is not a whole number"));
+    }
+}
