@@ -14,9 +14,9 @@ const ORDER: [(&str, &str); 12] = [
     ),
     (
         "crates/schema/src",
-        "shown number head part certificate classification nonlinear critical atlas checksum find grid listing section motion spin spin_down steady scan border classes",
+        "shown number head integrable part certificate classification nonlinear critical atlas point_proof checksum find grid listing section motion spin spin_down steady scan border comparison classes",
     ),
-    ("crates/body/src", "axis rigid_body frame principal presets part"),
+    ("crates/body/src", "axis rigid_body frame principal presets integrable part"),
     ("crates/equilibria/src", "curves stability nonlinear critical permanent"),
     ("crates/diagram/src", "topology arrangement atlas class fast accessible region_changes spin_down"),
     (
@@ -25,18 +25,21 @@ const ORDER: [(&str, &str); 12] = [
          answers solver",
     ),
     ("crates/dynamics/src", "field integrator motion section poincare"),
-    ("crates/survey/src", "parameter design signature scan border space nearest subdivision search"),
+    (
+        "crates/survey/src",
+        "parallel parameter design signature scan border path space strata nearest subdivision search",
+    ),
     (
         "crates/documents/src",
-        "command layout body subject stability spin spin_down classification critical steady grid atlas certified scan reading border classes find witnesses \
+        "command layout body integrals subject stability spin spin_down classification critical steady grid atlas certified scan reading border comparison classes find witnesses \
          section words",
     ),
     ("crates/verify/src", "refused numbers equilibria order topology stability document"),
     ("crates/plot/src", "page animation campbell steady diagram map section sphere part"),
     (
         "src/cli",
-        "failure terminal input export batch listings part spin atlas show classify critical verify section sphere \
-         orbit explore scan find classes arguments",
+        "failure terminal input export batch listings explain part spin atlas show classify critical verify section sphere \
+         orbit explore scan find classes compare arguments",
     ),
 ];
 

@@ -9,7 +9,7 @@ use bifdiag_survey::border::class_of;
 use bifdiag_survey::scan;
 use bifdiag_survey::space::{BodySet, TangentBasis};
 use serde::{Deserialize, Serialize};
-use support::special::{SPECIAL_STRATA, SpecialStratum};
+use support::special::{RandomBodies, SPECIAL_STRATA, SpecialStratum};
 
 use crate::Failure;
 use crate::state::{State, Stored, replace};

@@ -63,8 +63,8 @@ impl Model {
         documents! {
             Head GivenBody AtlasDocument ClassificationDocument GridDocument CriticalDocument SectionsDocument MotionDocument
             PartAnswerDocument SteadyAxesDocument StateDocument CriticalSpinDocument SteadySpinsDocument SpinDownDocument
-            BodiesDocument BatchErrorDocument
-            RowDocument ScanSummaryDocument BorderDocument FindDocument ClassesDocument StandingDocument
+            BodiesDocument ExplanationDocument BatchErrorDocument
+            RowDocument ScanSummaryDocument BorderDocument ComparisonDocument PointProofDocument FindDocument ClassesDocument StandingDocument
         }
         let definitions = generator.take_definitions(true);
         let types = definitions.iter().map(|(name, schema)| Type {

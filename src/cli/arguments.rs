@@ -12,7 +12,9 @@ use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser};
 use super::atlas::{self, AtlasArguments};
 use super::classes::{self, ClassArguments, ClassesArguments};
 use super::classify::{self, ClassifyArguments};
+use super::compare::{self, CompareArguments};
 use super::critical::{self, CriticalArguments};
+use super::explain::{self, ExplainArguments};
 use super::explore::{self, ExploreArguments};
 use super::failure::Failure;
 use super::find::{self, FindArguments};
@@ -32,7 +34,6 @@ const ABOUT: &str = "Bifurcation diagrams, energy-surface topology and Poincaré
 const MAIN_EXAMPLES: &str = "\
 Examples:
   bifdiag --A 2,1.1,1 --r 0.94868,0,0.61623        all regions of (h, l)
-  bifdiag --body kovalevskaya --format svg,png --out kovalevskaya
   bifdiag classify --body paper --h 3.8 --l 3.25   U, E and P at one point
   bifdiag show R5 --body paper                     a region in words
   bifdiag section --body paper --region R5         regular or chaotic?
@@ -144,8 +145,12 @@ commands! {
     Classes(Box<ClassesArguments>) = "classes", classes::CLASSES_EXAMPLES;
     /// Show one class of bodies: its types, a body of it, the classes beside it
     Class(ClassArguments) = "class", classes::CLASS_EXAMPLES;
+    /// Compare two bodies: regions, events and stability, and the borders between them
+    Compare(CompareArguments) = "compare", compare::COMPARE_EXAMPLES;
     /// Explain a region, a curve or an event in words
     Show(ShowArguments) = "show", show::EXAMPLES;
+    /// Explain a word that the program prints
+    Explain(ExplainArguments) = "explain", explain::EXPLAIN_EXAMPLES;
     /// Compute a Poincaré section on the PP-torus
     Section(SectionArguments) = "section", section::EXAMPLES;
     /// Draw U on the Poisson sphere at one point

@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use bifdiag_schema::{
     AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassDocument, ClassesDocument,
-    ClassificationDocument, CriticalDocument, CriticalSpinDocument, FindDocument, GridDocument, MotionDocument,
-    PartAnswerDocument, RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument, SpinDownDocument,
-    StandingDocument, StateDocument, SteadyAxesDocument, SteadySpinsDocument,
+    ClassificationDocument, ComparisonDocument, CriticalDocument, CriticalSpinDocument, ExplanationDocument,
+    FindDocument, GridDocument, MotionDocument, PartAnswerDocument, PointProofDocument, RowDocument,
+    ScanSummaryDocument, SectionDocument, SectionsDocument, SpinDownDocument, StandingDocument, StateDocument,
+    SteadyAxesDocument, SteadySpinsDocument,
 };
 use clap::{Args, Command, ValueEnum};
 use schemars::{Schema, schema_for};
@@ -92,6 +93,8 @@ pub enum Name {
     SpinDown,
     /// The answer of `bifdiag bodies --json`
     Bodies,
+    /// The answer of `bifdiag explain --json`
+    Explain,
     /// What stands for a wrong line of a batch
     BatchError,
     /// A line of `bifdiag scan --format jsonl`
@@ -100,6 +103,10 @@ pub enum Name {
     ScanSummary,
     /// The answer of `bifdiag scan border --json`
     ScanBorder,
+    /// The answer of `bifdiag compare --json`
+    Compare,
+    /// The answer of `bifdiag classify --certificate`
+    PointProof,
     /// The answer of `bifdiag find --json`
     Find,
     /// data/classes.json, the answer of `bifdiag classes --json`
@@ -127,10 +134,13 @@ impl Name {
             Self::SteadySpins => schema_for!(SteadySpinsDocument),
             Self::SpinDown => schema_for!(SpinDownDocument),
             Self::Bodies => schema_for!(BodiesDocument),
+            Self::Explain => schema_for!(ExplanationDocument),
             Self::BatchError => schema_for!(BatchErrorDocument),
             Self::ScanRow => schema_for!(RowDocument),
             Self::ScanSummary => schema_for!(ScanSummaryDocument),
             Self::ScanBorder => schema_for!(BorderDocument),
+            Self::Compare => schema_for!(ComparisonDocument),
+            Self::PointProof => schema_for!(PointProofDocument),
             Self::Find => schema_for!(FindDocument),
             Self::Classes => schema_for!(ClassesDocument),
             Self::Class => schema_for!(ClassDocument),

@@ -9,7 +9,9 @@ mod atlas;
 mod batch;
 mod classes;
 mod classify;
+mod compare;
 mod critical;
+mod explain;
 mod explore;
 mod export;
 mod failure;
@@ -106,6 +108,7 @@ fn work(options: &Options) -> Result<(), Failure> {
         Some(Command::Classify(arguments)) => classify::run(arguments, &timings, quiet),
         Some(Command::Critical(arguments)) => critical::run(arguments, &timings, quiet),
         Some(Command::Show(arguments)) => show::run(arguments),
+        Some(Command::Explain(arguments)) => explain::run(arguments),
         Some(Command::Section(arguments)) => section::run(arguments, &timings, quiet),
         Some(Command::Sphere(arguments)) => sphere::run(arguments, &timings),
         Some(Command::Orbit(arguments)) => orbit::run(arguments, &timings),
@@ -120,6 +123,7 @@ fn work(options: &Options) -> Result<(), Failure> {
         Some(Command::Schema(arguments)) => listings::schema(arguments),
         Some(Command::Completions(arguments)) => listings::completions(arguments, Options::command()),
         Some(Command::Man(arguments)) => listings::man(arguments, Options::command()),
+        Some(Command::Compare(arguments)) => compare::run(arguments, &timings),
         Some(Command::Classes(arguments)) => classes::run(arguments),
         Some(Command::Class(arguments)) => classes::class(arguments, &timings),
         Some(Command::Find(arguments)) => find::run(arguments, quiet),

@@ -12,7 +12,7 @@ use clap::Args;
 
 use super::export::{FileSet, PictureArguments, answer};
 use super::failure::Failure;
-use super::input::{GivenPart, PartArguments, shown_of_part};
+use super::input::{GivenPart, PartArguments, integrable, shown_of_part};
 use super::terminal::{Report, Table, Timings, significant};
 
 pub const BODY_EXAMPLES: &str = "\
@@ -96,6 +96,7 @@ fn report(given: &GivenPart, document: &PartDocument, digits: usize, written: &[
     report.line(format!("about the fixed point: the axes of A and r, r in {}", units.energy()));
     report.line(table(&document.principal, document, digits, "r"));
     existence(&mut report, given);
+    integrable(&given.principal.body, &mut report);
     if !document.exact {
         report.line("the principal form is irrational: A and r are given to 130 digits, symmetries exactly");
     }

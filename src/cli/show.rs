@@ -4,10 +4,12 @@ use bifdiag_diagram::arrangement::RegionId;
 use bifdiag_documents::{DocumentOptions, Drawn, words};
 use bifdiag_exact::Accuracy;
 use bifdiag_schema::{
-    AtlasDocument, CurveDocument, CurveKind, EventDocument, EventKind, NonlinearDocument, RegionDocument,
+    AtlasDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument, EventKind, NonlinearDocument,
+    RegionDocument,
 };
 use clap::Args;
 
+use super::explain::explanation;
 use super::failure::{Failure, failed};
 use super::input::{BodyArguments, head};
 use super::terminal::{Report, bound, print, significant};
@@ -18,14 +20,16 @@ Examples:
   bifdiag show G2.1 --A 2,1.1,1 --r 0.94868,0,0.61623
   bifdiag show E3 --body katok:6
   bifdiag show S3 --body katok:6
+  bifdiag show M2 --body paper
 
 The ids are those of `bifdiag atlas`: regions R1, R2, …, curves such as G0.1 or P+, events E1, E2, … by rising l. The name of a \
-branch such as G0 shows each of its curves.";
+branch such as G0 shows each of its curves, that of a surface or of a type such as M2, S2+T2 or k2n1 each region that has it. \
+Without a body, the word is explained.";
 
 /// `bifdiag show`.
 #[derive(Debug, Args)]
 pub struct ShowArguments {
-    /// A region, a curve, a branch or an event of the body
+    /// A region, a curve, a branch, an event, or a surface
     #[arg(value_name = "ID")]
     pub id: String,
     #[command(flatten)]
@@ -36,7 +40,11 @@ pub struct ShowArguments {
 const DIGITS: usize = 6;
 
 pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
-    let subject = arguments.body.subject()?;
+    let Some(subject) = arguments.body.optional_subject()? else {
+        // What an id means without its body can be told of a surface alone.
+        let is_surface = is_surface(&arguments.id);
+        return if is_surface { print(explanation(&arguments.id)?) } else { arguments.body.subject().map(drop) };
+    };
     let atlas = bifdiag_exact::atlas(&subject.body, Accuracy::Exact).map_err(failed("the atlas could not be made"))?;
     let options = DocumentOptions { drawing: Drawn::Nothing, ..DocumentOptions::default() };
     let document = bifdiag_documents::atlas::document(&atlas, &options);
@@ -61,10 +69,69 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
             }
             show_curve(&mut report, &document, curve);
         }
+    } else if is_surface(&id) {
+        show_surface(&mut report, &document, &id);
     } else {
         return Err(unknown(&arguments.id, &document));
     }
     print(report.text())
+}
+
+/// True for what may name a component of U, E or P, or all sections of a region.
+fn is_surface(id: &str) -> bool {
+    let upper = id.to_ascii_uppercase();
+    let number = |text: &str| !text.is_empty() && text.bytes().all(|digit| digit.is_ascii_digit());
+    let holed = |text: &str| text.strip_prefix("S2-").and_then(|rest| rest.strip_suffix("D2")).is_some_and(number);
+    let summed = |text: &str| text.strip_prefix('#').and_then(|rest| rest.strip_suffix("(S1XS2)")).is_some_and(number);
+    let is_type = |text: &str| {
+        let parts = text.strip_prefix('K').and_then(|rest| rest.split_once('N'));
+        parts.is_some_and(|(circles, poles)| number(circles) && number(poles))
+    };
+    let of_genus = |text: &str| text.strip_prefix('M').is_some_and(number);
+    let named = |text: &str| ["S2", "D2", "T2", "S3", "RP3", "S1XS2", "(S1XS2)#(S1XS2)"].contains(&text);
+    let one = |text: &str| named(text) || holed(text) || summed(text) || of_genus(text) || is_type(text);
+    one(&upper) || upper.split('+').all(one)
+}
+
+/// The regions of which a component, or the signature, has this name.
+fn show_surface(report: &mut Report, document: &AtlasDocument, name: &str) {
+    let is = |text: &str| text.eq_ignore_ascii_case(name);
+    let sorted = |text: &str| {
+        let mut parts: Vec<String> = text.split('+').map(str::to_ascii_uppercase).collect();
+        parts.sort_unstable();
+        parts
+    };
+    let has = |region: &&RegionDocument| {
+        let component = |component: &ComponentDocument| {
+            let poles = component.poles.as_ref().map(Vec::len);
+            let kind = poles.map(|poles| format!("k{}n{poles}", component.boundary_circles));
+            let names = [component.section.as_deref(), kind.as_deref()];
+            is(&component.accessible_region) || is(&component.energy_surface) || names.into_iter().flatten().any(is)
+        };
+        let all = region.signature.as_deref().is_some_and(|signature| sorted(signature) == sorted(name));
+        all || region.components.iter().any(component)
+    };
+    let found: Vec<&RegionDocument> = document.regions.iter().filter(has).collect();
+    report.line(match found.len() {
+        0 => format!("no region of this body shows {name}"),
+        1 => format!("{name} is shown by the region {}", found[0].id),
+        _ => {
+            let ids: Vec<&str> = found.iter().map(|region| region.id.as_str()).collect();
+            format!("{name} is shown by the regions {}", ids.join(", "))
+        }
+    });
+    for region in found {
+        report.line("");
+        report.line(format!("region {}, sections {}", region.id, region.signature.as_deref().unwrap_or("none")));
+        report.line(format!(
+            "  well inside: h = {}, l = {}",
+            significant(region.sample.h, DIGITS),
+            significant(region.sample.l, DIGITS)
+        ));
+        for line in region.components.iter().flat_map(words::component) {
+            report.line(line);
+        }
+    }
 }
 
 fn unknown(id: &str, document: &AtlasDocument) -> Failure {

@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
+use bifdiag_documents::reading::Claim;
 use bifdiag_schema::SCHEMA_VERSION;
-use bifdiag_verify::verify;
+use bifdiag_verify::{verify, verify_point};
 use clap::Args;
 
 use super::failure::{Failure, failed};
@@ -14,6 +15,7 @@ pub const EXAMPLES: &str = "\
 Examples:
   bifdiag --body paper --certificate && bifdiag verify bifdiag-out/atlas.json
   bifdiag --body katok:6 --certificate --json | bifdiag verify -
+  bifdiag classify --body paper --h 3.8 --l 3.25 --certificate > p.json
 
 The certificate is checked as a proof, by separate code; the drawing is no part of it. Exit status: 0 verified; 1 refused, with the first thing that \
 is wrong, or no certificate; 2 the file is no atlas of this version.";
@@ -21,7 +23,7 @@ is wrong, or no certificate; 2 the file is no atlas of this version.";
 /// `bifdiag verify`.
 #[derive(Debug, Args)]
 pub struct VerifyArguments {
-    /// The atlas.json to check (-: stdin)
+    /// The atlas.json to check, or the proof of a point by `classify --certificate` (-: stdin)
     #[arg(value_name = "ATLAS.json")]
     pub file: PathBuf,
 }
@@ -31,18 +33,31 @@ pub fn run(arguments: &VerifyArguments, timings: &Timings) -> Result<(), Failure
     let text = read(&arguments.file).map_err(|error| {
         Failure::input(format!("{path}: {error}; give an atlas.json that can be read, or - for stdin"))
     })?;
-    let document = bifdiag_documents::reading::atlas(&text, &arguments.file.to_string_lossy()).map_err(|error| {
+    let claim = bifdiag_documents::reading::claim(&text, &arguments.file.to_string_lossy()).map_err(|error| {
         Failure::input(format!("{path} is no atlas of version {SCHEMA_VERSION}: {error}")).because(error)
     })?;
+    let (document, canonical) = match &claim {
+        Claim::Atlas(atlas) => (&**atlas, bifdiag_documents::layout::text(atlas)?),
+        Claim::Point(point) => (&point.atlas, bifdiag_documents::layout::text(point)?),
+    };
     // What a certificate proves is in the bytes: they must be those that bifdiag writes.
-    if document.certificate.is_some() && bifdiag_documents::layout::text(&document)?.trim_end() != text.trim_end() {
+    if document.certificate.is_some() && canonical.trim_end() != text.trim_end() {
         let why = "its bytes are not those that bifdiag writes for an atlas with certificate";
         return Err(Failure::work(format!("{path} is refused: {why}")));
     }
-    let report = timings.stage("verify", || verify(&document)).map_err(failed("the atlas is refused"))?;
+    let what = if matches!(claim, Claim::Atlas(_)) { "the atlas" } else { "the point" };
+    let verify = || match &claim {
+        Claim::Atlas(atlas) => verify(atlas),
+        Claim::Point(point) => verify_point(point),
+    };
+    let report = timings.stage("verify", verify).map_err(failed(format!("{what} is refused")))?;
     let mut lines = Report::default();
     let (regions, events, pairs) = (document.regions.len(), report.events, report.pairs);
     let drawing = if document.drawing.is_some() { " (drawing not part of the proof)" } else { "" };
+    if let Claim::Point(point) = &claim {
+        let place = point.region.as_ref().map_or("is forbidden".to_owned(), |region| format!("lies in {region}"));
+        lines.line(format!("verified: (h, l) = ({}, {}) {place}", point.h, point.l));
+    }
     lines.line(format!("verified: {regions} regions, {events} events, {pairs} pairs of curves{drawing}"));
     if !report.unproved.is_empty() {
         lines.line(format!(

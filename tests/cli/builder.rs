@@ -35,6 +35,13 @@ impl Run {
         self
     }
 
+    /// With the words of a line as further arguments.
+    pub fn arguments(mut self, line: &str) -> Self {
+        self.command.args(line.split_whitespace());
+        self.line = format!("{} {line}", self.line);
+        self
+    }
+
     /// With a text on stdin.
     pub fn reading(mut self, stdin: impl Into<Vec<u8>>) -> Self {
         self.command.write_stdin(stdin);

@@ -107,3 +107,29 @@ fn a_motion_becomes_a_moving_picture() {
     assert!(!std::fs::read_to_string(place.path().join("f.svg")).unwrap().contains("T⁺"));
     bifdiag(&format!("{line} m.gif")).refused().telling("FILE.svg or FILE.html");
 }
+
+/// γ of Euler's angles is that of the attitude, and the sample at time 0 has the angles themselves.
+#[test]
+fn a_motion_starts_at_eulers_angles() {
+    let line = "orbit --body paper --omega 1,0.3,1 --times 0:2:3 --json";
+    let found = bifdiag(&format!("{line} --euler 1.1,-0.4,0.7")).succeeds().telling_nothing().json();
+    let number = |value: &Value| value.as_f64().unwrap();
+    for (key, angle) in [("theta", 1.1), ("psi", -0.4), ("phi", 0.7)] {
+        assert!((number(&found["start"][key]) - angle).abs() < 1e-15, "{key}: {}", found["start"][key]);
+    }
+    let (sin, cos) = 1.1_f64.sin_cos();
+    let gamma = [sin * (-0.4_f64).sin(), sin * (-0.4_f64).cos(), cos];
+    for (k, x) in gamma.into_iter().enumerate() {
+        assert!((number(&found["start"]["gamma"][k]) - x).abs() < 1e-15);
+    }
+    // Its own command, and the same motion from gamma.
+    let command = found["command"].as_str().unwrap().strip_prefix("bifdiag ").unwrap();
+    assert_eq!(bifdiag(command).succeeds().json(), found);
+    bifdiag("orbit --body paper --euler 4,0,0 --omega 1,0,0").refused().telling("theta = 4").telling("from 0 to pi");
+    bifdiag("orbit --body paper --euler 1,0 --omega 1,0,0").refused().telling("write three angles");
+    bifdiag("orbit --body paper --euler 1,0,0 --gamma 1,0,0 --omega 1,0,0")
+        .refused()
+        .telling("both describe the start");
+    bifdiag("orbit --body paper --euler 1,0,0 --phi 1 --omega 1,0,0").refused().telling("--phi");
+    bifdiag("orbit --body paper --euler 1,0,0").refused().telling("--omega or --l-vector is missing");
+}

@@ -120,6 +120,9 @@ fn documents_fit_their_schemas() {
         assert_fits("spin-down", &bifdiag(&format!("spin-down {from} --json")).succeeds().json());
     }
     assert_fits("bodies", &bifdiag("bodies --json").succeeds().json());
+    assert_fits("explain", &bifdiag("explain cusp --json").succeeds().json());
+    assert_fits("compare", &bifdiag("compare paper katok:1 --json").succeeds().json());
+    assert_fits("point-proof", &bifdiag("classify --body paper --h 3.8 --l 3.25 --certificate").succeeds().json());
     assert_fits("find", &bifdiag("find --type M3 --json").succeeds().json());
     assert_fits("find", &bifdiag("find --type k3n0 --json").succeeds().json());
     assert_fits("find", &bifdiag("find --critical-points 12 --samples 50 --json").fails().json());
@@ -165,10 +168,13 @@ fn all_schemas_come_in_one_object() {
         "state",
         "critical-spin",
         "bodies",
+        "explain",
         "batch-error",
         "scan-row",
         "scan-summary",
         "scan-border",
+        "compare",
+        "point-proof",
         "find",
         "classes",
         "class",

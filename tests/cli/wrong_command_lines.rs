@@ -36,6 +36,11 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("--A 2,1,1 --r 1,0", &["'1,0' for '--r <r1,r2,r3>'", "three coordinates, 2 given", "0.94868,0,0.61623"]),
     ("--A 2,1,1 --r 1,0,0x10", &["r3: `0x10` is not a number"]),
     ("--A 2,1,1 --r=1,-inf,0", &["r2: `-inf` is not finite"]),
+    // Words and comparisons.
+    ("explain pichfork", &["WORD pichfork", "the nearest are pitchfork"]),
+    ("compare paper nobody", &["BODY nobody", "`bifdiag bodies` lists them"]),
+    ("classify --body paper --h 1 --l 1 --certificate --no-region", &["--certificate", "leave --no-region out"]),
+    ("orbit --body paper --euler 9,0,0 --omega 1,0,0", &["--euler: theta = 9", "from 0 to pi"]),
     // Named bodies.
     ("--body nobody", &["'nobody' for '--body <NAME>'", "kovalevskaya"]),
     ("--body katok:8", &["'katok:8' for '--body <NAME>'", "katok:7"]),

@@ -4,3 +4,4 @@ mod claims;
 mod confirmed;
 mod fields;
 mod made;
+mod points;

@@ -3,6 +3,7 @@
 
 mod axis;
 mod frame;
+mod integrable;
 pub mod part;
 mod presets;
 mod principal;
@@ -11,6 +12,7 @@ mod rigid_body;
 pub use axis::{Axis, BodyAxis};
 pub use bifdiag_numbers::{Number, ParseNumberError};
 pub use frame::{Frame, SymmetricSums};
+pub use integrable::{Holds, IntegrableCase};
 pub use presets::Preset;
 pub use principal::PrincipalForm;
 pub use rigid_body::{Body, BodyError, Flags, Tensor, TensorError};

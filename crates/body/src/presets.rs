@@ -44,6 +44,20 @@ const PRESETS: [Preset; 18] = [
 
 const TEN_NOTE: &str = "ten relative equilibria at l = 1.45";
 
+/// Other spellings of names, and the names.
+const OTHER_SPELLINGS: [(&str, &str); 10] = [
+    ("kovalevskaja", "kovalevskaya"),
+    ("kovalevsky", "kovalevskaya"),
+    ("kowalevskaja", "kovalevskaya"),
+    ("kowalevskaya", "kovalevskaya"),
+    ("kowalevski", "kovalevskaya"),
+    ("kowalewski", "kovalevskaya"),
+    ("goryachev–chaplygin", "goryachev-chaplygin"),
+    ("goryatchev-tchaplygin", "goryachev-chaplygin"),
+    ("gorjatschew-tschaplygin", "goryachev-chaplygin"),
+    ("chaplygin", "goryachev-chaplygin"),
+];
+
 const fn preset(
     name: &'static str,
     moments: [&'static str; 3],
@@ -60,10 +74,19 @@ impl Preset {
         &PRESETS
     }
 
-    /// The preset of this name.
+    /// The preset of this name, in whatever case, or by another spelling of it.
     #[must_use]
     pub fn find(name: &str) -> Option<&'static Self> {
+        let lower = name.to_lowercase();
+        let other = OTHER_SPELLINGS.iter().find(|(spelling, _)| *spelling == lower);
+        let name = other.map_or(&*lower, |(_, name)| name);
         PRESETS.iter().find(|preset| preset.name == name)
+    }
+
+    /// Other spellings of its name.
+    pub fn other_spellings(&self) -> impl Iterator<Item = &'static str> + use<> {
+        let name = self.name;
+        OTHER_SPELLINGS.iter().filter(move |(_, of)| *of == name).map(|(spelling, _)| *spelling)
     }
 
     /// Its name.
@@ -155,6 +178,15 @@ mod tests {
         for class in 1..=7 {
             assert_eq!(katok_class(&body(&format!("katok:{class}"))), Some(class));
         }
+    }
+
+    #[test]
+    fn other_spellings_are_found() {
+        for (spelling, name) in OTHER_SPELLINGS {
+            assert_eq!(body(spelling), body(name));
+        }
+        assert_eq!(Preset::find("Kowalevski").map(Preset::name), Some("kovalevskaya"));
+        assert_eq!(Preset::find("Katok:6").map(Preset::name), Some("katok:6"));
     }
 
     #[test]

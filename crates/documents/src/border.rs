@@ -32,7 +32,7 @@ pub fn border(border: &Border, segment: &BodySegment, vary: &[ParameterRange], c
     }
 }
 
-fn event(event: &BorderEvent) -> BorderEventDocument {
+pub(crate) fn event(event: &BorderEvent) -> BorderEventDocument {
     BorderEventDocument {
         kind: name(&event.kind),
         text: event.kind.to_string(),

@@ -1,10 +1,13 @@
 //! The document of a proved atlas: drawn as the `f64` one, decided as proved, with its certificate.
 
+use bifdiag_diagram::arrangement::RegionId;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_exact::CertifiedAtlas;
-use bifdiag_schema::{Accuracy, AtlasDocument};
+use bifdiag_numbers::Number;
+use bifdiag_schema::{Accuracy, AtlasDocument, PointProofDocument, Status};
 
 use crate::atlas::{DocumentOptions, attach_part, command, document, name_command};
+use crate::command::head;
 use crate::subject::Subject;
 
 /// The document with its certificate, sealed by its checksum. `drawn` is [`CertifiedAtlas::to_atlas`].
@@ -65,4 +68,31 @@ pub fn seal(document: &mut AtlasDocument) -> Result<(), serde_json::Error> {
         certificate.checksum = sum;
     }
     Ok(())
+}
+
+/// Where a regular or forbidden point lies, with its proof: `atlas` is the document of `proved`, with its certificate and without
+/// drawing. `None` where the curves over l are not those of a slab: at l = 0, and too close to an event.
+#[must_use]
+pub fn proved_point(
+    subject: &Subject,
+    [h, l]: [&Number; 2],
+    region: Option<RegionId>,
+    proved: &CertifiedAtlas,
+    atlas: AtlasDocument,
+) -> Option<PointProofDocument> {
+    let (slab, level) = proved.level(l)?;
+    let region = region.map(|id| id.to_string());
+    let found = atlas.regions.iter().find(|listed| Some(&listed.id) == region.as_ref());
+    let command = subject.command("classify").option("h", h.text()).option("l", l.text()).flag("certificate", true);
+    Some(PointProofDocument {
+        head: head(command.json()),
+        h: h.text().to_owned(),
+        l: l.text().to_owned(),
+        status: if region.is_some() { Status::Regular } else { Status::Forbidden },
+        components: found.map_or_else(Vec::new, |region| region.components.clone()),
+        region,
+        slab,
+        level,
+        atlas,
+    })
 }

@@ -3,9 +3,10 @@
 use bifdiag_body::Body;
 use bifdiag_diagram::class::ClassName;
 use bifdiag_exact::Accuracy;
-use bifdiag_schema::{ClassBorderDocument, ClassDocument, ClassesDocument, StandingDocument};
+use bifdiag_schema::{ClassBesideDocument, ClassBorderDocument, ClassDocument, ClassesDocument, StandingDocument};
 use bifdiag_survey::border::class_of;
 use bifdiag_survey::nearest::NearestBorder;
+use bifdiag_survey::strata::{SpecialStratum, classes_beside};
 
 use crate::command::{CommandLine, head};
 
@@ -34,7 +35,12 @@ pub fn add_text(class: &mut ClassDocument) {
 
 /// Where a body stands among the classes.
 #[must_use]
-pub fn standing(name: Option<&ClassName>, borders: &[NearestBorder], command: CommandLine) -> StandingDocument {
+pub fn standing(
+    body: &Body,
+    name: Option<&ClassName>,
+    borders: &[NearestBorder],
+    command: CommandLine,
+) -> StandingDocument {
     let known = |name: &ClassName| {
         let ClassesDocument { classes, others, .. } = shipped_classes();
         classes.iter().chain(&others).any(|class| class.name == name.as_str())
@@ -46,10 +52,19 @@ pub fn standing(name: Option<&ClassName>, borders: &[NearestBorder], command: Co
         moments: border.body.a,
         center: border.body.r,
     };
+    let stratum = SpecialStratum::of_body(body);
+    let beside = stratum.map_or_else(Vec::new, |_special| classes_beside(body));
+    let all = beside.iter().map(|(_, count)| *count).sum::<usize>() as f64;
+    let generic = beside
+        .into_iter()
+        .map(|(class, count)| ClassBesideDocument { class: class.to_string(), share: count as f64 / all });
+    let generic = generic.collect();
     StandingDocument {
         head: head(command.json()),
         name: name.map(ToString::to_string),
         known: name.is_some_and(known),
+        stratum: stratum.map(|stratum| stratum.name.to_owned()),
+        generic,
         borders: borders.iter().map(border).collect(),
     }
 }

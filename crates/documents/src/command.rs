@@ -34,15 +34,16 @@ impl CommandLine {
     #[must_use]
     pub fn option(mut self, name: &str, value: impl Display) -> Self {
         let value = value.to_string();
-        // A shell reads these as they stand.
-        let plain = |c: u8| c.is_ascii_alphanumeric() || b"+-./:=,_".contains(&c);
         // After a blank, a value that starts with a hyphen could be taken for an option.
         let separator = if value.starts_with('-') { "=" } else { " " };
-        if !value.is_empty() && value.bytes().all(plain) {
-            self.0.extend([" --", name, separator, &value]);
-        } else {
-            self.0.extend([" --", name, separator, "'", &value.replace('\'', r"'\''"), "'"]);
-        }
+        self.0.extend([" --", name, separator, &quoted(&value)]);
+        self
+    }
+
+    /// Adds an argument that is no option.
+    #[must_use]
+    pub fn argument(mut self, value: impl Display) -> Self {
+        self.0.extend([" ", &quoted(&value.to_string())]);
         self
     }
 
@@ -82,6 +83,17 @@ impl CommandLine {
     #[must_use]
     pub fn json(self) -> String {
         self.flag("json", true).0
+    }
+}
+
+/// A value as a shell reads it.
+fn quoted(value: &str) -> String {
+    // These it reads as they stand.
+    let plain = |c: u8| c.is_ascii_alphanumeric() || b"+-./:=,_".contains(&c);
+    if !value.is_empty() && value.bytes().all(plain) {
+        value.to_owned()
+    } else {
+        format!("'{}'", value.replace('\'', r"'\''"))
     }
 }
 

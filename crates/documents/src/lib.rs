@@ -7,9 +7,11 @@ mod certified;
 mod classes;
 mod classification;
 mod command;
+mod comparison;
 mod critical;
 mod find;
 mod grid;
+mod integrals;
 pub mod layout;
 pub mod reading;
 pub mod scan;
@@ -25,13 +27,15 @@ pub mod words;
 pub use atlas::{DocumentOptions, Drawn, attach_part};
 pub use body::{all_bodies, flags, given, part, texts};
 pub use border::border;
-pub use certified::{certified_atlas, certified_atlas_of, leave_out_drawing, seal};
+pub use certified::{certified_atlas, certified_atlas_of, leave_out_drawing, proved_point, seal};
 pub use classes::{add_text, shipped_classes, standing};
 pub use classification::{accuracy_option, classification, component, components, margin};
 pub use command::{CommandLine, head, version};
+pub use comparison::{Compared, comparison};
 pub use critical::{LINEAR_TYPES, VERDICTS, critical, equilibria, multiplicity, stability, steady_axes, type_code};
 pub use find::{find, witness};
 pub use grid::{GridAxis, grid};
+pub use integrals::{further_integrals, integrable, integrable_words};
 pub use section::{chaos, drift, integrator, section, sections, tolerance_option};
 pub use spin::{
     changes_beside, measured_command, measured_tolerance, spin, spin_changes, spin_stretches, tolerance,

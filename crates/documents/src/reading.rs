@@ -2,7 +2,8 @@
 
 use bifdiag_numbers::Number;
 use bifdiag_schema::{
-    AtlasDocument, DesignDocument, SCHEMA_VERSION, ScanSummaryDocument, WindowDocument, one_line, shown,
+    AtlasDocument, DesignDocument, PointProofDocument, SCHEMA_VERSION, ScanSummaryDocument, WindowDocument, one_line,
+    shown,
 };
 use serde::Deserialize;
 use thiserror::Error;
@@ -66,6 +67,32 @@ struct OldPart {
 struct OldScan {
     design: DesignDocument,
     range: [u64; 2],
+}
+
+/// What can be verified.
+#[derive(Debug)]
+pub enum Claim {
+    /// An atlas.
+    Atlas(Box<AtlasDocument>),
+    /// A point, with the atlas in which it lies.
+    Point(Box<PointProofDocument>),
+}
+
+/// The key that the proof of a point has, and an atlas has not.
+#[derive(Deserialize)]
+struct Inner {
+    atlas: Option<serde::de::IgnoredAny>,
+}
+
+/// Reads an atlas or the proof of a point; `file` is its name, for the command.
+///
+/// # Errors
+/// [`ReadError`].
+pub fn claim(text: &str, file: &str) -> Result<Claim, ReadError> {
+    match serde_json::from_str(text) {
+        Ok(Inner { atlas: Some(_) }) if superseded(text)?.is_none() => Ok(Claim::Point(serde_json::from_str(text)?)),
+        Ok(Inner { .. }) | Err(_) => atlas(text, file).map(|atlas| Claim::Atlas(Box::new(atlas))),
+    }
 }
 
 /// Reads an atlas; `file` is its name, for the command.

@@ -1,13 +1,13 @@
 //! Sections as documents.
 
 use bifdiag_diagram::topology::signature;
-use bifdiag_dynamics::field::Integrals;
+use bifdiag_dynamics::field::{Integrals, State};
 use bifdiag_dynamics::integrator::DEFAULT_TOLERANCE;
 use bifdiag_dynamics::poincare::PoincareSection;
 use bifdiag_dynamics::section::chaos::{
     ChaosMeasure, Evidence, Judgement, OpenReason, OrbitVerdict, RotationAngle, RotationNumber,
 };
-use bifdiag_dynamics::section::{OrbitEnd, OrbitSection, SectionCondition, TorusPoint};
+use bifdiag_dynamics::section::{OrbitEnd, OrbitSection, SectionCondition, SectionPoint, TorusPoint};
 use bifdiag_schema::{
     ChaosDocument, ConditionName, DecidedDocument, DriftDocument, EndName, EvidenceDocument, IntegratorDocument,
     IntegratorName, LyapunovDocument, OrbitDocument, RotationAngleName, RotationDocument, SectionDocument,
@@ -17,6 +17,7 @@ use bifdiag_schema::{
 use crate::body::given;
 use crate::classification::components;
 use crate::command::{CommandLine, head};
+use crate::integrals::further_integrals;
 use crate::subject::Subject;
 
 /// Puts together what is known; orbits that are missing were not begun. `region`: the region whose sample this is.
@@ -44,6 +45,15 @@ pub fn section(subject: &Subject, section: &PoincareSection, region: Option<&str
         notes.push("the run was interrupted: verdicts or Lyapunov exponents are missing".to_owned());
     }
     let options = &section.options;
+    let state = |point: &SectionPoint| State { gamma: point.gamma, l: point.l };
+    let motions = section.orbits.iter().filter_map(|orbit| {
+        let (start, others) = orbit.points.split_first()?;
+        Some((state(start), others.iter().map(state)))
+    });
+    let integrals = match motions.clone().next() {
+        Some(_) => further_integrals(&section.body, motions),
+        None => Vec::new(),
+    };
     let mut document = SectionDocument {
         head: head(String::new()),
         body: given(&section.body),
@@ -70,6 +80,7 @@ pub fn section(subject: &Subject, section: &PoincareSection, region: Option<&str
         complete: section.complete(),
         summary,
         notes,
+        integrals,
         orbits,
         part: subject.part.clone(),
     };

@@ -7,6 +7,7 @@ use bifdiag_schema::{PartAnswerDocument, PartDocument};
 use dashu_ratio::RBig;
 
 use crate::command::{CommandLine, head};
+use crate::integrals::integrable;
 
 /// A body, and the part from which it was computed.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,7 +63,11 @@ impl Subject {
     /// The answer of `bifdiag body`, of a subject that is a part.
     #[must_use]
     pub fn part_answer(&self) -> Option<PartAnswerDocument> {
-        Some(PartAnswerDocument { head: head(self.command("body").json()), part: self.part.clone()? })
+        Some(PartAnswerDocument {
+            head: head(self.command("body").json()),
+            part: self.part.clone()?,
+            integrable: integrable(&self.body),
+        })
     }
 
     /// `bifdiag COMMAND` with the options that describe the body.

@@ -4,7 +4,7 @@ use dashu_int::IBig;
 use dashu_ratio::RBig;
 
 use super::CertifiedAtlas;
-use super::arrange::{Arrangement, Source};
+use super::arrange::{Arrangement, Slab, Source};
 use super::curves::{Place, Shape};
 use super::family::Half;
 use super::model::exact_unit;
@@ -12,11 +12,11 @@ use super::pair::{Mark, Proof, Stretch};
 use super::point::{Evaluator, Evaluators};
 use bifdiag_diagram::arrangement::EventId;
 use bifdiag_equilibria::curves::{CurveId, CurveName, End, Pole};
-use bifdiag_numbers::Sign;
 use bifdiag_numbers::decimal;
 use bifdiag_numbers::enclosure::Enclosure;
 use bifdiag_numbers::table::Id;
 use bifdiag_numbers::wide::Interval384;
+use bifdiag_numbers::{Number, Sign};
 use bifdiag_schema::{
     CertificateDocument, CertificateUnits, CertifiedCusp, CertifiedEvent, CertifiedHeight, CertifiedMeeting,
     CertifiedNode, CertifiedPair, CertifiedSample, CertifiedSlab, CertifiedStretch, PlaceDocument,
@@ -122,7 +122,7 @@ impl CertifiedAtlas {
         }
     }
 
-    fn slab(&self, evaluators: &Evaluators<'_>, slab: &super::arrange::Slab) -> CertifiedSlab {
+    fn slab(&self, evaluators: &Evaluators<'_>, slab: &Slab) -> CertifiedSlab {
         let curves = slab.order.iter().zip(&slab.region_above).map(|(&curve, region)| CertifiedHeight {
             curve: self.id(curve),
             place: place_over(evaluators.narrow(), curve, &slab.x)
@@ -130,6 +130,27 @@ impl CertifiedAtlas {
             region: region.to_string(),
         });
         CertifiedSlab { x: decimal::exact(&slab.x), curves: curves.collect() }
+    }
+
+    /// The number of the slab in which l²/2 lies, and its curves over it with their places; `None` where l is 0, or too close
+    /// to an event.
+    #[must_use]
+    pub fn level(&self, l: &Number) -> Option<(usize, CertifiedSlab)> {
+        let a = &self.arrangement;
+        let l = l.value() / exact_unit(self.frame.momentum_unit);
+        let x = &l * &l / RBig::from(2);
+        let range = |group: &Vec<EventId>| {
+            let ends = |side: usize| group.iter().map(move |&event| &a.events[event].x[side]);
+            Some([ends(0).min()?, ends(1).max()?])
+        };
+        let ranges: Vec<[&RBig; 2]> = a.transitions.iter().filter_map(range).collect();
+        let number = ranges.iter().filter(|[_, high]| x > **high).count();
+        if x <= RBig::ZERO || ranges.get(number).is_some_and(|[low, _]| x >= **low) {
+            return None;
+        }
+        let slab = a.slabs.iter().nth(number)?;
+        let slab = Slab { x, ..slab.clone() };
+        Some((number, self.slab(&Evaluators::new(&a.model, &a.curves, &[]), &slab)))
     }
 
     /// A node of a pair; `side` says which end of the common range an unmarked one is.

@@ -6,8 +6,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Accuracy, CertificateDocument, ComponentDocument, FrictionDocument, GivenBody, Head, MarginDocument,
-    NonlinearDocument, NonlinearVerdict, PartDocument, Reason, Stability,
+    Accuracy, CertificateDocument, ComponentDocument, FrictionDocument, GivenBody, Head, IntegrableDocument,
+    MarginDocument, NonlinearDocument, NonlinearVerdict, PartDocument, Reason, Stability,
 };
 
 /// What is special about a body, decided exactly.
@@ -38,6 +38,9 @@ pub struct BodyDocument {
     pub flags: Flags,
     /// One of `symmetric`, `plane`, `axis` and `euler`: the generic closed form needs a special case.
     pub degenerate: bool,
+    /// The integrable cases to which the body belongs.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub integrable: Vec<IntegrableDocument>,
     /// The part from which A and r were computed, when one was given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part: Option<PartDocument>,

@@ -88,6 +88,15 @@ pub struct ClassBorderDocument {
     pub center: [f64; 3],
 }
 
+/// A class of generic bodies beside a special one.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ClassBesideDocument {
+    /// Its name.
+    pub class: String,
+    /// The share of random bodies at a distance of 1e-6 that have it.
+    pub share: f64,
+}
+
 /// The answer of `classes --at`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StandingDocument {
@@ -98,6 +107,12 @@ pub struct StandingDocument {
     pub name: Option<String>,
     /// True when the class is one of those that come with the program.
     pub known: bool,
+    /// What is special about the body (axes by rising moments), decided exactly; absent for a generic one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stratum: Option<String>,
+    /// Of a special body: the classes of generic bodies beside it, the most frequent first. Rare ones may be missing.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub generic: Vec<ClassBesideDocument>,
     /// The borders of the class around the body, by rising distance; none for a body without a class.
     pub borders: Vec<ClassBorderDocument>,
 }

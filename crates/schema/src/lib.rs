@@ -9,15 +9,18 @@ mod certificate;
 mod checksum;
 mod classes;
 mod classification;
+mod comparison;
 mod critical;
 mod find;
 mod grid;
 mod head;
+mod integrable;
 mod listing;
 mod motion;
 mod nonlinear;
 mod number;
 mod part;
+mod point_proof;
 mod scan;
 mod section;
 mod shown;
@@ -38,9 +41,14 @@ pub use certificate::{
 };
 pub use checksum::checksum;
 pub use classes::{
-    ClassBorderDocument, ClassDocument, ClassNeighbourDocument, ClassWitnessDocument, ClassesDocument, StandingDocument,
+    ClassBesideDocument, ClassBorderDocument, ClassDocument, ClassNeighbourDocument, ClassWitnessDocument,
+    ClassesDocument, StandingDocument,
 };
 pub use classification::{CandidateDocument, ClassificationDocument, ComponentDocument, MarginDocument, Status};
+pub use comparison::{
+    ComparedBodyDocument, ComparedEventDocument, ComparedRegionsDocument, ComparedStabilityDocument,
+    ComparisonDocument, CrossedBorderDocument, PathDocument,
+};
 pub use critical::{
     CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability, Verdict, eigenvalues_in_words,
     small_motions,
@@ -48,11 +56,13 @@ pub use critical::{
 pub use find::{FindDocument, NearestDocument, WitnessDocument};
 pub use grid::{GridAxisDocument, GridDocument};
 pub use head::{GivenBody, Head};
-pub use listing::{BatchErrorDocument, BodiesDocument, PresetDocument};
+pub use integrable::{FurtherIntegralDocument, IntegrableCaseName, IntegrableDocument};
+pub use listing::{BatchErrorDocument, BodiesDocument, ExplainedTermDocument, ExplanationDocument, PresetDocument};
 pub use motion::{MotionDocument, MotionSampleDocument, MotionSummaryDocument};
 pub use nonlinear::{Damped, FrictionDocument, NonlinearDocument, NonlinearVerdict, Reason, ResonancesDocument};
 pub use number::Number;
 pub use part::{PartAnswerDocument, PartDocument, PrincipalDocument};
+pub use point_proof::PointProofDocument;
 pub use scan::{
     BodyRecordDocument, ClassRecordDocument, DesignDocument, FamilyDocument, ParameterName, RangeDocument,
     RecordDocument, RowDocument, RowStatus, ScanIdentityDocument, ScanSummaryDocument,

@@ -1,4 +1,4 @@
-//! `bodies`: the named bodies; and the line that stands for a wrong line of a batch.
+//! `bodies`: the named bodies; `explain`: the terms; and the line that stands for a wrong line of a batch.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -25,6 +25,31 @@ pub struct BodiesDocument {
     pub head: Head,
     /// Every named body.
     pub bodies: Vec<PresetDocument>,
+}
+
+/// A row of the glossary.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct ExplainedTermDocument {
+    /// The terms that the row explains.
+    pub terms: Vec<String>,
+    /// What they mean.
+    pub meaning: String,
+    /// Other names of them.
+    pub also_called: Vec<String>,
+    /// The part of the glossary in which the row stands.
+    pub section: String,
+}
+
+/// The answer of `explain`.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct ExplanationDocument {
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
+    /// The word as it was asked; empty for the whole glossary.
+    pub word: String,
+    /// The rows of the glossary that explain it.
+    pub entries: Vec<ExplainedTermDocument>,
 }
 
 /// The answer to a line of a batch that is wrong.

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{DriftDocument, GivenBody, Head, IntegratorDocument, PartDocument};
+use super::{DriftDocument, FurtherIntegralDocument, GivenBody, Head, IntegratorDocument, PartDocument};
 
 /// The motion at one time; vectors are in the body's (principal) axes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -64,6 +64,9 @@ pub struct MotionDocument {
     pub complete: bool,
     /// How well it went.
     pub summary: MotionSummaryDocument,
+    /// The further integrals of an integrable body along the motion.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub integrals: Vec<FurtherIntegralDocument>,
     /// The motion, by rising time; absent where the samples are written as data.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub samples: Option<Vec<MotionSampleDocument>>,

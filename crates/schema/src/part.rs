@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Head;
+use super::{Head, IntegrableDocument};
 
 /// Principal moments and axes about a point.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -23,6 +23,9 @@ pub struct PartAnswerDocument {
     /// The part.
     #[serde(flatten)]
     pub part: PartDocument,
+    /// The integrable cases to which the part belongs.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub integrable: Vec<IntegrableDocument>,
 }
 
 /// A part as it was understood.

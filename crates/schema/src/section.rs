@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{ComponentDocument, GivenBody, Head, Number, PartDocument};
+use super::{ComponentDocument, FurtherIntegralDocument, GivenBody, Head, Number, PartDocument};
 
 /// Which function of the state vanishes on the section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -280,6 +280,9 @@ pub struct SectionDocument {
     pub complete: bool,
     /// Totals.
     pub summary: SectionSummaryDocument,
+    /// The further integrals of an integrable body along the orbits; absent where the crossings were written as they came.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub integrals: Vec<FurtherIntegralDocument>,
     /// Every orbit that was begun.
     pub orbits: Vec<OrbitDocument>,
     /// What is to be known about the result, in words.

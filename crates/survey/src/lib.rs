@@ -3,11 +3,14 @@
 pub mod border;
 mod design;
 pub mod nearest;
+mod parallel;
 mod parameter;
+pub mod path;
 pub mod scan;
 pub mod search;
 mod signature;
 pub mod space;
+pub mod strata;
 pub mod subdivision;
 
 pub use design::{BodyFamily, Design, DesignError};

@@ -6,6 +6,7 @@ use rand_xoshiro::SplitMix64;
 use rand_xoshiro::rand_core::SeedableRng;
 
 use crate::border::{self, BodySegment, BorderEventKind, BorderOptions, class_of};
+use crate::parallel::each;
 use crate::space::{BodyLine, BodySet, ReducedBody, TangentBasis};
 use bifdiag_body::Body;
 use bifdiag_diagram::class::{Class, ClassName};
@@ -53,24 +54,27 @@ pub struct NearestBorder {
 pub fn nearest(body: ReducedBody, options: &NearestOptions) -> Vec<NearestBorder> {
     let Some(search) = BorderSearch::new(body, options.set) else { return Vec::new() };
     let mut rng = SplitMix64::seed_from_u64(options.seed);
+    let lines = (0..options.lines).map_while(|_| unit(search.basis.random(&mut rng)));
+    let both_ways = lines.flat_map(|line| [1.0, -1.0].map(|sign| line.iter().map(|x| sign * x).collect()));
+    let directions: Vec<Vec<f64>> = both_ways.collect();
+    let met = each(&directions, |direction| search.first(direction, |line| line.nodes(true, 0.5)));
     let mut found: BTreeMap<(ClassName, String), NearestBorder> = BTreeMap::new();
-    for _ in 0..options.lines {
-        let direction = search.basis.random(&mut rng);
-        let Some(direction) = unit(direction) else { break };
-        for sign in [1.0, -1.0] {
-            let direction: Vec<f64> = direction.iter().map(|x| sign * x).collect();
-            let Some((_, border)) = search.first(&direction, |line| line.nodes(true, 0.5)) else { continue };
-            let key = (border.class.name().clone(), border.event.to_string());
-            if found.get(&key).is_none_or(|known| border.distance < known.distance) {
-                found.insert(key, border);
-            }
+    for (_, border) in met.into_iter().flatten() {
+        let key = (border.class.name().clone(), border.event.to_string());
+        if found.get(&key).is_none_or(|known| border.distance < known.distance) {
+            found.insert(key, border);
         }
     }
     let mut found: Vec<NearestBorder> = found.into_values().collect();
     found.sort_by(|p, q| p.distance.total_cmp(&q.distance));
-    for border in found.iter_mut().take(options.improved) {
-        search.improve(border);
-    }
+    let far = found.split_off(options.improved.min(found.len()));
+    let improved = |border: &NearestBorder| {
+        let mut border = border.clone();
+        search.improve(&mut border);
+        border
+    };
+    let mut found = each(&found, improved);
+    found.extend(far);
     found.sort_by(|p, q| p.distance.total_cmp(&q.distance));
     found
 }

@@ -227,12 +227,12 @@ impl TangentBasis {
 }
 
 /// A number in [0, 1).
-fn unit(rng: &mut SplitMix64) -> f64 {
+pub(crate) fn unit(rng: &mut SplitMix64) -> f64 {
     (rng.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
 }
 
 /// A uniform point of the ball.
-fn in_ball(rng: &mut SplitMix64, dimensions: usize) -> Vec<f64> {
+pub(crate) fn in_ball(rng: &mut SplitMix64, dimensions: usize) -> Vec<f64> {
     loop {
         let point: Vec<f64> = (0..dimensions).map(|_| 2.0 * unit(rng) - 1.0).collect();
         let square: f64 = point.iter().map(|x| x * x).sum();

@@ -27,9 +27,9 @@ mod refused;
 mod stability;
 mod topology;
 
-use bifdiag_schema::{Accuracy, AtlasDocument, CertificateDocument, checksum};
+use bifdiag_schema::{Accuracy, AtlasDocument, PointProofDocument, checksum};
 
-use document::{curves, listing, samples, totals};
+use document::{curves, listing, point, samples, totals};
 use equilibria::pieces::Pieces;
 use equilibria::spaces::{Body, Spaces};
 use equilibria::{meetings, roots};
@@ -64,6 +64,18 @@ pub struct Report {
 /// # Errors
 /// The first thing that is wrong; [`Refused::NoCertificate`] where nothing is there to be checked.
 pub fn verify(document: &AtlasDocument) -> Result<Report, Refused> {
+    checked(document, None)
+}
+
+/// Checks where a point lies: the atlas of its document as [`verify`] does, and the point in it.
+///
+/// # Errors
+/// As [`verify`].
+pub fn verify_point(point: &PointProofDocument) -> Result<Report, Refused> {
+    checked(&point.atlas, Some(point))
+}
+
+fn checked(document: &AtlasDocument, point: Option<&PointProofDocument>) -> Result<Report, Refused> {
     let body = Body::read(&document.body)?;
     let certificate = document.certificate.as_ref().ok_or(Refused::NoCertificate)?;
     if checksum(document).map_err(|_unwritable| Refused::Checksum)? != certificate.checksum {
@@ -76,7 +88,7 @@ pub fn verify(document: &AtlasDocument) -> Result<Report, Refused> {
         return Err(Refused::Field { field: "certificate.bits" });
     }
     totals::frame(document, &body)?;
-    let check = |bits| certified(document, certificate, &body, bits);
+    let check = |bits| certified(document, point, &body, bits);
     let first = usize::from(certificate.bits > PROOFS[0]);
     BITS[first + 1..].iter().fold(check(BITS[first]), |found, &bits| found.or_else(|_undecided| check(bits)))
 }
@@ -84,10 +96,11 @@ pub fn verify(document: &AtlasDocument) -> Result<Report, Refused> {
 /// What one precision confirms is true, whatever a lower one left open.
 fn certified(
     document: &AtlasDocument,
-    certificate: &CertificateDocument,
+    point: Option<&PointProofDocument>,
     body: &Body,
     bits: usize,
 ) -> Result<Report, Refused> {
+    let certificate = document.certificate.as_ref().ok_or(Refused::NoCertificate)?;
     let spaces =
         Spaces::new(body, [number::unit(&certificate.units.moment)?, number::unit(&certificate.units.energy)?], bits)?;
     meetings::count_roots(certificate, &spaces)?;
@@ -111,6 +124,9 @@ fn certified(
     topology::check(document, &orders, &slabs, &samples)?;
     samples::check(document, &orders, &slabs, &samples)?;
     totals::totals(document, &orders, &slabs)?;
+    if let Some(claim) = point {
+        point::check(claim, &orders, &events)?;
+    }
     Ok(Report {
         regions: document.regions.len(),
         events: certificate.events.len(),

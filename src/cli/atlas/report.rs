@@ -9,7 +9,7 @@ use bifdiag_schema::{
     StabilityChangeDocument,
 };
 
-use crate::cli::input::head;
+use crate::cli::input::{head, integrable};
 use crate::cli::terminal::{Report, Table, significant};
 
 /// Significant digits of a place in the plane.
@@ -22,6 +22,7 @@ const TABLE_WIDTH: usize = 100;
 pub fn text(subject: &Subject, document: &AtlasDocument, written: &[PathBuf]) -> String {
     let mut report = Report::default();
     head(subject, &mut report);
+    integrable(&subject.body, &mut report);
     report.line("");
     if document.regions.is_empty() && document.summary.undecided.is_empty() {
         report.line("no point of the window is accessible: all of it lies below the lowest curve; there is no picture");

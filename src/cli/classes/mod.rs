@@ -128,8 +128,12 @@ fn standing(arguments: &ClassesArguments) -> Result<(), Failure> {
         .flag("physical", arguments.physical)
         .option_if("lines", arguments.lines.filter(|lines| *lines != usual.lines))
         .option_if("seed", arguments.seed.filter(|seed| *seed != usual.seed));
-    let document =
-        bifdiag_documents::standing(class.as_ref().ok().map(bifdiag_diagram::class::Class::name), &borders, command);
+    let document = bifdiag_documents::standing(
+        &subject.body,
+        class.as_ref().ok().map(bifdiag_diagram::class::Class::name),
+        &borders,
+        command,
+    );
     answer(arguments.json, &document, || {
         let mut text = Report::default();
         head(&subject, &mut text);
@@ -153,6 +157,22 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
         report.line(format!("  bifdiag class {name} tells more"));
     } else {
         report.line("  it is none of the classes that come with bifdiag, so `bifdiag class` does not know it");
+    }
+    if let Some(stratum) = &document.stratum {
+        report.line(format!("a special body: {stratum} (axes by rising moments)"));
+        let beside: Vec<String> = document
+            .generic
+            .iter()
+            .map(|beside| {
+                let share = if document.generic.len() > 1 {
+                    format!(" ({:.0} %)", 100.0 * beside.share)
+                } else {
+                    String::new()
+                };
+                format!("{}{share}", beside.class)
+            })
+            .collect();
+        report.line(format!("generic bodies beside it (at a distance of 1e-6) have the class {}", beside.join(", ")));
     }
     if document.borders.is_empty() {
         report.line("no other class was met on the lines through it");

@@ -1,6 +1,7 @@
 //! `bifdiag classify`: the type of U, E and P at one point, or at many.
 
 mod many;
+mod proof;
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -22,6 +23,7 @@ pub const EXAMPLES: &str = "\
 Examples:
   bifdiag classify --A 2,1.1,1 --r 0.94868,0,0.61623 --h 3.8 --l 3.25
   bifdiag classify --body kovalevskaya --h 1.84 --l=-1.84 --json
+  bifdiag classify --body paper --h 3.8 --l 3.25 --certificate > point.json
   bifdiag classify --body paper --grid -1:6:200,0:4:200 --out grid.npz
   bifdiag classify --batch points.jsonl > types.jsonl
   echo '{\"h\": 3.8, \"l\": \"13/4\"}' | bifdiag classify --body paper --batch -
@@ -52,6 +54,9 @@ pub struct ClassifyArguments {
     /// Leave the ids of the regions out: no atlas is made (for batches over many bodies)
     #[arg(long, help_heading = "Work", hide_short_help = true)]
     pub no_region: bool,
+    /// Print the answer of one point as JSON with its proof, which `bifdiag verify` checks
+    #[arg(long, help_heading = "Output")]
+    pub certificate: bool,
     /// Print the answer as JSON (a batch always is)
     #[arg(long, help_heading = "Output")]
     pub json: bool,
@@ -60,6 +65,7 @@ pub struct ClassifyArguments {
 pub fn run(arguments: &ClassifyArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     let (h, l) = (arguments.point.energy.as_ref(), arguments.point.momentum.as_ref());
     let (accuracy, regions) = (arguments.accuracy, !arguments.no_region);
+    check_proof(arguments)?;
     if let Some(grid) = &arguments.grid {
         let batch = arguments.batch.batch.is_some();
         let replaced = [("--h", h.is_some()), ("--l", l.is_some()), ("--batch", batch)];
@@ -83,6 +89,9 @@ pub fn run(arguments: &ClassifyArguments, timings: &Timings, quiet: bool) -> Res
     let subject = arguments.body.subject()?;
     let h = h.ok_or_else(|| no_point("--h", "the energy, such as --h 3.8"))?;
     let l = l.ok_or_else(|| no_point("--l", "the momentum, such as --l 3.25"))?;
+    if arguments.certificate {
+        return proof::run(&subject, h, l, timings);
+    }
     let document = timings.stage("classify", || {
         let (found, prepared) = if regions {
             let prepared = Solver::new(subject.body.clone(), accuracy);
@@ -94,6 +103,23 @@ pub fn run(arguments: &ClassifyArguments, timings: &Timings, quiet: bool) -> Res
     });
     let document = document.map_err(unanswered)?;
     answer(arguments.json, &document, || report(&subject, &document))
+}
+
+/// What does not go with `--certificate`.
+fn check_proof(arguments: &ClassifyArguments) -> Result<(), Failure> {
+    let others = [
+        ("--grid", arguments.grid.is_some()),
+        ("--out", arguments.out.is_some()),
+        ("--batch", arguments.batch.batch.is_some()),
+        ("--no-region", arguments.no_region),
+        ("--accuracy fast", arguments.accuracy == Accuracy::Fast),
+    ];
+    match others.into_iter().find(|(_, given)| *given && arguments.certificate) {
+        Some((option, _)) => Err(Failure::input(format!(
+            "--certificate proves one point exactly, with its region, as JSON on stdout; leave {option} out"
+        ))),
+        None => Ok(()),
+    }
 }
 
 /// What the terminal shows of a point.

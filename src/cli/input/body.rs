@@ -3,12 +3,13 @@
 use bifdiag_body::part::{MeasuredPart, Part, Units};
 use bifdiag_body::{Body, Number, Preset};
 use bifdiag_documents::Subject;
+use bifdiag_schema::FurtherIntegralDocument;
 use clap::Args;
 
 use super::part::{GivenPart, PartArguments, shown, shown_of_part};
 use super::values::{self, Triple};
 use crate::cli::failure::Failure;
-use crate::cli::terminal::Report;
+use crate::cli::terminal::{Report, significant};
 
 /// The body, by its principal moments or by name.
 #[derive(Debug, Args)]
@@ -21,7 +22,7 @@ pub struct PlainBodyArguments {
     #[arg(long = "r", value_name = "r1,r2,r3", allow_hyphen_values = true, value_parser = values::center)]
     pub center: Option<Triple>,
     /// A named body; `bifdiag bodies` lists them
-    #[arg(long, value_name = "NAME", hide_possible_values = true, value_parser = values::preset())]
+    #[arg(long, value_name = "NAME", hide_possible_values = true, ignore_case = true, value_parser = values::preset())]
     pub body: Option<&'static Preset>,
 }
 
@@ -156,6 +157,27 @@ pub fn head(subject: &Subject, report: &mut Report) {
     }
     for [x, y, z] in part.principal.axes {
         report.line(format!("  ({x:>9.6}, {y:>9.6}, {z:>9.6})"));
+    }
+}
+
+/// The integrable cases to which a body belongs, if there are any.
+pub fn integrable(body: &Body, report: &mut Report) {
+    for case in bifdiag_documents::integrable(body) {
+        report.line(bifdiag_documents::integrable_words(&case));
+    }
+}
+
+/// The further integrals of an integrable body, with their values and deviations.
+pub fn add_integrals(report: &mut Report, integrals: &[FurtherIntegralDocument]) {
+    for FurtherIntegralDocument { of, kept, at_start, drift } in integrals {
+        report.line(bifdiag_documents::integrable_words(of));
+        let (value, drift) = (significant(*at_start, 10), significant(*drift, 2));
+        report.line(if *kept {
+            let growing = if of.holds == "where it is 0" { "; errors off 0 may grow exponentially" } else { "" };
+            format!("  {value} at the start, largest deviation {drift}{growing}")
+        } else {
+            format!("  {value} at the start, and it changes: it is constant {} only (by {drift} here)", of.holds)
+        });
     }
 }
 

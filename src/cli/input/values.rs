@@ -268,6 +268,11 @@ pub fn angle(text: &str) -> Result<f64, Failure> {
     }
 }
 
+/// Euler's angles ϑ, ψ, φ.
+pub fn angles(text: &str) -> Result<[f64; 3], Failure> {
+    entries(text, &["theta", "psi", "phi"], "write three angles, such as pi/3,0,0", angle)
+}
+
 /// A sheet of the PP-torus: 1, + or T+; -1, - or T-.
 pub fn sheet(text: &str) -> Result<i8, Failure> {
     match text {
@@ -292,7 +297,9 @@ pub fn named<T: Clone + Send + Sync>(words: &'static [Named<T>]) -> impl TypedVa
 
 /// A named body.
 pub fn preset() -> impl TypedValueParser<Value = &'static Preset> {
-    let names = Preset::all().iter().map(|preset| PossibleValue::new(preset.name()).help(preset.note()));
+    let value =
+        |preset: &Preset| PossibleValue::new(preset.name()).aliases(preset.other_spellings()).help(preset.note());
+    let names = Preset::all().iter().map(value);
     PossibleValuesParser::new(names).try_map(|name| Preset::find(&name).ok_or("bifdiag bodies lists the names"))
 }
 

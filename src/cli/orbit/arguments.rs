@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 use bifdiag_body::Number;
 use bifdiag_documents::Subject;
 use bifdiag_dynamics::field::{HeavyTop, State};
-use bifdiag_dynamics::motion::{Motion, MotionOptions, follow};
+use bifdiag_dynamics::motion::{Motion, MotionOptions, Quaternion, follow};
 use bifdiag_dynamics::section::{PpTorus, SectionError, TorusPoint};
 use clap::Args;
 
@@ -22,9 +22,11 @@ Examples:
   bifdiag orbit --body paper --h 4.45 --l 3.25 --theta 1 --psi pi/2 --data m.csv
   bifdiag orbit --body lagrange --gamma 0,0.1,1 --l-vector 0,0,3 --times -5:5:11
   bifdiag orbit --body kovalevskaya --gamma 1,0,0 --omega 1.5,0,0.1 --json
+  bifdiag orbit --body paper --euler pi/3,pi/2,0 --omega 1,0.3,1
   bifdiag orbit --body paper --gamma 0,0,1 --omega 1,0,2 --animate m.svg
 
-The start, at time 0, is gamma with the angular momentum l or the angular velocity omega = l/A, in the body's axes; or a \
+The start, at time 0, is gamma (or Euler's angles theta from 0 to pi, psi and phi: gamma = (sin theta sin psi, sin theta cos psi, \
+cos theta)) with the angular momentum l or the angular velocity omega = l/A, in the body's axes; or a \
 point of the section: (h, l), theta, psi and sheet of its PP-torus, as `bifdiag section` writes them. The attitude is a \
 unit quaternion w,x,y,z that takes vectors of the body to space; theta, psi, phi are Euler's angles of the third axis.";
 
@@ -37,6 +39,10 @@ pub struct OrbitArguments {
     #[arg(long, value_name = "g1,g2,g3", allow_hyphen_values = true, value_parser = values::direction)]
     #[arg(help_heading = "Start: a state")]
     pub gamma: Option<[f64; 3]>,
+    /// Euler's angles instead of --gamma, such as pi/3,pi/2,0
+    #[arg(long, value_name = "THETA,PSI,PHI", allow_hyphen_values = true, value_parser = values::angles)]
+    #[arg(help_heading = "Start: a state")]
+    pub euler: Option<[f64; 3]>,
     /// Angular momentum, in the body's axes, such as 1,0.3,2
     #[arg(long, value_name = "l1,l2,l3", allow_hyphen_values = true, value_parser = values::vector)]
     #[arg(help_heading = "Start: a state")]
@@ -65,10 +71,10 @@ pub struct OrbitArguments {
     #[arg(long, value_name = "+|-", allow_hyphen_values = true, value_parser = values::sheet)]
     #[arg(help_heading = "Start: a point of the section", hide_short_help = true)]
     pub sheet: Option<i8>,
-    /// Euler's angle phi at the start
-    #[arg(long, value_name = "ANGLE", default_value = "0", allow_hyphen_values = true, value_parser = values::angle)]
-    #[arg(help_heading = "Motion", hide_short_help = true)]
-    pub phi: f64,
+    /// Euler's angle phi at the start (default: 0)
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true, value_parser = values::angle)]
+    #[arg(help_heading = "Motion", hide_short_help = true, conflicts_with = "euler")]
+    pub phi: Option<f64>,
     /// Times: n of them from t0 to t1, or a FILE (-: stdin) with one on each line; negative ones are in the past
     #[arg(long, value_name = "t0:t1:n|FILE", default_value = "0:10:21", allow_hyphen_values = true)]
     #[arg(value_parser = Times::parse, help_heading = "Motion")]
@@ -86,6 +92,13 @@ pub struct OrbitArguments {
     /// Print the answer as JSON
     #[arg(long, help_heading = "Output")]
     pub json: bool,
+}
+
+impl OrbitArguments {
+    /// φ at the start.
+    pub fn start_phi(&self) -> f64 {
+        self.euler.map_or(self.phi.unwrap_or_default(), |[_, _, phi]| phi)
+    }
 }
 
 /// The motion that the options ask for: a body, its state at time 0, and the times at which it is wanted.
@@ -110,7 +123,7 @@ impl<'a> Problem<'a> {
 
     /// The motion at some times.
     pub fn follow(&self, times: &[f64], stop: &AtomicBool) -> Result<Motion, Failure> {
-        let options = MotionOptions { tolerance: self.arguments.tol, phi: self.arguments.phi, stop };
+        let options = MotionOptions { tolerance: self.arguments.tol, phi: self.arguments.start_phi(), stop };
         follow(&self.top, &self.start, times, &options).map_err(failed("the motion could not be computed"))
     }
 }
@@ -127,6 +140,7 @@ fn animation(text: &str) -> Result<PathBuf, Failure> {
 fn start(arguments: &OrbitArguments, top: &HeavyTop) -> Result<State, Failure> {
     let state = [
         ("--gamma", arguments.gamma.is_some()),
+        ("--euler", arguments.euler.is_some()),
         ("--l-vector", arguments.l_vector.is_some()),
         ("--omega", arguments.omega.is_some()),
     ];
@@ -151,7 +165,18 @@ fn start(arguments: &OrbitArguments, top: &HeavyTop) -> Result<State, Failure> {
 
 fn of_state(arguments: &OrbitArguments, top: &HeavyTop, given: &'static str) -> Result<State, Failure> {
     let missing = |missing, example| move || incomplete(given, missing, example);
-    let gamma = arguments.gamma.ok_or_else(missing("--gamma", "--gamma 0.6,0,0.8"))?;
+    let gamma = match (arguments.gamma, arguments.euler) {
+        (Some(_), Some(_)) => return Err(two_starts("--gamma", "--euler")),
+        (Some(gamma), None) => gamma,
+        (None, Some([theta, psi, phi])) if (0.0..=PI).contains(&theta) => {
+            Quaternion::of_angles(theta, psi, phi).vertical()
+        }
+        (None, Some([theta, ..])) => {
+            let right = "it is the angle between gamma and the third axis, from 0 to pi";
+            return Err(Failure::input(format!("--euler: theta = {theta}; {right}")));
+        }
+        (None, None) => return Err(missing("--gamma", "--gamma 0.6,0,0.8 or --euler pi/3,0,0")()),
+    };
     let l = match (arguments.l_vector, arguments.omega) {
         (Some(_), Some(_)) => return Err(two_starts("--l-vector", "--omega")),
         (Some(l), None) => l,
@@ -188,7 +213,7 @@ fn of_point(arguments: &OrbitArguments, top: &HeavyTop, given: &'static str) -> 
 
 fn two_starts(first: &str, second: &str) -> Failure {
     Failure::input(format!(
-        "{first} and {second} both describe the start; give gamma with l-vector or omega, or h, l, theta, psi, sheet"
+        "{first} and {second} both describe the start; give gamma (or euler) with l-vector or omega, or h, l, theta, psi, sheet"
     ))
 }
 

@@ -4,14 +4,14 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use bifdiag_documents::Subject;
-use bifdiag_dynamics::field::dot;
+use bifdiag_dynamics::field::{State, dot};
 use bifdiag_dynamics::motion::{Motion, MotionReport, MotionSample};
 use bifdiag_schema::{MotionDocument, MotionSampleDocument, MotionSummaryDocument};
 
 use super::arguments::Problem;
 use crate::cli::export::{Columns, Values};
 use crate::cli::failure::Failure;
-use crate::cli::input::head;
+use crate::cli::input::{add_integrals, head};
 use crate::cli::terminal::{Report, Table, bound, significant};
 
 /// The document without its samples.
@@ -36,6 +36,10 @@ pub fn document(problem: &Problem<'_>, motion: &Motion) -> Result<MotionDocument
             attitude_difference: report.attitude_difference,
             at_pole: report.at_pole,
         },
+        integrals: bifdiag_documents::further_integrals(
+            &subject.body,
+            std::iter::once((*start, motion.samples.iter().map(|sample| State { gamma: sample.gamma, l: sample.l }))),
+        ),
         samples: None,
         notes: notes(report),
         part: subject.part.clone(),
@@ -44,7 +48,7 @@ pub fn document(problem: &Problem<'_>, motion: &Motion) -> Result<MotionDocument
 
 /// The motion from its start γ, l.
 fn command(Problem { arguments, subject, start, .. }: &Problem<'_>) -> String {
-    let phi = arguments.phi;
+    let phi = arguments.start_phi();
     let list = |v: [f64; 3]| v.map(|x| x.to_string()).join(",");
     let line = subject.command("orbit").option("gamma", list(start.gamma)).option("l-vector", list(start.l));
     let line = line.option_if("phi", (phi != 0.0).then_some(phi)).option("times", &arguments.times);
@@ -127,6 +131,7 @@ pub fn text(subject: &Subject, document: &MotionDocument, samples: &[MotionSampl
         significant(summary.drift.l, 2),
         significant(summary.drift.gamma, 2),
     ));
+    add_integrals(&mut report, &document.integrals);
     report.line(format!(
         "attitude: vertical to {}, against the angles {}",
         bound(summary.vertical_error, 2),

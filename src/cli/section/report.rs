@@ -3,6 +3,7 @@
 use bifdiag_schema::{ChaosDocument, ConditionName, EndName, SectionDocument, VerdictName, VerdictsName};
 
 use super::table as data;
+use crate::cli::input::add_integrals;
 use crate::cli::terminal::{Report, Table, significant};
 
 /// Orbits that are listed; the others are in the data.
@@ -89,6 +90,7 @@ fn add_summary(report: &mut Report, document: &SectionDocument) {
         significant(summary.drift.gamma, 2),
         significant(summary.residual, 2),
     ));
+    add_integrals(report, &document.integrals);
     if document.verdicts != VerdictsName::None {
         let counted = |name| document.orbits.iter().filter(|orbit| orbit.verdict == name).count();
         let [regular, chaotic, open] = [VerdictName::Regular, VerdictName::Chaotic, VerdictName::Open].map(counted);

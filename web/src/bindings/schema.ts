@@ -55,9 +55,24 @@ export interface Body {
   euler: boolean;
   /** One of `symmetric`, `plane`, `axis` and `euler`: the generic closed form needs a special case. */
   degenerate: boolean;
+  /** The integrable cases to which the body belongs. */
+  integrable?: Integrable[];
   /** The part from which A and r were computed, when one was given. */
   part?: Part;
 }
+
+/** An integrable case to which a body belongs, decided exactly. */
+export interface Integrable {
+  /** Which. */
+  case: IntegrableCaseName;
+  /** The further integral in ω, γ, A, r and L = Aω, in the axes of the body. */
+  integral: string;
+  /** For which motions it is constant, such as `always` or `where l = 0`. */
+  holds: string;
+}
+
+/** A case in which there is a further first integral, or an invariant relation. */
+export type IntegrableCaseName = "euler" | "lagrange" | "kovalevskaya" | "goryachev-chaplygin" | "hess-appelrot";
 
 /** A part as it was understood. */
 export interface Part {

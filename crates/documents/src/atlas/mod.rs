@@ -16,6 +16,7 @@ use bifdiag_schema::{AtlasDocument, BodyDocument, EventDocument, RegionDocument,
 use crate::body::{flags, given};
 use crate::classification::accuracy_option;
 use crate::command::head;
+use crate::integrals::integrable;
 use crate::subject::Subject;
 
 use stability::Stability;
@@ -56,6 +57,7 @@ pub fn document(atlas: &Atlas, options: &DocumentOptions) -> AtlasDocument {
             given: given(body),
             flags: flags(body),
             degenerate: body.flags().degenerate(),
+            integrable: integrable(body),
             part: None,
         },
         window: options.window,

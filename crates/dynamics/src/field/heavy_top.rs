@@ -239,12 +239,3 @@ impl Integrals {
         self.energy.max(self.vertical_momentum).max(self.gamma_squared)
     }
 }
-
-/// Kovalevskaya's integral K = (ω₁² − ω₂² + γ₁)² + (2ω₁ω₂ + γ₂)² of A = (2,2,1), r = (1,0,0).
-#[must_use]
-pub fn kovalevskaya(state: &State) -> f64 {
-    let (omega_1, omega_2) = (0.5 * state.l[0], 0.5 * state.l[1]);
-    let real = omega_1 * omega_1 - omega_2 * omega_2 + state.gamma[0];
-    let imaginary = 2.0 * omega_1 * omega_2 + state.gamma[1];
-    real * real + imaginary * imaginary
-}

@@ -2,11 +2,13 @@
 //!
 //! Vectors of ℝ³ are plain arrays, with the operations of `nalgebra`.
 
+mod further;
 mod heavy_top;
 mod units;
 
 pub use bifdiag_numbers::vector::{cross, dot, norm};
-pub use heavy_top::{HeavyTop, Integrals, State, kovalevskaya};
+pub use further::{further_integral, further_scale, keeps_further_integral};
+pub use heavy_top::{HeavyTop, Integrals, State};
 pub use units::{Dimension, TopUnits};
 
 use nalgebra::Vector3;

@@ -472,6 +472,7 @@ pub fn atlas(
             },
             flags,
             degenerate: body.flags().degenerate(),
+            integrable: Vec::new(),
             part: None,
         },
         window: None,

@@ -8,6 +8,7 @@ use super::score::{Score, ScoredPoint, look, sample};
 use super::target::Target;
 use super::witness::{KnownPoint, Witness, known_witness};
 use super::{NearestBody, SearchAnswer, SearchOptions, SearchResult};
+use crate::parallel::each;
 
 /// Bodies between two looks at what was found.
 const BLOCK: u64 = 2048;
@@ -88,18 +89,6 @@ fn nearest((values, seen): &ScoredBody) -> NearestBody {
         Score::Shown(_) | Score::Nothing => 0.0,
     };
     NearestBody { values: *values, at: seen.at, missing }
-}
-
-/// The results for each item, in their order.
-#[cfg(feature = "parallel")]
-fn each<T: Sync, R: Send>(items: &[T], of: impl Fn(&T) -> R + Send + Sync) -> Vec<R> {
-    use rayon::prelude::*;
-    items.par_iter().map(of).collect()
-}
-
-#[cfg(not(feature = "parallel"))]
-fn each<T, R>(items: &[T], of: impl Fn(&T) -> R) -> Vec<R> {
-    items.iter().map(of).collect()
 }
 
 #[cfg(test)]

@@ -1,7 +1,10 @@
 //! Everything that a document says beside its certificate.
 
 pub(crate) mod curves;
+mod integrable;
 pub(crate) mod listing;
 mod part;
+pub(crate) mod point;
 pub(crate) mod samples;
+mod tensor;
 pub(crate) mod totals;

@@ -1,6 +1,6 @@
 //! What a document says of itself and of its body: flags, totals, the whole half-plane.
 
-use bifdiag_schema::{AtlasDocument, Flags};
+use bifdiag_schema::{AtlasDocument, Flags, PointProofDocument};
 use dashu_ratio::RBig;
 use std::collections::BTreeMap;
 
@@ -98,25 +98,21 @@ pub(crate) fn totals(document: &AtlasDocument, orders: &Orders, slabs: &[Slab]) 
 /// The command line that makes a document with its certificate, from its body, or the part of which that is, and from what it
 /// holds.
 fn command(document: &AtlasDocument) -> String {
-    let given = &document.body.given;
     let mut line = Line("bifdiag atlas".to_owned());
-    if let Some(part) = &document.body.part {
-        let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = &part.inertia;
-        line.option("inertia", &[xx, yy, zz, xy, xz, yz].map(String::as_str).join(","));
-        if [xy, xz, yz].iter().any(|product| *product != "0") {
-            line.option("products", "tensor");
-        }
-        line.option("com", &part.com.join(","));
-        line.option("mass", &part.mass);
-        line.option("units", &part.units);
-        line.option("g", &part.g);
-        line.flag("unphysical", !part.physical);
-    } else {
-        line.option("A", &given.moments.join(","));
-        line.option("r", &given.center.join(","));
-    }
+    line.body(document);
     line.flag("certificate", true);
     line.flag("no-drawing", document.drawing.is_none());
+    line.flag("json", true);
+    line.0
+}
+
+/// The command line that makes the proof of a point.
+pub(crate) fn point_command(point: &PointProofDocument) -> String {
+    let mut line = Line("bifdiag classify".to_owned());
+    line.body(&point.atlas);
+    line.option("h", &point.h);
+    line.option("l", &point.l);
+    line.flag("certificate", true);
     line.flag("json", true);
     line.0
 }
@@ -124,6 +120,26 @@ fn command(document: &AtlasDocument) -> String {
 struct Line(String);
 
 impl Line {
+    /// The body, or the part of which that is.
+    fn body(&mut self, document: &AtlasDocument) {
+        let given = &document.body.given;
+        if let Some(part) = &document.body.part {
+            let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = &part.inertia;
+            self.option("inertia", &[xx, yy, zz, xy, xz, yz].map(String::as_str).join(","));
+            if [xy, xz, yz].iter().any(|product| *product != "0") {
+                self.option("products", "tensor");
+            }
+            self.option("com", &part.com.join(","));
+            self.option("mass", &part.mass);
+            self.option("units", &part.units);
+            self.option("g", &part.g);
+            self.flag("unphysical", !part.physical);
+        } else {
+            self.option("A", &given.moments.join(","));
+            self.option("r", &given.center.join(","));
+        }
+    }
+
     /// `--name value`, as a POSIX shell reads it: a hyphen at the front is joined by `=`, what is not plain is quoted.
     fn option(&mut self, name: &str, value: &str) {
         let joint = if value.starts_with('-') { "=" } else { " " };

@@ -51,6 +51,24 @@ pub(crate) fn slabs(
     certificate.slabs.iter().enumerate().map(read).collect()
 }
 
+/// The curves over another abscissa of a slab, which has the same order and faces.
+pub(crate) fn level(
+    certificate: &CertificateDocument,
+    orders: &Orders,
+    events: &Events,
+    (number, claim): (usize, &CertifiedSlab),
+) -> Result<Slab, Refused> {
+    let transitions = Transitions::read(certificate, events)?;
+    let listed = certificate.slabs.get(number).ok_or(Refused::Field { field: "slab" })?;
+    let names = |slab: &CertifiedSlab| -> Vec<[String; 2]> {
+        slab.curves.iter().map(|height| [height.curve.clone(), height.region.clone()]).collect()
+    };
+    if names(listed) != names(claim) {
+        return Err(Refused::Field { field: "level" });
+    }
+    slab(number, claim, orders, &transitions)
+}
+
 impl<'a> Transitions<'a> {
     /// Groups that hold every event once, each wholly before the next.
     fn read(certificate: &'a CertificateDocument, events: &'a Events) -> Result<Self, Refused> {

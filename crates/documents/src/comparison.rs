@@ -1,0 +1,144 @@
+//! Two bodies compared, as a document.
+
+use bifdiag_body::Body;
+use bifdiag_diagram::class::Class;
+use bifdiag_schema::{
+    AtlasDocument, ComparedBodyDocument, ComparedEventDocument, ComparedRegionsDocument, ComparedStabilityDocument,
+    ComparisonDocument, CrossedBorderDocument, EventKind, PathDocument,
+};
+use bifdiag_survey::border::Border;
+
+use crate::body::given;
+use crate::border::event;
+use crate::command::{CommandLine, head};
+
+/// One of two bodies: its atlas as given and in standard axes, whose branches both bodies share.
+pub struct Compared<'a> {
+    /// As it was asked for.
+    pub name: &'a str,
+    /// The atlas of the body as given.
+    pub atlas: &'a AtlasDocument,
+    /// Its class, if that is decided.
+    pub class: Option<&'a Class>,
+    /// The body in standard axes.
+    pub standard: &'a Body,
+    /// The atlas of that.
+    pub standard_atlas: &'a AtlasDocument,
+}
+
+/// What one of two bodies has and the other lacks, and the borders between them.
+#[must_use]
+pub fn comparison(bodies: [Compared<'_>; 2], borders: &[Border]) -> ComparisonDocument {
+    let command = bodies.iter().fold(CommandLine::new("compare"), |line, body| {
+        let given = &body.atlas.body.given;
+        line.argument(format!("A={};r={}", given.moments.join(","), given.center.join(",")))
+    });
+    let classes = bodies.each_ref().map(|body| body.class);
+    let same_class = match classes {
+        [Some(first), Some(second)] => Some(first == second),
+        _ => None,
+    };
+    let last = borders.last().map(|border| &border.classes[1]);
+    ComparisonDocument {
+        head: head(command.json()),
+        same_class,
+        regions: regions(&bodies),
+        events: events(&bodies),
+        stability_changes: stability_changes(&bodies),
+        path: PathDocument {
+            ends: bodies.each_ref().map(|body| given(body.standard)),
+            borders: borders.iter().map(crossed).collect(),
+            complete: same_class == Some(true) || last.is_some_and(|last| Some(last) == classes[1]),
+        },
+        bodies: bodies.map(|body| ComparedBodyDocument {
+            name: body.name.to_owned(),
+            body: body.atlas.body.given.clone(),
+            class: body.class.map(|class| class.name().to_string()),
+            regions: body.atlas.summary.regions,
+            events: body.atlas.summary.events,
+            critical_points_max: body.atlas.summary.critical_points_max,
+        }),
+    }
+}
+
+fn crossed(border: &Border) -> CrossedBorderDocument {
+    CrossedBorderDocument {
+        at: border.t,
+        error: border.error,
+        event: event(&border.event),
+        classes: border.classes.each_ref().map(|class| class.name().to_string()),
+    }
+}
+
+fn regions(bodies: &[Compared<'_>; 2]) -> Vec<ComparedRegionsDocument> {
+    let mut kinds: Vec<ComparedRegionsDocument> = Vec::new();
+    for (which, body) in bodies.iter().enumerate() {
+        for region in &body.atlas.regions {
+            let known = kinds.iter_mut().find(|kind| kind.components == region.components);
+            let kind = match known {
+                Some(kind) => kind,
+                None => {
+                    kinds.push(ComparedRegionsDocument {
+                        components: region.components.clone(),
+                        signature: region.signature.clone(),
+                        regions: Default::default(),
+                    });
+                    let last = kinds.len() - 1;
+                    &mut kinds[last]
+                }
+            };
+            kind.regions[which].push(region.id.clone());
+        }
+    }
+    kinds
+}
+
+/// The name of the branch of a curve: all before the number of the piece.
+fn branch(id: &str) -> String {
+    id.split_once('.').map_or(id, |(branch, _)| branch).to_owned()
+}
+
+fn events(bodies: &[Compared<'_>; 2]) -> Vec<ComparedEventDocument> {
+    let mut kinds: Vec<ComparedEventDocument> = Vec::new();
+    for (which, body) in bodies.iter().enumerate() {
+        for event in &body.standard_atlas.events {
+            let mut branches: Vec<String> = event.curves.iter().map(|id| branch(id)).collect();
+            branches.sort_unstable();
+            if event.kind != EventKind::Crossing {
+                branches.dedup();
+            }
+            match kinds.iter_mut().find(|kind| kind.kind == event.kind && kind.branches == branches) {
+                Some(kind) => kind.counts[which] += 1,
+                None => kinds.push(ComparedEventDocument {
+                    kind: event.kind,
+                    branches,
+                    counts: std::array::from_fn(|of| usize::from(of == which)),
+                }),
+            }
+        }
+    }
+    kinds
+}
+
+fn stability_changes(bodies: &[Compared<'_>; 2]) -> Vec<ComparedStabilityDocument> {
+    let mut kinds: Vec<ComparedStabilityDocument> = Vec::new();
+    for (which, body) in bodies.iter().enumerate() {
+        for change in &body.standard_atlas.stability_changes {
+            let found = ComparedStabilityDocument {
+                kind: change.kind,
+                branch: branch(&change.curve),
+                from: change.from,
+                to: change.to,
+                counts: std::array::from_fn(|of| usize::from(of == which)),
+            };
+            let same = |kind: &&mut ComparedStabilityDocument| {
+                (kind.kind, &kind.branch, kind.from, kind.to) == (found.kind, &found.branch, found.from, found.to)
+            };
+            match kinds.iter_mut().find(same) {
+                Some(kind) => kind.counts[which] += 1,
+                None => kinds.push(found),
+            }
+        }
+    }
+    kinds
+}

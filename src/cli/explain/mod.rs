@@ -1,0 +1,146 @@
+//! `bifdiag explain`: a word of the program, by the glossary of its documentation.
+
+mod glossary;
+
+use bifdiag_documents::{CommandLine, head};
+use bifdiag_schema::{ExplainedTermDocument, ExplanationDocument};
+use clap::Args;
+
+use super::export::answer;
+use super::failure::Failure;
+use super::terminal::Report;
+use glossary::{Entry, Glossary};
+
+pub const EXPLAIN_EXAMPLES: &str = "\
+Examples:
+  bifdiag explain saddle-centre
+  bifdiag explain Kowalevski
+  bifdiag explain M4
+  bifdiag explain \"relative equilibrium\"
+  bifdiag explain                     all terms
+
+The entries are those of docs/glossary.md. Capitals, hyphens, plurals and other spellings do not matter; R5, G2.1 or S2-3D2 mean \
+their kind.";
+
+/// `bifdiag explain`.
+#[derive(Debug, Args)]
+pub struct ExplainArguments {
+    /// A word that the program prints
+    #[arg(value_name = "WORD")]
+    pub words: Vec<String>,
+    /// Print the answer as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+pub fn run(arguments: &ExplainArguments) -> Result<(), Failure> {
+    let glossary = Glossary::new();
+    if arguments.words.is_empty() {
+        let all: Vec<&Entry> = glossary.entries.iter().collect();
+        return answer(arguments.json, &document("", &all), || list(&glossary));
+    }
+    let word = arguments.words.join(" ");
+    let document = explain(&glossary, &word)?;
+    answer(arguments.json, &document, || text(&document))
+}
+
+/// What a word means, as text.
+pub fn explanation(word: &str) -> Result<String, Failure> {
+    explain(&Glossary::new(), word).map(|document| text(&document))
+}
+
+fn explain(glossary: &Glossary, word: &str) -> Result<ExplanationDocument, Failure> {
+    let mut found = glossary.find(word);
+    if found.is_empty() && word.contains('+') {
+        found = signature(glossary, word);
+    }
+    if found.is_empty() {
+        let near = match &glossary.nearest(word)[..] {
+            [] => String::new(),
+            near => format!("; the nearest are {}", near.join(", ")),
+        };
+        return Err(Failure::input(format!(
+            "WORD {word}: the glossary has no such term{near}; `bifdiag explain` lists all of them"
+        )));
+    }
+    Ok(document(word, &found))
+}
+
+/// The entries of the surfaces of a signature, such as S2+T2; none if one of them is no term.
+fn signature<'a>(glossary: &'a Glossary, word: &str) -> Vec<&'a Entry> {
+    let mut parts: Vec<&str> = word.split('+').collect();
+    parts.sort_unstable();
+    parts.dedup();
+    let found: Vec<Vec<&Entry>> = parts.into_iter().map(|part| glossary.find(part)).collect();
+    if found.iter().any(Vec::is_empty) {
+        return Vec::new();
+    }
+    let mut entries = glossary.find("signature");
+    for entry in found.into_iter().flatten() {
+        if !entries.contains(&entry) {
+            entries.push(entry);
+        }
+    }
+    entries
+}
+
+fn document(word: &str, entries: &[&Entry]) -> ExplanationDocument {
+    let texts = |list: &[&str]| list.iter().map(|&text| text.to_owned()).collect();
+    let term = |entry: &&Entry| ExplainedTermDocument {
+        terms: texts(&entry.terms),
+        meaning: entry.meaning.clone(),
+        also_called: texts(&entry.also_called),
+        section: entry.section.to_owned(),
+    };
+    let line = CommandLine::new("explain");
+    ExplanationDocument {
+        head: head(if word.is_empty() { line } else { line.argument(word) }.json()),
+        word: word.to_owned(),
+        entries: entries.iter().map(term).collect(),
+    }
+}
+
+fn text(document: &ExplanationDocument) -> String {
+    let mut report = Report::default();
+    for (place, entry) in document.entries.iter().enumerate() {
+        if place > 0 {
+            report.line("");
+        }
+        report.line(format!("{} ({})", entry.terms.join(", "), entry.section));
+        report.line(wrapped(&entry.meaning));
+        if !entry.also_called.is_empty() {
+            report.line(wrapped(&format!("also called: {}", entry.also_called.join(", "))));
+        }
+    }
+    report.text()
+}
+
+/// All terms, by the sections of the page.
+fn list(glossary: &Glossary) -> String {
+    let mut report = Report::default();
+    let mut sections: Vec<&str> = glossary.entries.iter().map(|entry| entry.section).collect();
+    sections.dedup();
+    for section in sections {
+        let of_section = glossary.entries.iter().filter(|entry| entry.section == section);
+        let terms: Vec<&str> = of_section.flat_map(|entry| entry.terms.iter().copied()).collect();
+        report.line(section);
+        report.line(wrapped(&terms.join("; ")));
+    }
+    report.text()
+}
+
+/// Lines of at most 100 columns, indented.
+fn wrapped(text: &str) -> String {
+    const COLUMNS: usize = 100;
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ') {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= COLUMNS => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(format!("  {word}")),
+        }
+    }
+    lines.join("\n")
+}

@@ -1,0 +1,177 @@
+//! Every word that the program prints is explained by `bifdiag explain`, and so by the glossary of the documentation.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use bifdiag::schema::Stability;
+use serde_json::Value;
+
+use crate::builder::{PROGRAM, bifdiag};
+
+/// The texts that stand in a schema as the values of a field.
+fn constants(schema: &Value, found: &mut BTreeSet<String>) {
+    if let Some(constant) = schema.get("const").and_then(Value::as_str) {
+        found.insert(constant.to_owned());
+    }
+    if let Some(Value::Array(values)) = schema.get("enum") {
+        found.extend(values.iter().filter_map(Value::as_str).map(str::to_owned));
+    }
+    match schema {
+        Value::Array(items) => items.iter().for_each(|item| constants(item, found)),
+        Value::Object(fields) => fields.values().for_each(|field| constants(field, found)),
+        _ => {}
+    }
+}
+
+/// The headings of the tables that the sources make.
+fn headings(folder: &Path, found: &mut BTreeSet<String>) {
+    for entry in fs::read_dir(folder).unwrap().map(Result::unwrap) {
+        let path = entry.path();
+        if path.is_dir() {
+            headings(&path, found);
+        } else {
+            let text = fs::read_to_string(&path).unwrap();
+            let tests = text.find("#[cfg(test)]").unwrap_or(text.len());
+            for table in text[..tests].split("Table::new(&[").skip(1) {
+                let list = table.split(']').next().unwrap();
+                found.extend(list.split('"').skip(1).step_by(2).map(str::to_owned));
+            }
+        }
+    }
+}
+
+/// Headings that are sentences, or say what stands below them in words that everybody knows.
+const PLAIN: [&str; 32] = [
+    "above",
+    "at",
+    "at most so far",
+    "axis (up)",
+    "below",
+    "bodies",
+    "change of stability",
+    "describes",
+    "direction",
+    "distance",
+    "error (rad/s)",
+    "first",
+    "from",
+    "id",
+    "in 1",
+    "in 2",
+    "kind",
+    "name",
+    "note",
+    "rad/s",
+    "regions of 1",
+    "regions of 2",
+    "rpm",
+    "sample (h, l)",
+    "to",
+    "types",
+    "up",
+    "angle to com",
+    "class beside it",
+    "class beyond",
+    "what happens on the border",
+    "axis",
+];
+
+#[test]
+fn every_word_of_documents_and_tables_is_explained() {
+    let mut words = BTreeSet::new();
+    constants(&bifdiag("schema --json").succeeds().json(), &mut words);
+    assert!(words.len() > 60, "{words:?}");
+    let types = [
+        Stability::Elliptic,
+        Stability::SaddleCentre,
+        Stability::Saddle,
+        Stability::Complex,
+        Stability::DoubleElliptic,
+        Stability::DoubleReal,
+        Stability::Zero,
+    ];
+    words.extend(types.map(|of| of.word().to_owned()));
+    // As tables have them.
+    words.extend(["stable (energy)", "stable (Arnold)", "unstable", "open"].map(str::to_owned));
+    headings(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src/cli"), &mut words);
+    assert!(words.contains("signature") && words.contains("small motions"));
+    words.retain(|word| !PLAIN.contains(&word.as_str()));
+    let explained = |word: &str| Command::new(PROGRAM).args(["explain", word]).output().unwrap().status.success();
+    let missing: Vec<&String> = words.iter().filter(|word| !explained(word)).collect();
+    assert!(missing.is_empty(), "docs/glossary.md explains none of {missing:?}");
+}
+
+#[test]
+fn every_name_of_an_atlas_is_explained() {
+    let mut words: BTreeSet<String> = BTreeSet::new();
+    for body in ["paper", "lagrange", "katok:7", "isotropic", "ten"] {
+        let atlas = bifdiag(&format!("--body {body} --json --no-drawing")).succeeds().json();
+        let ids = ["regions", "curves"].into_iter().flat_map(|list| atlas[list].as_array().unwrap());
+        words.extend(ids.map(|entry| entry["id"].as_str().unwrap().to_owned()));
+        for region in atlas["regions"].as_array().unwrap() {
+            words.extend(region["signature"].as_str().map(str::to_owned));
+            for component in region["components"].as_array().unwrap() {
+                let names = ["accessible_region", "energy_surface", "section"].map(|key| component[key].as_str());
+                words.extend(names.into_iter().flatten().map(str::to_owned));
+            }
+        }
+    }
+    for word in &words {
+        bifdiag("explain").and(word).succeeds().telling_nothing();
+    }
+    assert!(words.len() > 20, "{words:?}");
+}
+
+#[test]
+fn the_glossary_is_the_one_of_the_documentation() {
+    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/glossary.md")).unwrap();
+    let all = bifdiag("explain --json").succeeds().json();
+    let entries = all["entries"].as_array().unwrap();
+    assert_eq!(
+        entries.len(),
+        page.lines().filter(|line| line.starts_with("| ") && line.ends_with('|')).count()
+            - 2 * page.matches("| term |").count()
+    );
+    for entry in entries {
+        let first = entry["terms"][0].as_str().unwrap();
+        let told = bifdiag("explain --json").and(first).succeeds().json();
+        assert!(told["entries"].as_array().unwrap().contains(entry), "{first}");
+    }
+    bifdiag("explain").succeeds().printing("Stability\n").printing("hamiltonian-hopf");
+}
+
+#[test]
+fn other_spellings_lead_to_the_same_thing() {
+    let told = |word: &str| bifdiag("explain").and(word).succeeds().telling_nothing().stdout();
+    let kovalevskaya = told("Kovalevskaya");
+    for word in ["Kowalevski", "kovalevskaja", "Kowalevskaya"] {
+        assert_eq!(told(word), kovalevskaya, "{word}");
+    }
+    assert_eq!(told("Staude"), told("relative equilibria"));
+    assert_eq!(told("pitchforks"), told("fork"));
+    assert_eq!(told("hamiltonian hopf"), told("Hamiltonian-Hopf"));
+    bifdiag("explain pichfork").refused().telling("the nearest are pitchfork").printing_nothing();
+    bifdiag("explain xyzzyxyzzy").refused().telling("has no such term; `bifdiag explain` lists");
+    let atlas = |body: &str| bifdiag(&format!("--body {body} --json")).succeeds().stdout();
+    for body in ["kowalevski", "Kovalevskaya", "kovalevskaja"] {
+        assert_eq!(atlas(body), atlas("kovalevskaya"), "{body}");
+    }
+    assert_eq!(atlas("Goryachev-Chaplygin"), atlas("chaplygin"));
+}
+
+#[test]
+fn show_knows_the_names_of_surfaces() {
+    let explained = bifdiag("explain M4").succeeds().stdout();
+    assert_eq!(bifdiag("show M4").succeeds().stdout(), explained);
+    bifdiag("show R5").refused().telling("no body is given");
+    bifdiag("show M4 --body paper").succeeds().printing("no region of this body shows M4");
+    let shown = bifdiag("show M2 --body paper").succeeds();
+    shown.printing("M2 is shown by the regions R3, R6").printing("region R6, sections M2");
+    for name in ["k2n1", "S2+T2", "T2+S2", "RP3", "s1xs2"] {
+        bifdiag(&format!("show {name} --body paper")).succeeds().printing("is shown by the region");
+    }
+    // A branch of this body comes before a surface.
+    bifdiag("show S2 --body paper").succeeds().printing("curve S2.1");
+}
