@@ -218,13 +218,14 @@ fn made(of: &Kind) -> Option<String> {
         Kind::Of(name) if RECORDS.contains(&name.as_str()) => Some(format!("{name}._of")),
         Kind::OrNull(inner) => made(inner),
         range if is_range(range) => Some("span".to_owned()),
-        Kind::Tuple(kinds) => {
+        Kind::List(inner) if matches!(**inner, Kind::Tuple(_)) => {
+            let Kind::Tuple(kinds) = &**inner else { return None };
             let at = |(place, kind)| match made(kind) {
-                Some(make) => format!("{make}(found[{place}])"),
-                None => format!("found[{place}]"),
+                Some(make) => format!("{make}(pair[{place}])"),
+                None => format!("pair[{place}]"),
             };
             let all: Vec<String> = kinds.iter().enumerate().map(at).collect();
-            Some(format!("lambda found: ({})", all.join(", ")))
+            Some(format!("lambda found: tuple(({}) for pair in found)", all.join(", ")))
         }
         Kind::List(inner) | Kind::Several(inner, _) => Some(match made(inner) {
             Some(make) => format!("lambda found: tuple(map({make}, found))"),

@@ -272,7 +272,8 @@ fn campbell_writes_a_table_and_a_picture() {
     run.inside(directory.path()).succeeds().printing("complex to elliptic");
     let csv = fs::read_to_string(directory.path().join("c/campbell.csv")).unwrap();
     assert!(
-        csv.starts_with("spin_rpm,frequency1_hz,frequency2_hz,growth_per_s,stable\n") && csv.lines().count() == 401
+        csv.starts_with("spin_rpm,frequency1_hz,frequency2_hz,growth_per_s,stable,survives_friction\n")
+            && csv.lines().count() == 401
     );
     assert!(fs::read_to_string(directory.path().join("c/campbell.svg")).unwrap().contains("frequency in Hz"));
 }

@@ -1,9 +1,9 @@
 //! How a steady rotation ends when friction at the pivot or in the air lowers l slowly.
 //!
-//! Friction that is small damps motions near a minimum of U_l faster than it lowers l: the state stays on its curve, dh = Ω dl,
-//! to the point at which the curve ends. At a pitchfork it goes over to the curve or the pair that is a minimum beyond;
-//! without one, and at a cusp, the body falls, and comes to rest on another minimum at that l. All this in the limit of
-//! vanishing friction.
+//! Where friction that conserves l damps all that is not steady, and l is lost much more slowly, the state stays on a curve of
+//! minima of U_l, dh = Ω dl, to the point at which the curve ends. At a pitchfork it goes over to the curve or the pair that is a minimum beyond;
+//! without one, and at a cusp, the body falls, and comes to rest on another minimum at that l. All this in the limit of a
+//! vanishing loss of l.
 
 use crate::arrangement::{Arrangement, Change, EventId, RegionId, SlabId};
 use bifdiag_equilibria::curves::CurveId;

@@ -183,7 +183,7 @@ pub struct SpinStretchDocument {
     pub to: Option<SpinDocument>,
     /// The spectral type.
     pub stability: String,
-    /// The verdict, but at the spins that `verdict_changes` lists.
+    /// The verdict, but at isolated spins of a resonance or where D₄ = 0.
     pub nonlinear: NonlinearDocument,
     /// What friction leaves of it.
     pub friction: FrictionDocument,

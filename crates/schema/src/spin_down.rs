@@ -42,8 +42,8 @@ pub struct SlowdownDocument {
     pub onto: Vec<String>,
 }
 
-/// The answer of `spin-down`: how a steady rotation ends when friction at the pivot or in the air slowly takes its l. In the limit
-/// of vanishing friction.
+/// The answer of `spin-down`: how a steady rotation ends when friction at the pivot or in the air slowly takes its l, in the limit
+/// in which that is much slower than the damping of all that is not steady.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SpinDownDocument {
     /// Where it comes from.

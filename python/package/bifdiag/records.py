@@ -575,7 +575,7 @@ class Friction:
         return cls(
             document["conserving_l"],
             document["growing"],
-            tuple(map(lambda document["rates"]: (tuple(document["rates"][0]), document["rates"][1]), document["rates"])),
+            tuple((tuple(pair[0]), pair[1]) for pair in document["rates"]),
         )
 
 

@@ -17,8 +17,8 @@ Examples:
   bifdiag spin-down --A 2,2,3 --r 0,0,1 --from L-.2 --l 6
   bifdiag spin-down --body paper --from G1.3 --json
 
-The way is that of vanishing friction at the pivot or in the air, which lowers l and damps all that is not steady: the rotation \
-follows its curve as long as that is a minimum of U_l.";
+Friction in the body damps all that is not steady; friction at the pivot or in the air takes l, in the limit much more slowly. The \
+rotation then follows its curve as long as that is a minimum of U_l.";
 
 /// `bifdiag spin-down`.
 #[derive(Debug, Args)]
@@ -98,7 +98,7 @@ fn text(subject: &Subject, document: &SpinDownDocument) -> String {
     report.line(table.text());
     report.line("");
     report.line("regions: just below and just above in h");
-    report.line("in the limit of vanishing friction");
+    report.line("in the limit in which l is lost much more slowly than all that is not steady is damped");
     report.text()
 }
 

@@ -68,6 +68,13 @@ pub(crate) fn check(document: &AtlasDocument, orders: &Orders) -> Result<Vec<Str
             unchecked.push(curve.id.clone());
         }
     }
+    // Where a hypothesis of Arnold's theorem fails is not checked either.
+    for change in &document.verdict_changes {
+        orders.pieces.find(&change.curve)?;
+        if change.proved {
+            return Err(Refused::Field { field: "verdict_changes.proved" });
+        }
+    }
     let expected = changes(orders, &along)?;
     let listed = &document.stability_changes;
     let ordered = listed.is_sorted_by(|p, q| p.l < q.l || (p.l == q.l && p.h <= q.h));
