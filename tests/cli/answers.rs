@@ -70,7 +70,7 @@ fn strange_bodies_are_accepted_with_a_warning() {
 
 #[test]
 fn a_turned_plate_is_a_plate_although_its_moments_are_rounded() {
-    let part = "--inertia 0.164,0.136,0.3,0.05,0,0 --products tensor --com 0,0,0 --mass 1e-3 --g 9.81";
+    let part = "--inertia 0.164,0.136,0.3,0.05,0,0 --products tensor --com 0,0,0 --mass 1 --g 9.81";
     let body = bifdiag(&format!("{part} --json")).succeeds().telling_nothing().json()["body"].clone();
     assert_eq!(
         (&body["plate"], &body["unphysical"], &body["part"]["exact"]),

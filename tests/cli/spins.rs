@@ -136,6 +136,35 @@ fn fast_rotations_are_sorted_by_the_weight_too() {
     }
 }
 
+/// Where several axes are as near, one alone is not the nearest; of a circle of axes each is told to be one.
+#[test]
+fn ties_and_circles_of_axes_are_told() {
+    let body = "--A 1,2,3 --r 0,0,0 --axis 1,1,1";
+    let spins = bifdiag(&format!("critical-spin {body}")).succeeds();
+    spins.printing("at this angle are (1, 0, 0), (0, 1, 0), (0, 0, 1)");
+    let state = bifdiag(&format!("state {body} --spin")).and("1 rad/s").succeeds();
+    state.printing("as near are (").printing("; what follows is of the first");
+    let alone = bifdiag("critical-spin --A 1,2,3 --r 0,0,0 --axis 1,1,2").succeeds().stdout();
+    assert!(!alone.contains("at this angle"), "{alone}");
+    let circle = "it is one of a circle of permanent axes, which are judged as a whole";
+    bifdiag("critical-spin --A 1,1,2 --r 0,0,0 --axis x").succeeds().printing(circle);
+    bifdiag("critical-spin --A 1,1,2 --r 0,0,0").succeeds().printing(circle);
+    let alone = bifdiag("critical-spin --A 1,1,2 --r 0,0,0 --axis z").succeeds().stdout();
+    assert!(!alone.contains("circle"), "{alone}");
+}
+
+/// With C = 2A = 2B both pairs agree at every spin, whether they are real or imaginary.
+#[test]
+fn double_pairs_are_called_so_on_every_line() {
+    let told = bifdiag("critical-spin --A 1,1,2 --r 0,0,1 --axis z").succeeds();
+    told.printing("+axis up double-real, -axis up double-elliptic (local minimum)")
+        .printing("double-real  double-elliptic (local minimum)");
+    let state = bifdiag("state --A 1,1,2 --r 0,0,1 --axis=-z --spin").and("1 rad/s").succeeds();
+    state.printing("stable (minimum of energy): double-elliptic");
+    let parts = bifdiag("critical-spin --A 1,1,2 --r 0,0,1 --axis z --tolerance 1%").succeeds();
+    parts.printing("-axis up, each of these parts is elliptic (local minimum) at every spin");
+}
+
 /// The vertical is the direction of the question: it has no end called -axis.
 #[test]
 fn a_vertical_that_has_to_point_down_is_told_so() {

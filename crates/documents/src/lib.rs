@@ -39,7 +39,7 @@ pub use integrals::{further_integrals, integrable, integrable_words};
 pub use section::{chaos, drift, integrator, section, sections, tolerance_option};
 pub use spin::{
     changes_beside, measured_command, measured_tolerance, spin, spin_changes, spin_stretches, tolerance,
-    tolerance_beside,
+    tolerance_beside, type_name,
 };
 pub use spin_down::spin_down;
 pub use stability::{NONLINEAR_VERDICTS, REASONS, friction, nonlinear, nonlinear_verdict, reason};

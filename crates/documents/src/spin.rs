@@ -28,6 +28,16 @@ pub fn spin(rad_per_s: f64) -> SpinDocument {
     SpinDocument { rpm: Spin::rpm(rad_per_s), rad_per_s }
 }
 
+/// The name of a type that a rotation has between its changes: with C = 2A = 2B both pairs agree at every spin.
+#[must_use]
+pub fn type_name(rotation: &AxisRotation, kind: SpinType) -> &'static str {
+    let [c, a, b] = &rotation.moments;
+    if kind == SpinType::Minimum && a == b && *c == a + b && !rotation.weight.is_zero() {
+        return "double-elliptic (local minimum)";
+    }
+    kind.name()
+}
+
 fn change(change: &RotationChange, rotation: &AxisRotation, up: &str, second: f64) -> SpinChangeDocument {
     let RotationChange { omega, error_bound, .. } = *change;
     let name = |of: fn(&bifdiag_equilibria::permanent::SpinChange) -> SpinType| {
@@ -35,7 +45,7 @@ fn change(change: &RotationChange, rotation: &AxisRotation, up: &str, second: f6
             Some(change) => Some(of(change)),
             None => RBig::try_from(omega).ok().and_then(|omega| rotation.type_at_spin(&omega)),
         };
-        found.map_or_else(String::new, |found| found.name().to_owned())
+        found.map_or_else(String::new, |found| type_name(rotation, found).to_owned())
     };
     SpinChangeDocument {
         up: up.to_owned(),

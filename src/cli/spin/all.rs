@@ -9,7 +9,7 @@ use bifdiag_schema::{
     Multiplicity, PermanentAxisDocument, SpinDocument, SteadyFamilyDocument, SteadySpinsDocument, SteadyStart, Verdict,
 };
 
-use super::permanent::{Changes, changes_about, table_of_changes};
+use super::permanent::{Changes, changes_about, one_of, table_of_changes};
 use crate::cli::export::answer;
 use crate::cli::failure::{Failure, failed};
 use crate::cli::input::head;
@@ -61,7 +61,7 @@ fn text(subject: &Subject, document: &SteadySpinsDocument) -> String {
         report.line("no axis is permanent at every spin");
     }
     for permanent in &document.permanent {
-        permanent_axis_text(&mut report, permanent, document.note.is_some());
+        permanent_axis_text(&mut report, subject, permanent, document.note.is_some());
     }
     let moving: Vec<&SteadyFamilyDocument> = document.families.iter().filter(|family| !family.permanent).collect();
     if !moving.is_empty() {
@@ -76,11 +76,14 @@ fn text(subject: &Subject, document: &SteadySpinsDocument) -> String {
     report.text()
 }
 
-fn permanent_axis_text(report: &mut Report, permanent: &PermanentAxisDocument, unknown: bool) {
+fn permanent_axis_text(report: &mut Report, subject: &Subject, permanent: &PermanentAxisDocument, unknown: bool) {
     let [x, y, z] = permanent.axis.map(|x| significant(x, 6));
     report.line(format!("permanent axis ({x}, {y}, {z})"));
     let [plus, minus] = &permanent.slow;
     report.line(format!("at slow spins: +axis up {plus}, -axis up {minus}"));
+    if let Some(one_of) = one_of(subject, permanent.axis) {
+        report.line(one_of);
+    }
     match (permanent.changes.is_empty(), unknown) {
         (true, true) => report.line("its type changes at no spin"),
         (true, false) => report.line("its type and the regions beside it change at no spin"),

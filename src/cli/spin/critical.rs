@@ -3,7 +3,7 @@
 use bifdiag_body::part::{MeasuredPart, Part};
 use bifdiag_documents::{CommandLine, Subject, words};
 use bifdiag_equilibria::critical::RelativeEquilibria;
-use bifdiag_equilibria::permanent::{Near, NearestAxis, exact_spin, nearest_steady};
+use bifdiag_equilibria::permanent::{Near, NearestAxis, angle_between, exact_spin, nearest_steady};
 use bifdiag_exact::{Accuracy, Solver};
 use bifdiag_numbers::Number;
 use bifdiag_numbers::vector::dot;
@@ -13,7 +13,7 @@ use dashu_ratio::RBig;
 
 use super::all;
 use super::axis::{Axis, AxisArgument, MEANT, axis, end_up, fastest_along, followed_text};
-use super::permanent::{Changes, changes_about, table_of_changes};
+use super::permanent::{Changes, changes_about, one_of, table_of_changes};
 use super::tolerance::{self, ToleranceArgument};
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
@@ -256,6 +256,7 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
                 None => String::new(),
             };
             report.line(format!("the nearest permanent axis is ({x}, {y}, {z}), {angle}° away{spin}"));
+            as_near(&mut report, subject, document, nearest.angle_deg);
         }
         None => {}
     }
@@ -273,6 +274,9 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
     }
     if let Some([plus, minus]) = &document.slow {
         report.line(format!("at slow spins: +axis up {plus}, -axis up {minus}"));
+    }
+    if let Some(one_of) = one_of(subject, document.axis) {
+        report.line(one_of);
     }
     let unknown = document.note.is_some();
     if document.changes.is_empty() {
@@ -307,6 +311,23 @@ fn stretches(document: &CriticalSpinDocument) -> String {
         ]);
     }
     format!("\n{}", table.text())
+}
+
+/// Without weight, the other principal axes at the same angle.
+fn as_near(report: &mut Report, subject: &Subject, document: &CriticalSpinDocument, angle_deg: f64) {
+    if !subject.body.is_euler() {
+        return;
+    }
+    let principal = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| subject.to_given(axis));
+    let angle = |axis: [f64; 3]| {
+        let angle = angle_between(axis, document.axis).to_degrees();
+        angle.min(180.0 - angle)
+    };
+    let near = principal.into_iter().filter(|&axis| (angle(axis) - angle_deg).abs() < 1e-9);
+    let listed: Vec<String> = near.map(|axis| format!("({})", axis.map(|x| significant(x, 6)).join(", "))).collect();
+    if listed.len() > 1 {
+        report.line(format!("at this angle are {}", listed.join(", ")));
+    }
 }
 
 /// At which spin rotation about the axis itself is steady.

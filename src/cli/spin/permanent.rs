@@ -2,7 +2,8 @@
 
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_documents::Subject;
-use bifdiag_equilibria::permanent::{AxisRotation, PermanentAxis, SpinType};
+use bifdiag_equilibria::critical::Multiplicity;
+use bifdiag_equilibria::permanent::{AxisRotation, PermanentAxis, SpinType, permanent_axis};
 use bifdiag_numbers::Sign;
 use bifdiag_schema::SpinChangeDocument;
 use dashu_ratio::RBig;
@@ -26,7 +27,7 @@ pub fn changes_about(subject: &Subject, axis: PermanentAxis, atlas: Option<&Atla
     for (up, gamma) in [("+axis", Sign::Negative), ("-axis", Sign::Positive)] {
         let Some(rotation) = AxisRotation::about(&subject.body, axis, gamma) else { continue };
         changes.extend(bifdiag_documents::spin_changes(&rotation, up, atlas, subject.second()));
-        slow.push(at_slow_spins(&rotation).name().to_owned());
+        slow.push(bifdiag_documents::type_name(&rotation, at_slow_spins(&rotation)).to_owned());
         rotations.push((up, rotation));
     }
     Changes { changes, slow: slow.try_into().ok(), rotations }
@@ -37,6 +38,16 @@ fn at_slow_spins(rotation: &AxisRotation) -> SpinType {
     let changes = rotation.changes();
     let any = || rotation.type_at_spin(&RBig::ONE).unwrap_or(SpinType::Elliptic);
     changes.first().map_or_else(any, |first| first.from)
+}
+
+/// That an axis which is permanent at every spin is one of a circle or sphere of them.
+pub fn one_of(subject: &Subject, axis: [f64; 3]) -> Option<&'static str> {
+    let axis = permanent_axis(&subject.body, subject.to_principal(axis))?;
+    match AxisRotation::about(&subject.body, axis, Sign::Negative)?.multiplicity() {
+        Multiplicity::Points(_) => None,
+        Multiplicity::Circle => Some("it is one of a circle of permanent axes, which are judged as a whole"),
+        Multiplicity::Sphere => Some("rotation about every axis is permanent"),
+    }
 }
 
 /// The changes as a table; `without` stands where no change of regions is listed.

@@ -4,6 +4,7 @@ use bifdiag_body::Number;
 use bifdiag_body::part::Spin;
 use bifdiag_diagram::atlas::Spot;
 use bifdiag_documents::{CommandLine, Subject};
+use bifdiag_equilibria::critical::RelativeEquilibria;
 use bifdiag_equilibria::permanent::angle_between;
 use bifdiag_exact::{Accuracy, Solver};
 use bifdiag_numbers::symmetric::{self, Real};
@@ -276,5 +277,26 @@ fn other_text(report: &mut Report, subject: &Subject, document: &StateDocument) 
     report.line(format!(
         "at this spin the axis of the nearest steady rotation is ({x}, {y}, {z}), {angle}° from the vertical"
     ));
+    if let Some(others) = as_near(subject, document, nearest) {
+        report.line(others);
+    }
     told(report, nearest);
 }
+
+/// The other steady axes at this spin that are as near to the vertical.
+fn as_near(subject: &Subject, document: &StateDocument, nearest: &SteadyDocument) -> Option<String> {
+    let omega = RBig::try_from(document.spin.rad_per_s / subject.second()).ok()?;
+    let all = RelativeEquilibria::new(&subject.body).ok()?.at_spin(&omega).ok()?.list;
+    let axes = all.into_iter().map(|found| subject.to_given(found.gamma.map(|x| 0.0 - x)));
+    let angle = |axis: [f64; 3]| angle_between(axis, document.vertical).to_degrees();
+    let is_other = |axis: &[f64; 3]| {
+        (angle(*axis) - nearest.angle_deg).abs() < TIE && angle_between(*axis, nearest.axis).to_degrees() > TIE
+    };
+    let others: Vec<String> =
+        axes.filter(is_other).map(|axis| format!("({})", axis.map(|x| significant(x, 6)).join(", "))).collect();
+    let verb = if others.len() == 1 { "is" } else { "are" };
+    (!others.is_empty()).then(|| format!("as near {verb} {}; what follows is of the first", others.join(", ")))
+}
+
+/// Angles to the vertical that differ by less, in degrees, are the same.
+const TIE: f64 = 1e-9;
