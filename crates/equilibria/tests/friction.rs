@@ -32,6 +32,10 @@ fn damped(frame: &Frame, gamma: [f64; 3], omega: f64, damping: f64) -> Vec<Compl
     whole::spectrum(&matrix)
 }
 
+fn size_of([re, im]: [f64; 2]) -> f64 {
+    (re * re + im * im).sqrt()
+}
+
 /// At strong damping eigenvalues are apart from zero, and as many grow as the index says; at weak damping they move at the
 /// rates.
 fn is_damped_as_said(frame: &Frame, found: &Equilibrium) -> Held {
@@ -43,14 +47,14 @@ fn is_damped_as_said(frame: &Frame, found: &Equilibrium) -> Held {
     if frame.a[0] < 0.05 * frame.a[2] {
         return Ok(());
     }
-    let least = pairs.iter().map(|[re, im]| re.hypot(*im)).fold(f64::INFINITY, f64::min);
+    let least = pairs.iter().map(|pair| size_of(*pair)).fold(f64::INFINITY, f64::min);
     // A sixfold eigenvalue would be known to the sixth root of rounding.
     if matches!(found.multiplicity, Multiplicity::Points(1)) && least > 0.1 * size {
         let growing = damped(frame, gamma, omega, size).iter().filter(|x| x.re > 1e-6 * size).count();
         prop_assert_eq!(growing, usize::from(found.friction.growing), "{:?}", found);
         prop_assert_eq!(found.friction.survives, Some(found.index == 0), "{:?}", found);
     }
-    let apart = (pairs[0][0] - pairs[1][0]).hypot(pairs[0][1] - pairs[1][1]) > 0.1 * size;
+    let apart = size_of([pairs[0][0] - pairs[1][0], pairs[0][1] - pairs[1][1]]) > 0.1 * size;
     if found.stability == LinearType::Elliptic && apart && least > 0.1 * size {
         let damping = 1e-5 * size;
         let spectrum = damped(frame, gamma, omega, damping);
@@ -59,7 +63,7 @@ fn is_damped_as_said(frame: &Frame, found: &Equilibrium) -> Held {
             let rate = rate.expect("a simple pair");
             let slope = near.re / damping;
             // Of second order in the damping, beside a gap of a tenth; and rounding.
-            prop_assert!((slope - rate).abs() < 2e-3 * (1.0 + rate.abs().powi(2)), "{slope} {found:?}");
+            prop_assert!((slope - rate).abs() < 2e-3 * (1.0 + rate * rate), "{slope} {found:?}");
         }
     }
     Ok(())
@@ -161,7 +165,7 @@ fn rotations_about_a_principal_axis() {
         let rotation = AxisRotation::new(&body, BodyAxis::ALL[2], Sign::Positive).unwrap();
         for spin in 1..40 {
             let omega = dashu_ratio::RBig::from_parts(spin.into(), 8_u8.into());
-            let s = (f64::from(spin) / 8.0).powi(2);
+            let s = f64::from(spin * spin) / 64.0;
             let stiffness = [first, second].map(|moment| (about - moment) * s + weight);
             if stiffness.contains(&0.0) {
                 continue;

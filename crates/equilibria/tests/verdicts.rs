@@ -8,6 +8,7 @@ use bifdiag_equilibria::critical::{Equilibrium, RelativeEquilibria};
 use bifdiag_equilibria::curves::{CriticalSet, CurveName};
 use bifdiag_equilibria::nonlinear::{Failing, Verdict, VerdictChange, Verdicts, Why};
 use bifdiag_numbers::Number;
+use bifdiag_numbers::vector::{cross, dot};
 use support::bodies::{Stratum, random_body};
 use support::random::SplitMix64;
 
@@ -108,4 +109,95 @@ fn no_equilibrium_of_a_random_body_is_left_open() {
     }
     println!("{counts:?}");
     assert!(counts.len() >= 3, "{counts:?}");
+}
+
+/// The Euler–Poisson equations for (γ, 𝐥).
+fn velocity(a: [f64; 3], r: [f64; 3], y: [f64; 6]) -> [f64; 6] {
+    let [gamma, l] = [[y[0], y[1], y[2]], [y[3], y[4], y[5]]];
+    let omega: [f64; 3] = std::array::from_fn(|k| l[k] / a[k]);
+    let (turn, drag, weight) = (cross(gamma, omega), cross(l, omega), cross(gamma, r));
+    std::array::from_fn(|k| if k < 3 { turn[k] } else { drag[k - 3] - weight[k - 3] })
+}
+
+/// A step of the classical Runge–Kutta method.
+fn step(a: [f64; 3], r: [f64; 3], y: [f64; 6], time: f64) -> [f64; 6] {
+    let moved = |slope: [f64; 6], time: f64| std::array::from_fn(|k| y[k] + time * slope[k]);
+    let first = velocity(a, r, y);
+    let second = velocity(a, r, moved(first, 0.5 * time));
+    let third = velocity(a, r, moved(second, 0.5 * time));
+    let fourth = velocity(a, r, moved(third, time));
+    std::array::from_fn(|k| y[k] + time / 6.0 * (first[k] + 2.0 * (second[k] + third[k]) + fourth[k]))
+}
+
+/// How far γ departs at most from a relative equilibrium in so many steps, after disturbances of this size at fixed l; the
+/// search ends where it is as far as `enough`.
+fn departure(body: &Body, point: &Equilibrium, size: f64, steps: u32, enough: f64) -> f64 {
+    const TIME: f64 = 0.02;
+    let (a, r) = (body.moments_f64(), body.center_f64());
+    let mut farthest = 0.0_f64;
+    for direction in 0..6 {
+        let t = 0.7 * f64::from(direction);
+        let tilt = [libm::cos(t), libm::sin(t), libm::cos(1.3 * t)];
+        let gamma: [f64; 3] = std::array::from_fn(|k| point.gamma[k] + size * tilt[k]);
+        let length = dot(gamma, gamma).sqrt();
+        let gamma = gamma.map(|x| x / length);
+        let mut l: [f64; 3] = std::array::from_fn(|k| {
+            a[k] * point.omega * point.gamma[k] + size * libm::sin(1.7 * t + [0.0, 1.0, 2.0][k])
+        });
+        let excess = point.l - dot(gamma, l);
+        l = std::array::from_fn(|k| l[k] + excess * gamma[k]);
+        let mut y = [gamma[0], gamma[1], gamma[2], l[0], l[1], l[2]];
+        for _ in 0..steps {
+            y = step(a, r, y, TIME);
+            let apart: [f64; 3] = std::array::from_fn(|k| y[k] - point.gamma[k]);
+            farthest = farthest.max(dot(apart, apart).sqrt());
+            if farthest >= enough {
+                return farthest;
+            }
+        }
+    }
+    farthest
+}
+
+/// The change of a kind and verdict on a body, and the equilibrium there.
+fn at_change(body: &Body, kind: Failing, verdict: Verdict) -> Equilibrium {
+    let set = CriticalSet::new(body.frame()).unwrap();
+    let verdicts = Verdicts::new(body, &set);
+    let change = verdicts.changes().iter().find(|change| (change.kind, change.verdict) == (kind, verdict)).unwrap();
+    let equilibria = RelativeEquilibria::new(body).unwrap();
+    beside(&equilibria, CurveName::of(&set, change.curve), change.l).unwrap()
+}
+
+/// At ω₁ = ω₂ motions from a disturbance ε reach the order √ε where that is stable, and the order 1 where it is not.
+#[test]
+fn motions_at_the_resonance_1_1_do_as_said() {
+    let paper = Preset::find("paper").unwrap().body();
+    let other = Body::parse(&["0.80", "2.17", "2.47"], &["0.22", "0.74", "0.30"]).unwrap();
+    let stable = [(&paper, Verdict::Stable), (&other, Verdict::Stable)];
+    for (body, verdict) in stable.into_iter().chain([(&other, Verdict::Unstable)]) {
+        let point = at_change(body, Failing::Resonance11, verdict);
+        let [far, near] = [1e-4, 1e-5].map(|size| departure(body, &point, size, 150_000, 1.0));
+        if verdict == Verdict::Stable {
+            assert!(far < 0.2 && (far / near - 10.0_f64.sqrt()).abs() < 0.3, "{far} {near}");
+        } else {
+            assert!(far >= 1.0 && near >= 1.0, "{far} {near}");
+        }
+    }
+}
+
+/// At ω₁ = 2ω₂ and at ω₁ = 3ω₂ with |K₁₁ + 3K₁₂ + 9K₂₂| < 3√3|B| they leave; where Arnold's determinant is 0 they stay.
+#[test]
+fn motions_at_the_resonances_1_2_and_1_3_do_as_said() {
+    let body = Body::parse(&["1.15", "2.29", "1.24"], &["0", "0.65", "0.12"]).unwrap();
+    for kind in [Failing::Resonance12, Failing::Resonance13] {
+        let point = at_change(&body, kind, Verdict::Unstable);
+        let far = departure(&body, &point, 0.02, 2_500_000, 1.0);
+        assert!(far >= 1.0, "{kind}: {far}");
+    }
+    let paper = Preset::find("paper").unwrap().body();
+    for (kind, verdict) in [(Failing::Resonance13, Verdict::Stable), (Failing::Determinant, Verdict::Open)] {
+        let point = at_change(&paper, kind, verdict);
+        let [soon, late] = [5_000, 500_000].map(|steps| departure(&paper, &point, 0.005, steps, 1.0));
+        assert!(late < 1.5 * soon, "{kind}: {soon} {late}");
+    }
 }

@@ -105,6 +105,8 @@ pub struct Verdicts<'a> {
 
 /// Cells of a part to begin with.
 const CELLS: u32 = 4;
+/// Evaluations on one part at most: several times what a body needs whose numbers doubles resolve.
+const EVALUATIONS: usize = 1000;
 /// Relative width at which cells stop.
 const NEAR: f64 = 1e-6;
 /// Relative width of the fence of a zero at most.
@@ -225,7 +227,10 @@ impl<'a> Verdicts<'a> {
         // The sign before the seam of two parts.
         let mut last_sign = None;
         for part in chart.parts(family.body, &first, &last) {
-            let cells = family.cells(&part);
+            let Some(cells) = family.cells(&part) else {
+                zeros = None;
+                continue;
+            };
             let mut signs = cells.iter().filter_map(|cell| cell.2);
             let first_sign = signs.next();
             if last_sign.is_some() && first_sign != last_sign {
@@ -308,8 +313,9 @@ impl OnFamily<'_> {
         VerdictChange { l, h, error_bound, curve: self.curve, kind, verdict, why, changes, proved }
     }
 
-    /// A part in cells on which the determinant has one sign, and narrow ones on which it is open.
-    fn cells(&self, part: &Part) -> Vec<Cell> {
+    /// A part in cells on which the determinant has one sign, and narrow ones on which it is open; `None` where doubles do not
+    /// resolve the body.
+    fn cells(&self, part: &Part) -> Option<Vec<Cell>> {
         let c: Constants<TaylorModel> = self.body.constants(());
         let scale = part.from.abs().max(part.to.abs());
         let at = |n: u32| match n {
@@ -319,7 +325,12 @@ impl OnFamily<'_> {
         };
         let mut open: Vec<(f64, f64)> = (0..CELLS).rev().map(|n| (at(n), at(n + 1))).collect();
         let mut cells: Vec<Cell> = Vec::new();
+        let mut evaluations = 0;
         while let Some((x0, x1)) = open.pop() {
+            evaluations += 1;
+            if evaluations > EVALUATIONS {
+                return None;
+            }
             let sign = sign_over(&c, part, x0, x1);
             let size = x0.abs().max(x1.abs());
             let middle = 0.5 * (x0 + x1);
@@ -330,7 +341,7 @@ impl OnFamily<'_> {
                 (sign, _) => cells.push((x0, x1, sign)),
             }
         }
-        cells
+        Some(cells)
     }
 
     /// The zero of the determinant between two points of different signs: the secant of the ends finds it, and signs on both
