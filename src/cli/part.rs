@@ -58,7 +58,7 @@ pub fn run(arguments: &PartBodyArguments, timings: &Timings) -> Result<(), Failu
         .as_ref()
         .is_some_and(|path| path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("stl")));
     let text = || report(&given, &document, if is_stl { SINGLE } else { DIGITS }, &written);
-    let subject = Subject { body: given.principal.body.clone(), part: Some(document.clone()) };
+    let subject = Subject::new(&given.part, given.principal.clone());
     answer(arguments.json, &subject.part_answer(), text)
 }
 

@@ -289,3 +289,12 @@ fn unknown_regions_are_told_with_those_that_are_there() {
     bifdiag("section --atlas - --data -").reading(atlas).refused().telling("several sections do not fit one table");
     bifdiag("section --atlas -").reading("{\"schema_version\": \"3\"}").refused().telling("missing field `accuracy`");
 }
+
+/// They were taken for kg,m,s.
+#[test]
+fn units_of_a_part_in_an_atlas_that_do_not_exist_are_refused() {
+    let line = "atlas --inertia 0.3,0.4,0.5,0,0,0 --com 0.02,0,0.15 --mass 2 --json";
+    let forged = bifdiag(line).succeeds().stdout().replace("kg,m,s", "kg,fathom,s");
+    let done = bifdiag("section --atlas - --region R1 --json").reading(forged).refused();
+    done.telling("the units of its part: `fathom` is no unit of length");
+}

@@ -11,8 +11,9 @@ mod rigid_body;
 
 pub use axis::{Axis, BodyAxis};
 pub use bifdiag_numbers::{Number, ParseNumberError};
+pub use bifdiag_schema::Flags;
 pub use frame::{Frame, SymmetricSums};
 pub use integrable::{Holds, IntegrableCase};
 pub use presets::Preset;
 pub use principal::PrincipalForm;
-pub use rigid_body::{Body, BodyError, Flags, Tensor, TensorError};
+pub use rigid_body::{Body, BodyError, Tensor, TensorError};

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use bifdiag_numbers::symmetric::{Symmetric, dot};
 use bifdiag_numbers::{Number, ParseNumberError};
+use bifdiag_schema::Flags;
 use dashu_ratio::RBig;
 use thiserror::Error;
 
@@ -15,23 +16,6 @@ pub struct Body {
     moments: [Number; 3],
     center: [Number; 3],
     tensor: Option<Arc<Tensor>>,
-}
-
-/// What is special about a body; every flag is decided exactly.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Flags {
-    /// No mass distribution has these moments and this centre of mass: some A_i + A_j < A_k, or = A_k with r_k ≠ 0.
-    pub unphysical: bool,
-    /// The body exists and some A_i + A_j = A_k: all mass lies in a plane through the fixed point.
-    pub plate: bool,
-    /// Two or three moments are equal.
-    pub symmetric: bool,
-    /// Some r_i = 0.
-    pub plane: bool,
-    /// r is a principal direction: r̂ is an eigenvector of A.
-    pub axis: bool,
-    /// r = 0: Euler's case.
-    pub euler: bool,
 }
 
 /// Why three moments and a centre of mass are not a body.
@@ -67,14 +51,6 @@ pub enum BodyError {
         /// What is wrong with it.
         source: ParseNumberError,
     },
-}
-
-impl Flags {
-    /// True when the closed form of the generic body needs a special case.
-    #[must_use]
-    pub fn degenerate(&self) -> bool {
-        self.symmetric || self.plane || self.axis || self.euler
-    }
 }
 
 impl Body {

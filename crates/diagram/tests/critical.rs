@@ -6,7 +6,7 @@ use bifdiag_body::Body;
 use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, critical};
 use bifdiag_equilibria::curves::{CriticalSet, CurveName};
 use bifdiag_equilibria::nonlinear::Why;
-use bifdiag_equilibria::stability::{ChangeKind, LinearType, LinearTypes, StabilitySpan};
+use bifdiag_equilibria::stability::{LinearType, LinearTypes, StabilityChangeKind, StabilitySpan};
 use serde::Deserialize;
 
 #[derive(Deserialize)]
@@ -170,7 +170,7 @@ fn changes_of_stability_are_all_that_a_dense_scan_sees() {
         let set = CriticalSet::new(body.frame()).unwrap();
         let types = LinearTypes::exact(&body, &set);
         let changes = types.changes();
-        hopf += changes.iter().filter(|change| change.kind == ChangeKind::HamiltonianHopf).count();
+        hopf += changes.iter().filter(|change| change.kind == StabilityChangeKind::HamiltonianHopf).count();
         for id in set.curves.ids().filter(|&id| set.curves[id].is_critical()) {
             let name = CurveName::of(&set, id).to_string();
             let spans = types.spans(id).unwrap();
@@ -206,7 +206,8 @@ fn lagranges_threshold_is_exact() {
         let body = Body::parse(&a, &r).unwrap();
         let set = CriticalSet::new(body.frame()).unwrap();
         let changes = LinearTypes::exact(&body, &set).changes();
-        let hopf: Vec<_> = changes.iter().filter(|change| change.kind == ChangeKind::HamiltonianHopf).collect();
+        let hopf: Vec<_> =
+            changes.iter().filter(|change| change.kind == StabilityChangeKind::HamiltonianHopf).collect();
         assert_eq!(hopf.len(), 1, "{changes:?}");
         let across: f64 = a.iter().zip(r).find(|(_, r)| *r == "0").unwrap().0.parse().unwrap();
         let weight = r.iter().map(|r| r.parse::<f64>().unwrap().abs()).sum::<f64>();

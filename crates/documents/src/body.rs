@@ -4,7 +4,7 @@ use bifdiag_body::part::Part;
 use bifdiag_body::{Body, Preset, PrincipalForm};
 use bifdiag_numbers::symmetric::{PrincipalAxes, Real};
 use bifdiag_numbers::{Number, decimal};
-use bifdiag_schema::{BodiesDocument, Flags, GivenBody, PartDocument, PresetDocument, PrincipalDocument};
+use bifdiag_schema::{BodiesDocument, GivenBody, PartDocument, PresetDocument, PrincipalDocument};
 use dashu_ratio::RBig;
 
 use crate::command::{CommandLine, head};
@@ -19,13 +19,6 @@ pub fn texts<const N: usize>(numbers: &[Number; N]) -> [String; N] {
 #[must_use]
 pub fn given(body: &Body) -> GivenBody {
     GivenBody { moments: texts(body.moments()), center: texts(body.center()) }
-}
-
-/// What is special about a body.
-#[must_use]
-pub fn flags(body: &Body) -> Flags {
-    let bifdiag_body::Flags { unphysical, plate, symmetric, plane, axis, euler } = body.flags();
-    Flags { unphysical, plate, symmetric, plane, axis, euler }
 }
 
 /// A part as it was understood.

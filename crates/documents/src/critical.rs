@@ -1,9 +1,9 @@
 //! Relative equilibria as a document.
 
 use bifdiag_body::part::Spin;
-use bifdiag_equilibria::critical::{Equilibria, Equilibrium, Multiplicity};
+use bifdiag_equilibria::critical::{Equilibria, Equilibrium};
 use bifdiag_equilibria::nonlinear::{Verdict, Why};
-use bifdiag_equilibria::stability::{ChangeKind, LinearType};
+use bifdiag_equilibria::stability::LinearType;
 use bifdiag_numbers::Number;
 use bifdiag_schema::{
     CriticalDocument, NonlinearDocument, RelativeEquilibriumDocument, SteadyAxesDocument, SteadyAxisDocument,
@@ -70,7 +70,7 @@ fn equilibrium(found: &Equilibrium) -> RelativeEquilibriumDocument {
         gamma: found.gamma,
         omega: found.omega,
         index: found.index,
-        multiplicity: multiplicity(found.multiplicity),
+        multiplicity: found.multiplicity,
         stability,
         stable: bifdiag_schema::Verdict::of(&nonlinear, stability),
         nonlinear,
@@ -79,16 +79,6 @@ fn equilibrium(found: &Equilibrium) -> RelativeEquilibriumDocument {
         eigenvalue_error: found.eigenvalues.error,
         branch: found.curve.map_or_else(String::new, |curve| curve.to_string()),
         branch_name: found.branch_name.to_string(),
-    }
-}
-
-/// What an entry stands for.
-#[must_use]
-pub fn multiplicity(found: Multiplicity) -> bifdiag_schema::Multiplicity {
-    match found {
-        Multiplicity::Points(count) => bifdiag_schema::Multiplicity::Points(count),
-        Multiplicity::Circle => bifdiag_schema::Multiplicity::Circle,
-        Multiplicity::Sphere => bifdiag_schema::Multiplicity::Sphere,
     }
 }
 
@@ -138,13 +128,4 @@ pub(crate) fn stable(found: Option<(Verdict, Why)>, kind: LinearType) -> bifdiag
 #[must_use]
 pub fn stability(kind: LinearType) -> bifdiag_schema::Stability {
     LINEAR_TYPES[type_code(kind).unsigned_abs() as usize]
-}
-
-/// The word for a change of the linear type.
-pub(crate) fn change(kind: ChangeKind) -> bifdiag_schema::StabilityChangeKind {
-    match kind {
-        ChangeKind::HamiltonianHopf => bifdiag_schema::StabilityChangeKind::HamiltonianHopf,
-        ChangeKind::RealCollision => bifdiag_schema::StabilityChangeKind::RealCollision,
-        ChangeKind::Zero => bifdiag_schema::StabilityChangeKind::Zero,
-    }
 }

@@ -25,14 +25,14 @@ mod witnesses;
 pub mod words;
 
 pub use atlas::{DocumentOptions, Drawn, attach_part};
-pub use body::{all_bodies, flags, given, part, texts};
+pub use body::{all_bodies, given, part, texts};
 pub use border::border;
 pub use certified::{certified_atlas, certified_atlas_of, leave_out_drawing, proved_point, seal};
 pub use classes::{add_text, shipped_classes, standing};
 pub use classification::{accuracy_option, classification, component, components, margin};
 pub use command::{CommandLine, head, version};
 pub use comparison::{Compared, comparison};
-pub use critical::{LINEAR_TYPES, VERDICTS, critical, equilibria, multiplicity, stability, steady_axes, type_code};
+pub use critical::{LINEAR_TYPES, VERDICTS, critical, equilibria, stability, steady_axes, type_code};
 pub use find::{find, witness};
 pub use grid::{GridAxis, grid};
 pub use integrals::{further_integrals, integrable, integrable_words};

@@ -9,7 +9,7 @@ use bifdiag_schema::{
 
 use crate::body::given;
 use crate::command::head;
-use crate::critical::{change, multiplicity, stability, stable};
+use crate::critical::{stability, stable};
 use crate::spin::spin;
 use crate::subject::Subject;
 
@@ -52,7 +52,7 @@ fn family(subject: &Subject, found: &SteadyFamily) -> SteadyFamilyDocument {
             Start::Fold => SteadyStart::Fold,
             Start::Fork => SteadyStart::Fork,
         },
-        axes: multiplicity(found.axes),
+        axes: found.axes,
         permanent: found.is_permanent,
         slow_axis: found.slow.map(|gamma| up(subject, gamma)),
         fast_axis: up(subject, found.fast),
@@ -70,7 +70,7 @@ fn stretch(subject: &Subject, found: &SteadyStretch) -> SteadyStretchDocument {
     };
     SteadyStretchDocument {
         from: found.from.as_ref().map(place),
-        change: found.change.map(change),
+        change: found.change,
         stability: stability(found.kind),
         stable: stable(found.verdict, found.kind),
     }

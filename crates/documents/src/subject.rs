@@ -1,7 +1,7 @@
 //! What a document is about.
 
 use bifdiag_body::part::{Part, Units};
-use bifdiag_body::{Body, TensorError};
+use bifdiag_body::{Body, PrincipalForm, TensorError};
 use bifdiag_numbers::vector::dot;
 use bifdiag_schema::{PartAnswerDocument, PartDocument};
 use dashu_ratio::RBig;
@@ -16,11 +16,13 @@ pub struct Subject {
     pub body: Body,
     /// The part, if one was given.
     pub part: Option<PartDocument>,
+    /// The units of the part.
+    pub units: Option<Units>,
 }
 
 impl From<Body> for Subject {
     fn from(body: Body) -> Self {
-        Self { body, part: None }
+        Self { body, part: None, units: None }
     }
 }
 
@@ -30,8 +32,14 @@ impl Subject {
     /// # Errors
     /// [`TensorError`] for a tensor that is not positive definite.
     pub fn of_part(part: &Part) -> Result<Self, TensorError> {
-        let principal = part.principal()?;
-        Ok(Self { part: Some(crate::body::part(part, &principal)), body: principal.body })
+        Ok(Self::new(part, part.principal()?))
+    }
+
+    /// The body of a part whose principal form is known.
+    #[must_use]
+    pub fn new(part: &Part, principal: PrincipalForm) -> Self {
+        let document = crate::body::part(part, &principal);
+        Self { body: principal.body, part: Some(document), units: Some(part.units.clone()) }
     }
 
     /// A vector of the question's frame, which is the part's, in principal axes; without a part they are the same.
@@ -50,8 +58,7 @@ impl Subject {
     /// The body's unit of time in seconds, exactly.
     #[must_use]
     pub fn unit_of_time(&self) -> RBig {
-        let units = self.part.as_ref().and_then(|part| part.units.parse::<Units>().ok());
-        units.map_or(RBig::ONE, |units| units.time().clone())
+        self.units.as_ref().map_or(RBig::ONE, |units| units.time().clone())
     }
 
     /// One second in the body's unit of time.

@@ -5,7 +5,7 @@
 use bifdiag_body::Body;
 use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, critical};
 use bifdiag_equilibria::curves::{CriticalSet, CurveId, CurveName};
-use bifdiag_equilibria::stability::{ChangeKind, LinearType, LinearTypes};
+use bifdiag_equilibria::stability::{LinearType, LinearTypes, StabilityChangeKind};
 use nalgebra::{Complex, SMatrix, SVector, SymmetricEigen, Vector3};
 use support::bodies::{Stratum, random_body};
 use support::random::SplitMix64;
@@ -186,7 +186,7 @@ fn pairs_of_opposite_sign_destabilise_where_they_meet_and_only_there() {
             let (Some((signs, unstable)), Some((wider, _))) = (near, far) else { continue };
             assert_eq!((signs.len(), unstable), (2, 0), "{body:?} {change:?} {signs:?}");
             match change.kind {
-                ChangeKind::HamiltonianHopf => {
+                StabilityChangeKind::HamiltonianHopf => {
                     hopf += 1;
                     // They are about to meet …
                     let gap = |signs: &[(f64, i8)]| signs[1].0 - signs[0].0;
@@ -196,11 +196,11 @@ fn pairs_of_opposite_sign_destabilise_where_they_meet_and_only_there() {
                     let (after, unstable) = beside(&body, &set, curve, l(-side * 1e-5)).unwrap();
                     assert_eq!((after.len(), unstable), (0, 2), "{body:?} {change:?} {after:?}");
                 }
-                ChangeKind::Zero => {
+                StabilityChangeKind::Zero => {
                     through_zero += 1;
                     assert!(signs[0].0 < 0.8 * wider[0].0, "{body:?} {change:?} {signs:?}");
                 }
-                ChangeKind::RealCollision => panic!("real pairs meet beside {signs:?}: {body:?} {change:?}"),
+                StabilityChangeKind::RealCollision => panic!("real pairs meet beside {signs:?}: {body:?} {change:?}"),
             }
         }
     }

@@ -27,6 +27,14 @@ pub struct Flags {
     pub euler: bool,
 }
 
+impl Flags {
+    /// The closed form of the generic body needs a special case.
+    #[must_use]
+    pub fn degenerate(&self) -> bool {
+        self.symmetric || self.plane || self.axis || self.euler
+    }
+}
+
 /// The body of an atlas.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct BodyDocument {

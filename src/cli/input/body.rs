@@ -1,6 +1,6 @@
 //! The body that the options describe.
 
-use bifdiag_body::part::{MeasuredPart, Part, Units};
+use bifdiag_body::part::{MeasuredPart, Part};
 use bifdiag_body::{Body, Number, Preset};
 use bifdiag_documents::Subject;
 use bifdiag_schema::FurtherIntegralDocument;
@@ -114,9 +114,8 @@ impl BodyArguments {
             return Ok(Some((subject, None)));
         }
         let Some(given) = read(&self.part)? else { return Ok(None) };
-        let document = given.document();
+        let subject = Subject::new(&given.part, given.principal);
         let measured = given.measured.map(|measured| (given.part, measured));
-        let subject = Subject { part: Some(document), body: given.principal.body };
         warn(&subject);
         Ok(Some((subject, measured)))
     }
@@ -151,7 +150,7 @@ pub fn head(subject: &Subject, report: &mut Report) {
     report.line(format!("A = ({})", join(subject.body.moments())));
     report.line(format!("r = ({})", join(subject.body.center())));
     let Some(part) = &subject.part else { return };
-    if let Ok(units) = part.units.parse::<Units>() {
+    if let Some(units) = &subject.units {
         let [moment, energy, momentum] = [units.moment(), units.energy(), units.momentum()];
         report.line(format!("A in {moment}, r and h in {energy}, l in {momentum}; the principal axes are the rows of"));
     }

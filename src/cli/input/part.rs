@@ -10,7 +10,6 @@ use bifdiag_body::part::{
 };
 use bifdiag_numbers::symmetric::PrincipalAxes;
 use bifdiag_numbers::{Number, decimal};
-use bifdiag_schema::PartDocument;
 use clap::Args;
 use dashu_ratio::RBig;
 
@@ -108,11 +107,6 @@ impl GivenPart {
             "±: only `bifdiag critical-spin` answers for numbers that are known to within so much; leave out ± and what \
              follows it",
         ))
-    }
-
-    /// The block of the documents.
-    pub fn document(&self) -> PartDocument {
-        bifdiag_documents::part(&self.part, &self.principal)
     }
 }
 

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 use std::fmt::Display;
 use std::path::Path;
 
+use bifdiag_body::part::UnitsError;
 use bifdiag_body::{Body, Number};
 use bifdiag_diagram::arrangement::RegionId;
 use bifdiag_diagram::fast::FastError;
@@ -93,7 +94,9 @@ impl Sites {
         for region in &atlas.regions {
             region.id.parse::<RegionId>().map_err(|error| wrong(&error))?;
         }
-        let subject = Subject { body, part: atlas.body.part };
+        let units = atlas.body.part.as_ref().map(|part| part.units.parse()).transpose();
+        let units = units.map_err(|error: UnitsError| wrong(&format!("the units of its part: {error}")))?;
+        let subject = Subject { body, part: atlas.body.part, units };
         let samples = atlas.regions.into_iter().map(|region| (region.id, region.sample.h, region.sample.l));
         let list = chosen(samples.collect(), wanted)?;
         Ok(Self { subject, list, all: wanted == ALL })

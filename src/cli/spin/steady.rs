@@ -151,8 +151,8 @@ fn by_size([p, q]: [f64; 2]) -> [f64; 2] {
 }
 
 /// The set of steady rotations of which this is one.
-fn one_of(found: bifdiag_equilibria::critical::Multiplicity) -> Option<Multiplicity> {
-    Some(bifdiag_documents::multiplicity(found)).filter(|found| !matches!(found, Multiplicity::Points(_)))
+fn one_of(found: Multiplicity) -> Option<Multiplicity> {
+    Some(found).filter(|found| !matches!(found, Multiplicity::Points(_)))
 }
 
 fn with_regions(document: SteadyDocument, regions: Option<[Spot; 2]>) -> SteadyDocument {

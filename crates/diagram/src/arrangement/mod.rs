@@ -9,6 +9,7 @@ mod id;
 mod order;
 mod pair;
 mod settle;
+mod undecided;
 
 pub use event::{Change, Event};
 pub use faces::{Cells, Continued, Faces};

@@ -1,6 +1,7 @@
 //! The atlas of a body: every region of the (h, l) half-plane with its topology, ready to answer further points.
 
 mod drawing;
+mod edges;
 mod locate;
 mod places;
 mod region;

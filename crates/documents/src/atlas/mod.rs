@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 use bifdiag_diagram::atlas::{Atlas, Window};
 use bifdiag_schema::{AtlasDocument, BodyDocument, EventDocument, RegionDocument, SummaryDocument, WindowDocument};
 
-use crate::body::{flags, given};
+use crate::body::given;
 use crate::classification::accuracy_option;
 use crate::command::head;
 use crate::integrals::integrable;
@@ -55,7 +55,7 @@ pub fn document(atlas: &Atlas, options: &DocumentOptions) -> AtlasDocument {
         accuracy: options.accuracy,
         body: BodyDocument {
             given: given(body),
-            flags: flags(body),
+            flags: body.flags(),
             degenerate: body.flags().degenerate(),
             integrable: integrable(body),
             part: None,

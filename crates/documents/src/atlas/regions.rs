@@ -45,8 +45,6 @@ fn sample_document(sample: &SamplePoint) -> SampleDocument {
 
 fn document(atlas: &Atlas, number: RegionId, undecided: &mut Vec<UndecidedDocument>) -> RegionDocument {
     let region = &atlas.regions()[number];
-    let arrangement = atlas.arrangement();
-    let name = |c: CurveId| CurveName::of(&arrangement.set, c).to_string();
     let sample = sample_document(&atlas.sample(number));
     let of_u = match &region.components {
         Ok(components) => components.as_slice(),
@@ -60,40 +58,28 @@ fn document(atlas: &Atlas, number: RegionId, undecided: &mut Vec<UndecidedDocume
             &[]
         }
     };
-    let (mut boundary, mut neighbours) = (Vec::new(), Vec::new());
-    for &Cell { slab, position } in &region.cells {
-        let strip = &arrangement.slabs[slab];
-        let below = position.checked_sub(1).map(|p| strip.region_above[p]);
-        let mut across = vec![(strip.order[position], below)];
-        if let Some(&upper) = strip.order.get(position + 1) {
-            across.push((upper, Some(strip.region_above[position + 1])));
-        }
-        for (curve, beyond) in across {
-            for id in labels(atlas, curve) {
-                if !boundary.contains(&id) {
-                    boundary.push(id);
-                }
-            }
-            let neighbour = NeighbourDocument { region: beyond.map(|region| region.to_string()), curve: name(curve) };
-            if !neighbours.contains(&neighbour) {
-                neighbours.push(neighbour);
-            }
+    let edges = atlas.edges(number);
+    let mut boundary: Vec<String> = Vec::new();
+    for id in edges.iter().flat_map(|(curve, _)| labels(atlas, *curve)) {
+        if !boundary.contains(&id) {
+            boundary.push(id);
         }
     }
-    let slabs = region.cells.iter().map(|cell| arrangement.slabs[cell.slab].x);
-    let from = slabs.clone().map(|x| x[0]).fold(f64::INFINITY, f64::min);
-    let to = slabs.map(|x| x[1]).fold(0.0, f64::max);
-    let cells = cells(atlas, region);
+    let neighbour = |&(curve, beyond): &(CurveId, Option<RegionId>)| NeighbourDocument {
+        region: beyond.map(|region| region.to_string()),
+        curve: CurveName::of(&atlas.arrangement().set, curve).to_string(),
+    };
+    let [from, to] = atlas.range(number);
     RegionDocument {
         id: number.to_string(),
         sample,
         components: components(of_u),
         signature: if of_u.is_empty() { None } else { signature(of_u) },
-        bounded: to.is_finite() && cells.iter().all(|cell| cell.upper.is_some()),
+        bounded: atlas.is_bounded(number),
         l_range: [Some(atlas.momentum(from)), to.is_finite().then(|| atlas.momentum(to))],
         boundary,
-        neighbours,
-        cells,
+        neighbours: edges.iter().map(neighbour).collect(),
+        cells: cells(atlas, region),
         clipped: false,
     }
 }

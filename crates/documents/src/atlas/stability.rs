@@ -8,7 +8,7 @@ use bifdiag_equilibria::stability::LinearTypes;
 use bifdiag_numbers::Number;
 use bifdiag_schema::{FrictionDocument, NonlinearDocument, StabilityChangeDocument, StabilitySpan, UndecidedDocument};
 
-use crate::critical::{change, stability};
+use crate::critical::stability;
 use crate::stability::{damped, nonlinear_verdict, reason};
 
 /// What is known of the stability of a body's curves.
@@ -95,7 +95,7 @@ impl<'a> Stability<'a> {
             h: found.h,
             curve: CurveName::of(set, found.curve).to_string(),
             onto: found.onto.map(|id| CurveName::of(set, id).to_string()),
-            kind: change(found.kind),
+            kind: found.kind,
             from: stability(found.from),
             to: stability(found.to),
             error_bound: found.error_bound,

@@ -5,8 +5,8 @@ use std::fmt::Display;
 use std::str::FromStr;
 
 use bifdiag_body::Flags;
-use bifdiag_schema::{RowDocument, RowStatus};
-use bifdiag_survey::scan::{DiagramCounts, RegionMargin, RowOutcome, ScanRow};
+use bifdiag_schema::RowDocument;
+use bifdiag_survey::scan::{DiagramCounts, RegionMargin, ScanRow};
 
 use super::error::ReadScanError;
 
@@ -28,11 +28,7 @@ pub fn row(row: &ScanRow) -> RowDocument {
         r1,
         r2,
         r3,
-        status: match row.status {
-            RowOutcome::Classified => RowStatus::Classified,
-            RowOutcome::Undecided => RowStatus::Undecided,
-            RowOutcome::Failed => RowStatus::Failed,
-        },
+        status: row.status,
         class: row.class.as_ref().map(ToString::to_string),
         regions: count(|diagram| diagram.regions),
         cusps: count(|diagram| diagram.cusps),
@@ -62,15 +58,10 @@ pub fn row(row: &ScanRow) -> RowDocument {
 /// [`ReadScanError`] for names and counts that no scan has written.
 pub fn read_row(document: &RowDocument) -> Result<ScanRow, ReadScanError> {
     let RowDocument { a1, a2, a3, r1, r2, r3, unphysical, plate, symmetric, plane, axis, euler, .. } = *document;
-    let status = match document.status {
-        RowStatus::Classified => RowOutcome::Classified,
-        RowStatus::Undecided => RowOutcome::Undecided,
-        RowStatus::Failed => RowOutcome::Failed,
-    };
     Ok(ScanRow {
         index: document.index,
         values: [[a1, a2, a3], [r1, r2, r3]],
-        status,
+        status: document.status,
         class: document.class.as_deref().map(str::parse).transpose()?,
         diagram: document.regions.map(|regions| read_diagram(document, regions)).transpose()?,
         flags: Flags { unphysical, plate, symmetric, plane, axis, euler },

@@ -9,7 +9,7 @@ use super::{Equilibrium, Multiplicity, RelativeEquilibria};
 use crate::curves::{Branch, BranchName, CurveName, Orbit};
 use crate::nonlinear::{Setting, Verdict, Why};
 use crate::stability::exact::{Start, Strand};
-use crate::stability::{ChangeKind, Constants, LinearType, State};
+use crate::stability::{Constants, LinearType, StabilityChangeKind, State};
 use bifdiag_body::{Axis, Body};
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Arithmetic;
@@ -43,7 +43,7 @@ pub struct SteadyStretch {
     /// Where it begins; `None`: at rest.
     pub from: Option<Place>,
     /// Which eigenvalues meet there; `None` where the family itself begins.
-    pub change: Option<ChangeKind>,
+    pub change: Option<StabilityChangeKind>,
     /// The linear type.
     pub kind: LinearType,
     /// What eigenvalues, energy and integrals say of the stability; `None` at two imaginary pairs that are left to the normal

@@ -20,19 +20,8 @@ use bifdiag_numbers::interval::Interval;
 use bifdiag_numbers::table::Id;
 use bifdiag_numbers::vector::{dot, norm};
 
+pub use bifdiag_schema::Multiplicity;
 pub use families::{Place, SteadyFamily, SteadyStretch};
-
-/// What an entry stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Multiplicity {
-    /// 1: a critical point. 2: a degenerate one, exactly at a cusp, where two meet in it, or at a pitchfork, where three do, or a
-    /// point and a circle.
-    Points(u32),
-    /// A circle of critical points (Lagrange's top); `gamma` is one of them.
-    Circle,
-    /// All of S² is critical (r = 0).
-    Sphere,
-}
 
 /// A relative equilibrium: the body turns about the vertical γ with constant angular velocity ω γ.
 #[derive(Clone, Debug, PartialEq)]

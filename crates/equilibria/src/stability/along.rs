@@ -6,7 +6,9 @@
 
 use std::cell::OnceCell;
 
-use super::changes::{Along, ChangeKind, StabilityChange, StabilitySpan, Turn};
+use bifdiag_schema::StabilityChangeKind;
+
+use super::changes::{Along, StabilityChange, StabilitySpan, Turn};
 use super::collisions::{Collision, CollisionFamily, Parameter, collisions};
 use super::exact::{ExactBody, StabilityProfile};
 use super::{Constants, LinearType};
@@ -85,7 +87,7 @@ fn between(set: &CriticalSet, along: &Table<CurveId, Along>) -> Vec<StabilityCha
         let h_error = point.h_error() + x_error * point.slope();
         let (l_unit, h_unit) = (set.frame.momentum_unit, set.frame.energy_unit);
         let place = [(l * l_unit, x_error / l * l_unit), (point.h() * h_unit, h_error * h_unit)];
-        (from != to).then(|| Turn { place, from, to, kind: ChangeKind::Zero }.on(curves[0], Some(curves[1])))
+        (from != to).then(|| Turn { place, from, to, kind: StabilityChangeKind::Zero }.on(curves[0], Some(curves[1])))
     };
     cusps.chain(pitchforks).filter_map(change).collect()
 }
@@ -172,9 +174,9 @@ fn types_along(
 /// `rising`: x rises with |δ|, or z.
 fn turn(collision: &Collision, rising: bool) -> Turn {
     let (apart, kind) = if collision.is_imaginary {
-        (LinearType::Elliptic, ChangeKind::HamiltonianHopf)
+        (LinearType::Elliptic, StabilityChangeKind::HamiltonianHopf)
     } else {
-        (LinearType::Saddle, ChangeKind::RealCollision)
+        (LinearType::Saddle, StabilityChangeKind::RealCollision)
     };
     let apart_after = collision.apart_above == rising;
     let (from, to) = if apart_after { (LinearType::Complex, apart) } else { (apart, LinearType::Complex) };

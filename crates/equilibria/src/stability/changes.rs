@@ -1,38 +1,9 @@
 //! Changes of the linear type along curves, however they are found.
 
-use std::fmt;
+use bifdiag_schema::StabilityChangeKind;
 
 use super::LinearType;
 use crate::curves::CurveId;
-
-/// How the linear type changes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum ChangeKind {
-    /// Two imaginary pairs of opposite Krein sign meet and leave the axis.
-    HamiltonianHopf,
-    /// Two real pairs meet and become a complex quadruple.
-    RealCollision,
-    /// A pair of eigenvalues goes through zero: at a cusp, or where a pair of equilibria leaves the curve.
-    Zero,
-}
-
-impl ChangeKind {
-    /// The word in tables and documents.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::HamiltonianHopf => "hamiltonian-hopf",
-            Self::RealCollision => "real-collision",
-            Self::Zero => "zero",
-        }
-    }
-}
-
-impl fmt::Display for ChangeKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.word())
-    }
-}
 
 /// A point of a branch at which the linear type changes. In the body's units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,7 +19,7 @@ pub struct StabilityChange {
     /// The curve that goes on after a cusp or pitchfork.
     pub onto: Option<CurveId>,
     /// Which eigenvalues meet.
-    pub kind: ChangeKind,
+    pub kind: StabilityChangeKind,
     /// The type before: at smaller l, or on `curve`.
     pub from: LinearType,
     /// The type after: at larger l, or on `onto`.
@@ -80,7 +51,7 @@ pub(super) struct Turn {
     pub place: [(f64, f64); 2],
     pub from: LinearType,
     pub to: LinearType,
-    pub kind: ChangeKind,
+    pub kind: StabilityChangeKind,
 }
 
 impl Along {

@@ -15,7 +15,8 @@ mod reduced;
 mod state;
 
 pub use along::LinearTypes;
-pub use changes::{ChangeKind, StabilityChange, StabilitySpan};
+pub use bifdiag_schema::StabilityChangeKind;
+pub use changes::{StabilityChange, StabilitySpan};
 pub use linear_type::{LinearType, Signs};
 pub use reduced::{Eigenvalues, RESONANCES, Reduced};
 pub use state::{Constants, Place, State};

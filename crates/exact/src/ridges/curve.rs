@@ -96,18 +96,31 @@ fn ridge_nodes(found: &mut Pieces, ridges: &[Vec<Piece<RootLatitude>>; 2], open:
     ridges.iter().enumerate().map(of_sign).collect()
 }
 
+/// Nodes of the ridges, each with the valleys of the other half circle whose latitudes it meets; on the equator both folds
+/// are one.
+fn across(
+    found: &mut Pieces,
+    cut: &Cut<RootLatitude>,
+    ridges: &[Vec<Piece<RootLatitude>>; 2],
+    on_equator: bool,
+) -> Option<Vec<Vec<usize>>> {
+    let nodes = ridge_nodes(found, ridges, true);
+    for sign in [0, 1] {
+        for valley in cut.valleys(sign) {
+            let latitude = valley.ends[1].clone().unwrap_or_else(|| cut.fold.clone()).negated();
+            let node = found.add(-valley.characteristic([true, on_equator]), [false; 2]);
+            let at_fold = on_equator && valley.reaches(1);
+            found.join(node, nodes[1 - sign][holder_or_first(&ridges[1 - sign], &latitude, at_fold)?]);
+        }
+    }
+    Some(nodes)
+}
+
 /// The folds lie on the equator, which belongs to neither ridge nor valley: J is constant on it.
 fn on_equator(cut: &Cut<RootLatitude>, inside: bool) -> Option<Vec<Component>> {
     let mut found = Pieces::default();
     let ridges = [0, 1].map(|sign| cut.ridges(sign));
-    let nodes = ridge_nodes(&mut found, &ridges, true);
-    for sign in [0, 1] {
-        for valley in cut.valleys(sign) {
-            let latitude = valley.ends[1].clone().unwrap_or_else(|| cut.fold.clone()).negated();
-            let node = found.add(-valley.characteristic([true, true]), [false; 2]);
-            found.join(node, nodes[1 - sign][holder_or_first(&ridges[1 - sign], &latitude, valley.reaches(1))?]);
-        }
-    }
+    let nodes = across(&mut found, cut, &ridges, true)?;
     if inside {
         let first = |sign: usize| ridges[sign].iter().position(|piece| piece.reaches(0));
         found.join(nodes[0][first(0)?], nodes[1][first(1)?]);
@@ -124,15 +137,7 @@ fn holder_or_first(pieces: &[Piece<RootLatitude>], latitude: &RootLatitude, at_f
 fn pair_of_valleys(cut: &Cut<RootLatitude>, pair: &[Piece<RootLatitude>]) -> Option<Vec<Component>> {
     let mut found = Pieces::default();
     let ridges = [0, 1].map(|sign| cut.ridges(sign));
-    let nodes = ridge_nodes(&mut found, &ridges, true);
-    for sign in [0, 1] {
-        for valley in cut.valleys(sign) {
-            // These latitudes meet the other half circle's ridge.
-            let latitude = valley.ends[1].clone().unwrap_or_else(|| cut.fold.clone()).negated();
-            let node = found.add(-valley.characteristic([true, false]), [false; 2]);
-            found.join(node, nodes[1 - sign][holder(&ridges[1 - sign], &latitude)?]);
-        }
-    }
+    let nodes = across(&mut found, cut, &ridges, false)?;
     for piece in pair {
         let latitude = piece.ends[0].clone().unwrap_or_else(|| cut.fold.clone());
         let node = found.add(-2 * piece.characteristic([true, true]), [false; 2]);

@@ -8,7 +8,7 @@ use bifdiag_plot::CurveSource;
 use bifdiag_schema::CurveKind::{Axis, Generic, Pair, PoleMinus, PolePlus};
 use bifdiag_schema::{
     Accuracy, AtlasDocument, BodyDocument, CellDocument, ComponentDocument, CurveDocument, CurveDrawing, CurveKind,
-    Damped, DrawingDocument, EventDocument, EventKind, Flags, FrictionDocument, GivenBody, Head, MarginDocument,
+    Damped, DrawingDocument, EventDocument, EventKind, FrictionDocument, GivenBody, Head, MarginDocument,
     NonlinearDocument, NonlinearVerdict, Reason, RegionDocument, RegionDrawing, SCHEMA_VERSION, SampleDocument,
     Stability, StabilitySpan, SummaryDocument, TailDocument, ViewDocument, WindowDocument,
 };
@@ -460,8 +460,7 @@ pub fn atlas(
     events: Vec<EventDocument>,
     regions: Vec<RegionDocument>,
 ) -> AtlasDocument {
-    let bifdiag_body::Flags { unphysical, plate, symmetric, plane, axis, euler } = body.flags();
-    let flags = Flags { unphysical, plate, symmetric, plane, axis, euler };
+    let flags = body.flags();
     AtlasDocument {
         head: Head { schema_version: SCHEMA_VERSION.to_owned(), ..Head::default() },
         accuracy: Accuracy::Exact,

@@ -7,7 +7,7 @@
 mod row;
 mod summary;
 
-pub use row::{DiagramCounts, RegionMargin, RowOutcome, ScanRow};
+pub use row::{DiagramCounts, RegionMargin, ScanRow};
 use std::collections::BTreeMap;
 use std::str::FromStr;
 pub use summary::{BodyRecord, ClassRecord, Record, Summary, class_text};

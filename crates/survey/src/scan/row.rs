@@ -8,17 +8,7 @@ use bifdiag_diagram::arrangement::Change;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::class::{Class, ClassName, MapError, Unclassified};
 use bifdiag_exact::{Accuracy, AnswerError};
-
-/// How far a body was understood.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum RowOutcome {
-    /// It has a class.
-    Classified,
-    /// Something about its diagram is open at this accuracy; the numbers of the row are what was found.
-    Undecided,
-    /// There is no atlas; [`ScanRow::error`] says why.
-    Failed,
-}
+use bifdiag_schema::RowStatus;
 
 /// One body of a scan.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,7 +18,7 @@ pub struct ScanRow {
     /// A and r.
     pub values: [[f64; 3]; 2],
     /// How far the body was understood.
-    pub status: RowOutcome,
+    pub status: RowStatus,
     /// The class of its diagram.
     pub class: Option<ClassName>,
     /// What its diagram shows, if there is an atlas.
@@ -95,7 +85,7 @@ impl ScanRow {
             // What is not proved is open; without an atlas nothing is known.
             Err(error) => {
                 let status =
-                    if matches!(error, AnswerError::Fast(_)) { RowOutcome::Failed } else { RowOutcome::Undecided };
+                    if matches!(error, AnswerError::Fast(_)) { RowStatus::Failed } else { RowStatus::Undecided };
                 Self { status, error: Some(error.to_string()), ..row }
             }
         }
@@ -105,18 +95,18 @@ impl ScanRow {
     #[must_use]
     pub fn failed(index: u64, values: [[f64; 3]; 2], error: String) -> Self {
         let flags = Flags::default();
-        Self { index, values, status: RowOutcome::Failed, class: None, diagram: None, flags, error: Some(error) }
+        Self { index, values, status: RowStatus::Failed, class: None, diagram: None, flags, error: Some(error) }
     }
 }
 
 /// The class of an atlas, or why it has none.
-fn classified(atlas: &Atlas) -> (RowOutcome, Option<ClassName>, Option<String>) {
+fn classified(atlas: &Atlas) -> (RowStatus, Option<ClassName>, Option<String>) {
     match Class::of(atlas) {
-        Ok(class) => (RowOutcome::Classified, Some(class.name().clone()), None),
+        Ok(class) => (RowStatus::Classified, Some(class.name().clone()), None),
         Err(error) => {
             // A map that is none is a defect, and no question of accuracy.
             let is_defect = matches!(&error, Unclassified::Map(defect) if *defect != MapError::Coincident);
-            let status = if is_defect { RowOutcome::Failed } else { RowOutcome::Undecided };
+            let status = if is_defect { RowStatus::Failed } else { RowStatus::Undecided };
             (status, None, Some(error.to_string()))
         }
     }
@@ -175,7 +165,7 @@ mod tests {
     fn the_papers_body_has_its_nine_regions() {
         let row = ScanRow::of(7, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], Accuracy::Exact);
         let diagram = row.diagram.unwrap();
-        assert_eq!((row.index, row.status, diagram.regions, diagram.cusps), (7, RowOutcome::Classified, 9, 1));
+        assert_eq!((row.index, row.status, diagram.regions, diagram.cusps), (7, RowStatus::Classified, 9, 1));
         assert_eq!((diagram.pitchforks, diagram.crossings, diagram.critical_points), (1, 3, 6));
         let types: Vec<String> = diagram.types.iter().map(|(kind, count)| format!("{kind}:{count}")).collect();
         assert_eq!(types.join(" "), "k0n2:1 k1n0:3 k1n1:3 k1n2:1 k2n1:1 k2n2:1");
@@ -187,9 +177,9 @@ mod tests {
     #[test]
     fn a_body_that_fails_is_a_row_with_its_error() {
         let row = ScanRow::of(0, [[2.0, -1.0, 1.0], [1.0, 0.0, 0.0]], Accuracy::Exact);
-        assert_eq!((row.status, row.class), (RowOutcome::Failed, None));
+        assert_eq!((row.status, row.class), (RowStatus::Failed, None));
         assert!(row.error.unwrap().contains("A2 = -1.0 is not positive"));
         let row = ScanRow::of(0, [[2.0, 1.0, 1e-80], [1.0, 0.0, 0.0]], Accuracy::Exact);
-        assert_eq!((row.status, row.diagram), (RowOutcome::Failed, None));
+        assert_eq!((row.status, row.diagram), (RowStatus::Failed, None));
     }
 }

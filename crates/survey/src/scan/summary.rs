@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::row::{RowOutcome, ScanRow};
+use bifdiag_schema::RowStatus;
+
+use super::row::ScanRow;
 use crate::signature::{ComponentType, Signature};
 use bifdiag_body::Body;
 use bifdiag_diagram::class::{Class, ClassName};
@@ -65,9 +67,9 @@ impl Summary {
     pub fn add(&mut self, row: &ScanRow) {
         self.rows += 1;
         match row.status {
-            RowOutcome::Classified => {}
-            RowOutcome::Undecided => self.undecided += 1,
-            RowOutcome::Failed => self.failed += 1,
+            RowStatus::Classified => {}
+            RowStatus::Undecided => self.undecided += 1,
+            RowStatus::Failed => self.failed += 1,
         }
         let Some(diagram) = &row.diagram else { return };
         self.work += u64::from(diagram.work);

@@ -8,7 +8,9 @@ mod strands;
 
 use dashu_ratio::RBig;
 
-use super::changes::{Along, ChangeKind, StabilityChange, Turn};
+use bifdiag_schema::StabilityChangeKind;
+
+use super::changes::{Along, StabilityChange, Turn};
 use super::{Constants, LinearType, Signs, State};
 use crate::curves::{Branch, CriticalSet, Curve, CurveId, Orbit, Pole};
 use bifdiag_body::Body;
@@ -192,10 +194,10 @@ fn family(branch: Branch) -> Option<Family> {
     }
 }
 
-fn kind(station: StationKind, from: LinearType, to: LinearType) -> ChangeKind {
+fn kind(station: StationKind, from: LinearType, to: LinearType) -> StabilityChangeKind {
     match station {
-        StationKind::Collision(_) if [from, to].contains(&LinearType::Elliptic) => ChangeKind::HamiltonianHopf,
-        StationKind::Collision(_) => ChangeKind::RealCollision,
-        _ => ChangeKind::Zero,
+        StationKind::Collision(_) if [from, to].contains(&LinearType::Elliptic) => StabilityChangeKind::HamiltonianHopf,
+        StationKind::Collision(_) => StabilityChangeKind::RealCollision,
+        _ => StabilityChangeKind::Zero,
     }
 }

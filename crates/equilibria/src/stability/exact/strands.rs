@@ -13,7 +13,7 @@ use super::family_chart::{Family, FamilyChart};
 use super::profile::{Profile, compare};
 use super::{BITS, StabilityProfile, kind};
 use crate::curves::{Branch, IntervalId, Pole};
-use crate::stability::{ChangeKind, Constants, LinearType, Reduced, State};
+use crate::stability::{Constants, LinearType, Reduced, StabilityChangeKind, State};
 use bifdiag_body::Axis;
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
@@ -38,7 +38,7 @@ pub struct StrandStretch {
     /// Where it begins; `None` at rest.
     pub from: Option<State<Wide>>,
     /// Which eigenvalues meet there; `None` where the strand itself begins.
-    pub change: Option<ChangeKind>,
+    pub change: Option<StabilityChangeKind>,
     /// The linear type.
     pub kind: LinearType,
     /// Morse index of U_l; on a circle of its one normal direction.
