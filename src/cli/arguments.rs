@@ -35,7 +35,6 @@ const MAIN_EXAMPLES: &str = "\
 Examples:
   bifdiag --A 2,1.1,1 --r 0.94868,0,0.61623        all regions of (h, l)
   bifdiag classify --body paper --h 3.8 --l 3.25   U, E and P at one point
-  bifdiag show R5 --body paper                     a region in words
   bifdiag section --body paper --region R5         regular or chaotic?
 
 Numbers are decimals, decimals with exponent or rationals (1.1, 11e-1, 11/10) and are read exactly. Without a command, \

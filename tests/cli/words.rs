@@ -43,20 +43,23 @@ fn headings(folder: &Path, found: &mut BTreeSet<String>) {
 }
 
 /// Headings that are sentences, or say what stands below them in words that everybody knows.
-const PLAIN: [&str; 32] = [
+const PLAIN: [&str; 37] = [
     "above",
     "at",
     "at most so far",
     "axis (up)",
+    "axis there",
     "below",
     "bodies",
     "change of stability",
     "describes",
     "direction",
     "distance",
+    "distance at most",
     "error (rad/s)",
     "first",
     "from",
+    "from rpm",
     "id",
     "in 1",
     "in 2",
@@ -68,7 +71,9 @@ const PLAIN: [&str; 32] = [
     "regions of 2",
     "rpm",
     "sample (h, l)",
+    "then",
     "to",
+    "to rpm",
     "types",
     "up",
     "angle to com",
