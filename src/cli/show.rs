@@ -47,7 +47,8 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
     };
     let atlas = bifdiag_exact::atlas(&subject.body, Accuracy::Exact).map_err(failed("the atlas could not be made"))?;
     let options = DocumentOptions { drawing: Drawn::Nothing, ..DocumentOptions::default() };
-    let document = bifdiag_documents::atlas::document(&atlas, &options);
+    let mut document = bifdiag_documents::atlas::document(&atlas, &options);
+    document.verdict_changes = bifdiag_documents::atlas::verdict_changes(&atlas);
     let mut report = Report::default();
     head(&subject, &mut report);
     report.line("");
@@ -209,7 +210,7 @@ fn show_curve(report: &mut Report, document: &AtlasDocument, curve: &CurveDocume
             words::with_friction(&span.friction)
         ));
     }
-    for change in document.verdict_changes.iter().filter(|change| change.curve == curve.id) {
+    for change in document.verdict_changes.iter().flatten().filter(|change| change.curve == curve.id) {
         let at = NonlinearDocument::along(change.verdict, change.why, change.proved);
         report.line(format!("  at l = {}: {}", significant(change.l, DIGITS), words::verdict(&at)));
     }

@@ -86,6 +86,26 @@ fn a_verdict_is_the_same_from_every_door() {
     }
 }
 
+/// With a certificate an atlas lists where the hypotheses of Arnold's theorem fail; `verify` confirms the rest.
+#[test]
+fn resonances_are_listed_where_arnolds_theorem_fails() {
+    let text = bifdiag("--body paper --certificate --no-drawing --json").succeeds().stdout();
+    let atlas: Value = serde_json::from_str(&text).unwrap();
+    let changes = list(&atlas["verdict_changes"]);
+    assert!(!changes.is_empty() && changes.iter().all(|change| change["proved"] == json!(false)), "{changes:?}");
+    assert!(changes.is_sorted_by(|p, q| number(&p["l"]) <= number(&q["l"])), "{changes:?}");
+    let hopf = list(&atlas["stability_changes"]).iter().filter(|one| one["kind"] == json!("hamiltonian-hopf"));
+    for change in hopf {
+        let same = |one: &&Value| one["kind"] == json!("1:1") && one["curve"] == change["curve"];
+        let found = changes.iter().find(same).unwrap_or_else(|| panic!("{changes:?}"));
+        assert!((number(&found["l"]) - number(&change["l"])).abs() < 1e-9, "{found} {change}");
+    }
+    bifdiag("verify -").reading(text).succeeds().printing("not checked (\"proved\": false)");
+    let quick = bifdiag("--body paper --no-drawing --json").succeeds().json();
+    assert_eq!(quick.get("verdict_changes"), None, "{quick}");
+    bifdiag("show G0.1 --body paper").succeeds().printing("  at l = ");
+}
+
 /// The sleeping top of Lagrange: stable for l² > 4 a r; with friction exactly if A₃ > A₁ and l² > A₃² r/(A₃ − A₁).
 #[test]
 fn friction_wakes_a_slender_sleeping_top() {

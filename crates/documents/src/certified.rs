@@ -6,7 +6,7 @@ use bifdiag_exact::CertifiedAtlas;
 use bifdiag_numbers::Number;
 use bifdiag_schema::{Accuracy, AtlasDocument, PointProofDocument, Status};
 
-use crate::atlas::{DocumentOptions, attach_part, command, document, name_command};
+use crate::atlas::{DocumentOptions, attach_part, command, document, name_command, verdict_changes};
 use crate::command::head;
 use crate::subject::Subject;
 
@@ -25,6 +25,7 @@ pub fn certified_atlas(
         event.enclosure = Some(enclosure);
     }
     document.head.command = command(&Subject::from(drawn.body().clone()), &options, true);
+    document.verdict_changes = verdict_changes(drawn);
     document.certificate = Some(proved.certificate());
     seal(&mut document)?;
     Ok(document)

@@ -83,7 +83,7 @@ pub struct StabilitySpan {
     pub l_to: Option<f64>,
     /// The linear type there.
     pub stability: Stability,
-    /// The verdict there, but at the points that `verdict_changes` lists.
+    /// The verdict there, but at isolated points, which `verdict_changes` lists.
     pub nonlinear: NonlinearDocument,
     /// What friction leaves of it.
     pub friction: FrictionDocument,
@@ -429,8 +429,10 @@ pub struct AtlasDocument {
     pub events: Vec<EventDocument>,
     /// Every change of the linear type along a branch, by rising l.
     pub stability_changes: Vec<StabilityChangeDocument>,
-    /// Every isolated point of a curve at which a hypothesis of Arnold's theorem fails, by rising l, then h.
-    pub verdict_changes: Vec<VerdictChangeDocument>,
+    /// Every isolated point of a curve at which a hypothesis of Arnold's theorem fails, by rising l, then h; absent without a
+    /// certificate, and where not all of them are known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub verdict_changes: Option<Vec<VerdictChangeDocument>>,
     /// Every region.
     pub regions: Vec<RegionDocument>,
     /// Totals.

@@ -154,9 +154,13 @@ class Atlas:
         return tuple(StabilityChange._of(document) for document in self._document["stability_changes"])
 
     @cached_property
-    def verdict_changes(self) -> tuple[VerdictChange, ...]:
-        """Isolated points of curves at which a hypothesis of Arnold's theorem fails, by increasing l."""
-        return tuple(VerdictChange._of(document) for document in self._document["verdict_changes"])
+    def verdict_changes(self) -> tuple[VerdictChange, ...] | None:
+        """Isolated points of curves at which a hypothesis of Arnold's theorem fails, by increasing l.
+
+        None without a certificate, and where not all of them are known.
+        """
+        found = self._document.get("verdict_changes")
+        return None if found is None else tuple(VerdictChange._of(document) for document in found)
 
     @property
     def complete(self) -> bool:

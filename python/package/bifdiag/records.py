@@ -595,7 +595,7 @@ class StabilitySpan:
         one pair. ``"complex"``: A complex quadruple. ``"double-elliptic"``: A double imaginary pair. ``"double-real"``: A
         double real pair. ``"zero"``: An eigenvalue zero.
     nonlinear : Nonlinear
-        The verdict there, but at the points that ``verdict_changes`` lists.
+        The verdict there, but at isolated points, which ``verdict_changes`` lists.
     friction : Friction
         What friction leaves of it.
     """

@@ -20,8 +20,8 @@ export interface Atlas {
   events: Event[];
   /** Every change of the linear type along a branch, by rising l. */
   stability_changes: StabilityChange[];
-  /** Every isolated point of a curve at which a hypothesis of Arnold's theorem fails, by rising l, then h. */
-  verdict_changes: VerdictChange[];
+  /** Every isolated point of a curve at which a hypothesis of Arnold's theorem fails, by rising l, then h; absent without a certificate, and where not all of them are known. */
+  verdict_changes?: VerdictChange[];
   /** Every region. */
   regions: Region[];
   /** Totals. */
@@ -153,7 +153,7 @@ export interface StabilitySpan {
   l_to: number | null;
   /** The linear type there. */
   stability: Stability;
-  /** The verdict there, but at the points that `verdict_changes` lists. */
+  /** The verdict there, but at isolated points, which `verdict_changes` lists. */
   nonlinear: Nonlinear;
   /** What friction leaves of it. */
   friction: Friction;

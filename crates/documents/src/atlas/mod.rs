@@ -22,6 +22,7 @@ use crate::subject::Subject;
 use stability::Stability;
 
 pub use options::{DocumentOptions, Drawn};
+pub use stability::verdict_changes;
 
 /// The atlas as a document. Curves, events and regions come from the closed form.
 #[must_use]
@@ -64,7 +65,7 @@ pub fn document(atlas: &Atlas, options: &DocumentOptions) -> AtlasDocument {
         curves,
         events,
         stability_changes: stability.changes(window.as_ref()),
-        verdict_changes: Vec::new(),
+        verdict_changes: None,
         regions,
         summary,
         drawing,

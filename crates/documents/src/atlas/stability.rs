@@ -3,10 +3,13 @@
 use bifdiag_diagram::atlas::{Atlas, Window};
 use bifdiag_equilibria::critical::RelativeEquilibria;
 use bifdiag_equilibria::curves::{CurveId, CurveName};
-use bifdiag_equilibria::nonlinear::{Setting, Verdict, Why};
+use bifdiag_equilibria::nonlinear::{self, Setting, Verdict, Verdicts, Why};
 use bifdiag_equilibria::stability::LinearTypes;
 use bifdiag_numbers::Number;
-use bifdiag_schema::{FrictionDocument, NonlinearDocument, StabilityChangeDocument, StabilitySpan, UndecidedDocument};
+use bifdiag_schema::{
+    Failing, FrictionDocument, NonlinearDocument, StabilityChangeDocument, StabilitySpan, UndecidedDocument,
+    VerdictChangeDocument,
+};
 
 use crate::critical::stability;
 use crate::stability::{damped, nonlinear_verdict, reason};
@@ -102,4 +105,30 @@ impl<'a> Stability<'a> {
         })
         .collect()
     }
+}
+
+/// Every isolated point of the curves at which a hypothesis of Arnold's theorem fails, by rising l, then h; `None` where not all
+/// of them were found. It takes longer than the rest of the document.
+#[must_use]
+pub fn verdict_changes(atlas: &Atlas) -> Option<Vec<VerdictChangeDocument>> {
+    let set = &atlas.arrangement().set;
+    let verdicts = Verdicts::new(atlas.body(), set);
+    let document = |found: &nonlinear::VerdictChange| VerdictChangeDocument {
+        l: found.l,
+        h: found.h,
+        curve: CurveName::of(set, found.curve).to_string(),
+        kind: match found.kind {
+            nonlinear::Failing::Resonance11 => Failing::Resonance11,
+            nonlinear::Failing::Resonance12 => Failing::Resonance12,
+            nonlinear::Failing::Resonance13 => Failing::Resonance13,
+            nonlinear::Failing::Determinant => Failing::Determinant,
+        },
+        verdict: nonlinear_verdict(found.verdict),
+        why: reason(found.why),
+        changes: found.changes,
+        error_bound: found.error_bound,
+        // `verify` does not check it.
+        proved: false,
+    };
+    verdicts.is_complete().then(|| verdicts.changes().iter().map(document).collect())
 }

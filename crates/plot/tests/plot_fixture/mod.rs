@@ -486,7 +486,7 @@ pub fn atlas(
         curves,
         events,
         stability_changes: Vec::new(),
-        verdict_changes: Vec::new(),
+        verdict_changes: None,
         regions,
         drawing: None,
         certificate: None,
