@@ -44,7 +44,7 @@ pub fn warn_of_mesh(mesh: MeshSize, properties: &MassProperties, units: &Units, 
 
 fn mesh_warning(mesh: MeshSize, mass: f64, units: &Units, weight: Weight) -> Option<String> {
     let (length, mass) = (rounded(units.length()), mass * rounded(units.mass()));
-    let measures = |length: f64| (mesh.extent * length, mass / (mesh.volume * length.powi(3)));
+    let measures = |length: f64| (mesh.extent * length, mass / (mesh.volume * length * length * length));
     let (size, density) = measures(length);
     if within(size, SIZES) && within(density, DENSITIES) {
         return None;
@@ -96,9 +96,9 @@ pub fn warn_of_tensor(properties: &MassProperties, units: &Units) {
 fn tensor_warning(mass: f64, trace: f64, units: &Units) -> Option<String> {
     let measures = |units: &Units| {
         let mass = mass * rounded(units.mass());
-        let square = 0.5 * trace * rounded(units.mass()) * rounded(units.length()).powi(2);
+        let square = 0.5 * trace * rounded(units.mass()) * rounded(units.length()) * rounded(units.length());
         let radius = (5.0 / 3.0 * square / mass).sqrt();
-        (2.0 * radius, mass / (4.0 / 3.0 * PI * radius.powi(3)))
+        (2.0 * radius, mass / (4.0 / 3.0 * PI * radius * radius * radius))
     };
     let (size, density) = measures(units);
     let is_light = density < 1e-3 || (size > 10.0 && density < 0.1);

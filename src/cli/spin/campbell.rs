@@ -83,7 +83,9 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
         files.pictures("campbell", &picture, &[PictureFormat::Svg], timings)?;
     }
     let mut report = Report::default();
-    told.iter().for_each(|line| report.line(line));
+    for line in &told {
+        report.line(line);
+    }
     for (rpm, from, to) in &changes {
         report.line(format!("{} rpm: {from} to {to}", significant(*rpm, 8)));
     }

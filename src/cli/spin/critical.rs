@@ -181,16 +181,17 @@ fn beside(document: &mut CriticalSpinDocument, subject: &Subject, given: &AxisAr
             ends(given.direction).map(|(name, up, slowest)| (name, up, Near::NominalRotation { slowest })),
             second,
         )),
-        Known::Relative(tolerance) => match tolerance.for_all() {
-            Some(share) => Some(bifdiag_documents::tolerance_beside(&subject.body, share, ends(up), second)),
-            None => {
+        Known::Relative(tolerance) => {
+            if let Some(share) = tolerance.for_all() {
+                Some(bifdiag_documents::tolerance_beside(&subject.body, share, ends(up), second))
+            } else {
                 document.note = Some(
                     "tolerances by name are for an axis that is permanent at every spin; give one share for all, such as 1%"
                         .to_owned(),
                 );
                 None
             }
-        },
+        }
     };
 }
 

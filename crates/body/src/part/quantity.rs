@@ -184,8 +184,8 @@ fn number_and_unit(text: &str) -> Result<(RBig, Option<Unit>), QuantityError> {
         Err(error) => error,
     };
     let starts = text.char_indices().filter(|(_, letter)| letter.is_alphabetic()).map(|(at, _)| at);
-    let found = starts.filter_map(|at| Some((text[..at].trim_end().parse::<Number>().ok()?, text[at..].trim())));
-    let Some((number, unit)) = found.last() else { return Err(whole.into()) };
+    let mut found = starts.filter_map(|at| Some((text[..at].trim_end().parse::<Number>().ok()?, text[at..].trim())));
+    let Some((number, unit)) = found.next_back() else { return Err(whole.into()) };
     Ok((number.value().clone(), Some(unit.parse()?)))
 }
 

@@ -153,16 +153,12 @@ pub fn sampled_shares<'a>(body: &'a Body, share: &'a RBig) -> impl Iterator<Item
 
 /// The types of the steady rotations near the nominal one that tends to the principal axis nearest to `up`.
 fn settled_types_beside(body: &BoxedBody, nominal: NominalBody, up: [f64; 3], slowest: f64) -> SettledTypes {
-    match Path::new(nominal, body.unit(), up, slowest) {
-        Some(path) => settled_by(Search::new(body, Middle::Along(path))),
-        None => {
-            let omega = [0.0, f64::INFINITY];
-            SettledTypes {
-                ranges: vec![SpinRange { from: None, to: None, omega, between: Vec::new(), most: None }],
-                tilt: 0.0,
-            }
-        }
-    }
+    let Some(path) = Path::new(nominal, body.unit(), up, slowest) else {
+        let omega = [0.0, f64::INFINITY];
+        let whole = SpinRange { from: None, to: None, omega, between: Vec::new(), most: None };
+        return SettledTypes { ranges: vec![whole], tilt: 0.0 };
+    };
+    settled_by(Search::new(body, Middle::Along(path)))
 }
 
 /// The types of the steady rotations near the axis that points up along `up`, at all spins.

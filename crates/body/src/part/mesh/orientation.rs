@@ -12,6 +12,9 @@ use super::crossing::orientation;
 use super::integrals::VolumeIntegrals;
 use super::surface::{Mesh, MeshError};
 
+/// Whether an edge with the triangles at it is wrong.
+type Wrong<'a> = dyn Fn(&[usize; 2], &[(usize, bool)]) -> bool + 'a;
+
 /// The closed surfaces of a mesh, one for each side that a solid turns to the outside or to a cavity, as lists of triangles.
 /// Where solids touch, more than two triangles may meet at an edge: those beside a wedge of material belong together.
 pub(super) fn surfaces(mesh: &Mesh) -> Result<Vec<Vec<[usize; 3]>>, MeshError> {
@@ -26,7 +29,7 @@ pub(super) fn surfaces(mesh: &Mesh) -> Result<Vec<Vec<[usize; 3]>>, MeshError> {
             passed.entry([a.min(b), a.max(b)]).or_default().push((number, a < b));
         }
     }
-    let wrong = |is: &dyn Fn(&[usize; 2], &[(usize, bool)]) -> bool| {
+    let wrong = |is: &Wrong<'_>| {
         let mut found = passed.iter().filter(|(ends, at)| is(ends, at)).map(|(ends, _)| *ends);
         let first = found.next()?;
         Some((1 + found.count(), mesh.corners()[first[0]], mesh.corners()[first[1]]))
