@@ -117,8 +117,8 @@ fn a_motion_starts_at_eulers_angles() {
     for (key, angle) in [("theta", 1.1), ("psi", -0.4), ("phi", 0.7)] {
         assert!((number(&found["start"][key]) - angle).abs() < 1e-15, "{key}: {}", found["start"][key]);
     }
-    let (sin, cos) = 1.1_f64.sin_cos();
-    let gamma = [sin * (-0.4_f64).sin(), sin * (-0.4_f64).cos(), cos];
+    let ((sin, cos), (sin_psi, cos_psi)) = (libm::sincos(1.1), libm::sincos(-0.4));
+    let gamma = [sin * sin_psi, sin * cos_psi, cos];
     for (k, x) in gamma.into_iter().enumerate() {
         assert!((number(&found["start"]["gamma"][k]) - x).abs() < 1e-15);
     }

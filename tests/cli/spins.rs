@@ -207,9 +207,9 @@ fn tolerances_off_the_principal_axes_have_bounds() {
     assert!(tilt < 5.0, "{tilt}");
     assert_eq!(found["families"].as_array().unwrap().len(), 2);
     // Fast, the type of both families of some corners of the box is that which is told.
-    for corner in 0..4_u32 {
-        let side = |k: u32| if corner >> (k % 2) & 1 == 0 { 0.998 } else { 1.002 };
-        let moved: [f64; 6] = std::array::from_fn(|k| tensor[k] * side(k as u32));
+    for corner in 0..4 {
+        let side = |k: usize| if corner >> (k % 2) & 1 == 0 { 0.998 } else { 1.002 };
+        let moved: [f64; 6] = std::array::from_fn(|k| tensor[k] * side(k));
         let one = bifdiag(&format!("critical-spin {} --axis z --json", part(moved, com.map(|x| x * side(1)), false)));
         let one = one.succeeds().json();
         for (end, up) in ["+axis", "-axis"].into_iter().enumerate() {

@@ -74,20 +74,16 @@ fn regions(bodies: &[Compared<'_>; 2]) -> Vec<ComparedRegionsDocument> {
     let mut kinds: Vec<ComparedRegionsDocument> = Vec::new();
     for (which, body) in bodies.iter().enumerate() {
         for region in &body.atlas.regions {
-            let known = kinds.iter_mut().find(|kind| kind.components == region.components);
-            let kind = match known {
-                Some(kind) => kind,
-                None => {
-                    kinds.push(ComparedRegionsDocument {
-                        components: region.components.clone(),
-                        signature: region.signature.clone(),
-                        regions: Default::default(),
-                    });
-                    let last = kinds.len() - 1;
-                    &mut kinds[last]
-                }
-            };
-            kind.regions[which].push(region.id.clone());
+            let known = kinds.iter().position(|kind| kind.components == region.components);
+            let kind = known.unwrap_or_else(|| {
+                kinds.push(ComparedRegionsDocument {
+                    components: region.components.clone(),
+                    signature: region.signature.clone(),
+                    regions: Default::default(),
+                });
+                kinds.len() - 1
+            });
+            kinds[kind].regions[which].push(region.id.clone());
         }
     }
     kinds

@@ -47,7 +47,7 @@ pub fn integrable_words(document: &IntegrableDocument) -> String {
 /// The further integrals of a body along motions, each a start and the states that follow it.
 pub fn further_integrals<'a, S>(
     body: &Body,
-    motions: impl Iterator<Item = (State, S)> + Clone + 'a,
+    motions: &(impl Iterator<Item = (State, S)> + Clone + 'a),
 ) -> Vec<FurtherIntegralDocument>
 where
     S: Iterator<Item = State>,

@@ -51,7 +51,7 @@ pub fn section(subject: &Subject, section: &PoincareSection, region: Option<&str
         Some((state(start), others.iter().map(state)))
     });
     let integrals = match motions.clone().next() {
-        Some(_) => further_integrals(&section.body, motions),
+        Some(_) => further_integrals(&section.body, &motions),
         None => Vec::new(),
     };
     let mut document = SectionDocument {

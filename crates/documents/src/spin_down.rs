@@ -15,7 +15,8 @@ use crate::subject::Subject;
 #[must_use]
 pub fn spin_down(subject: &Subject, command: CommandLine, atlas: &Atlas, from: CurveId, l: f64) -> SpinDownDocument {
     let set = &atlas.arrangement().set;
-    let x = 0.5 * (l / set.frame.momentum_unit).powi(2);
+    let l = l / set.frame.momentum_unit;
+    let x = 0.5 * l * l;
     let path = way(atlas.arrangement(), from, x).iter().map(|(stretch, turn)| document(atlas, stretch, turn)).collect();
     SpinDownDocument { head: head(command.json()), body: given(&subject.body), path, part: subject.part.clone() }
 }

@@ -78,7 +78,7 @@ impl Entry {
     /// All its names; of `stable (energy)` what stands in the parentheses, too.
     fn names(&self) -> impl Iterator<Item = &'static str> + '_ {
         let all = self.terms.iter().chain(&self.also_called).copied();
-        let inner = |name: &'static str| Some(name.split_once(" (")?.1.strip_suffix(')')?);
+        let inner = |name: &'static str| name.split_once(" (")?.1.strip_suffix(')');
         all.flat_map(move |name| std::iter::once(name).chain(inner(name)))
     }
 

@@ -38,7 +38,7 @@ pub fn document(problem: &Problem<'_>, motion: &Motion) -> Result<MotionDocument
         },
         integrals: bifdiag_documents::further_integrals(
             &subject.body,
-            std::iter::once((*start, motion.samples.iter().map(|sample| State { gamma: sample.gamma, l: sample.l }))),
+            &std::iter::once((*start, motion.samples.iter().map(|sample| State { gamma: sample.gamma, l: sample.l }))),
         ),
         samples: None,
         notes: notes(report),

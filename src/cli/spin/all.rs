@@ -9,7 +9,7 @@ use bifdiag_schema::{
     Multiplicity, PermanentAxisDocument, SpinDocument, SteadyFamilyDocument, SteadySpinsDocument, SteadyStart, Verdict,
 };
 
-use super::permanent::{Changes, changes_about, one_of, table_of_changes};
+use super::permanent::{AxisChanges, changes_about, one_of, table_of_changes};
 use crate::cli::export::answer;
 use crate::cli::failure::{Failure, failed};
 use crate::cli::input::head;
@@ -31,7 +31,7 @@ fn document(subject: &Subject, families: &[SteadyFamily]) -> SteadySpinsDocument
     let note = (!axes.is_empty() && atlas.is_none())
         .then(|| "the regions of this body were not found: only changes of stability are listed".to_owned());
     let permanent = axes.into_iter().filter_map(|axis| {
-        let Changes { changes, slow, .. } = changes_about(subject, axis, atlas);
+        let AxisChanges { of_type_and_region: changes, slow, .. } = changes_about(subject, axis, atlas);
         Some(PermanentAxisDocument { axis: subject.to_given(axis.direction), slow: slow?, changes })
     });
     bifdiag_documents::steady_spins(subject, families, permanent.collect(), note)

@@ -13,7 +13,7 @@ use dashu_ratio::RBig;
 
 use super::all;
 use super::axis::{Axis, AxisArgument, MEANT, axis, end_up, fastest_along, followed_text};
-use super::permanent::{Changes, changes_about, one_of, table_of_changes};
+use super::permanent::{AxisChanges, changes_about, one_of, table_of_changes};
 use super::tolerance::{self, ToleranceArgument};
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
@@ -140,7 +140,7 @@ fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> Criti
             Some("the regions of this body were not found: only changes of stability are listed".to_owned());
     }
     let second = subject.second();
-    let Changes { changes, slow, rotations } = changes_about(subject, axis, atlas);
+    let AxisChanges { of_type_and_region: changes, slow, rotations } = changes_about(subject, axis, atlas);
     document.changes = changes;
     let stretches = rotations.iter().flat_map(|(up, rotation)| bifdiag_documents::spin_stretches(rotation, up, second));
     document.stretches = stretches.collect();

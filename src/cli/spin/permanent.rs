@@ -11,9 +11,9 @@ use dashu_ratio::RBig;
 use crate::cli::terminal::{Table, significant};
 
 /// What changes with the spin of a permanent axis.
-pub struct Changes {
+pub struct AxisChanges {
     /// By the end that is up, then by rising spin.
-    pub changes: Vec<SpinChangeDocument>,
+    pub of_type_and_region: Vec<SpinChangeDocument>,
     /// The type at the slowest spins, with either end up.
     pub slow: Option<[String; 2]>,
     /// The rotations themselves, each with the end that is up.
@@ -21,7 +21,7 @@ pub struct Changes {
 }
 
 /// The changes of stability and, with an atlas, of the regions.
-pub fn changes_about(subject: &Subject, axis: PermanentAxis, atlas: Option<&Atlas>) -> Changes {
+pub fn changes_about(subject: &Subject, axis: PermanentAxis, atlas: Option<&Atlas>) -> AxisChanges {
     let (mut changes, mut slow, mut rotations) = (Vec::new(), Vec::new(), Vec::new());
     // γ points down.
     for (up, gamma) in [("+axis", Sign::Negative), ("-axis", Sign::Positive)] {
@@ -30,7 +30,7 @@ pub fn changes_about(subject: &Subject, axis: PermanentAxis, atlas: Option<&Atla
         slow.push(bifdiag_documents::type_name(&rotation, at_slow_spins(&rotation)).to_owned());
         rotations.push((up, rotation));
     }
-    Changes { changes, slow: slow.try_into().ok(), rotations }
+    AxisChanges { of_type_and_region: changes, slow: slow.try_into().ok(), rotations }
 }
 
 /// The type at the slowest spins.

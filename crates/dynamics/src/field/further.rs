@@ -35,13 +35,17 @@ pub fn further_scale(case: IntegrableCase, top: &HeavyTop, state: &State) -> f64
     let omega = top.inverse_inertia(l);
     let across = |k: BodyAxis, u: [f64; 3]| {
         let [i, j] = k.others();
-        u[i].hypot(u[j])
+        (u[i] * u[i] + u[j] * u[j]).sqrt()
     };
     match case {
         IntegrableCase::Euler => dot(l, l),
         IntegrableCase::Lagrange(Some(_)) => norm(omega),
         IntegrableCase::Lagrange(None) | IntegrableCase::HessAppelrot => norm(l) * norm(r),
-        IntegrableCase::Kovalevskaya(k) => (across(k, omega).powi(2) + norm(r) / top.moments()[k]).powi(2),
+        IntegrableCase::Kovalevskaya(k) => {
+            let across = across(k, omega);
+            let modulus = across * across + norm(r) / top.moments()[k];
+            modulus * modulus
+        }
         IntegrableCase::GoryachevChaplygin(k) => {
             across(k, omega) * (omega[k].abs() * across(k, omega) + norm(r) / top.moments()[k])
         }

@@ -128,7 +128,9 @@ impl Part {
             *c <<= shift * if low > high { k } else { degree - k };
         }
         let smaller = if low > high { &mut self.to } else { &mut self.from };
-        smaller.iter_mut().for_each(|part| *part <<= shift);
+        for part in smaller {
+            *part <<= shift;
+        }
         let middle = [&self.from[0] + &self.to[0], &self.from[1] + &self.to[1]];
         let mut below: Vec<IBig> = self.polynomial.iter().rev().cloned().collect();
         let mut above = self.polynomial;

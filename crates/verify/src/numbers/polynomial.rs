@@ -96,7 +96,9 @@ impl Polynomial {
         while rest.len() >= d.0.len() {
             let top = rest[rest.len() - 1].clone();
             let offset = rest.len() - d.0.len();
-            rest.iter_mut().for_each(|c| *c *= lead);
+            for c in &mut rest {
+                *c *= lead;
+            }
             for (k, c) in d.0.iter().enumerate() {
                 rest[offset + k] -= c * &top;
             }
