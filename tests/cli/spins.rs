@@ -161,6 +161,8 @@ fn double_pairs_are_called_so_on_every_line() {
         .printing("double-real  double-elliptic (local minimum)");
     let state = bifdiag("state --A 1,1,2 --r 0,0,1 --axis=-z --spin").and("1 rad/s").succeeds();
     state.printing("stable (minimum of energy): double-elliptic");
+    let free = bifdiag("critical-spin --A 1,2,3 --r 0,0,0 --axis z").succeeds();
+    free.printing("+axis up double-elliptic (local minimum), -axis up double-elliptic (local minimum)");
     let parts = bifdiag("critical-spin --A 1,1,2 --r 0,0,1 --axis z --tolerance 1%").succeeds();
     parts.printing("-axis up, each of these parts is elliptic (local minimum) at every spin");
 }

@@ -28,11 +28,12 @@ pub fn spin(rad_per_s: f64) -> SpinDocument {
     SpinDocument { rpm: Spin::rpm(rad_per_s), rad_per_s }
 }
 
-/// The name of a type that a rotation has between its changes: with C = 2A = 2B both pairs agree at every spin.
+/// The name of a type that a rotation has between its changes: with C = 2A = 2B, and of a free plate about its normal,
+/// both pairs agree at every spin.
 #[must_use]
 pub fn type_name(rotation: &AxisRotation, kind: SpinType) -> &'static str {
     let [c, a, b] = &rotation.moments;
-    if kind == SpinType::Minimum && a == b && *c == a + b && !rotation.weight.is_zero() {
+    if kind == SpinType::Minimum && *c == a + b && (a == b || rotation.weight.is_zero()) {
         return "double-elliptic (local minimum)";
     }
     kind.name()

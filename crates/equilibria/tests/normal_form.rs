@@ -70,8 +70,8 @@ fn the_triangular_points_have_deprits_determinant() {
         let numerator = arnold_numerator(&hamiltonian, &one, &square, ()).expect("no resonance");
         let other = numerator / (square * (one - n(4.0) * square));
         assert!(other.meet(&determinant).is_some(), "{other:?}");
-        // F and H₂ cancel as c → 0.
-        let is_narrow = width(other) < 1e-6 * determinant.magnitude();
+        // In double precision: F and H₂ cancel as c → 0, and digits are lost beside 1:2 (c = 4/25).
+        let is_narrow = width(other) < 1e-3 * determinant.magnitude();
         assert!(is_narrow || square.lo < 0.1, "{other:?}");
     }
 }

@@ -62,8 +62,8 @@ def diagram(
     """The bifurcation diagram: regions as coloured patches, curves, names where they find room.
 
     Curves are solid where the steady rotation is stable (thin if only without friction), dashed where it is unstable,
-    dotted where that is open; the pole lines are grey, with one dot between dashes where r̂ enters U and two where −r̂ does. Curves and
-    outlines are computed for the ranges that are drawn, and are as fine as these need.
+    dotted where that is open; the pole lines are grey, with one dot between dashes where r̂ enters U and two where −r̂
+    does. Curves and outlines are computed for the ranges that are drawn, and are as fine as these need.
 
     Parameters
     ----------
