@@ -84,7 +84,7 @@ const BESIDE: usize = 48;
 /// How far they are: √(|ΔA|² + |Δr|²) at most this, for A with the sum 2 and |r| = 1.
 pub const BESIDE_DISTANCE: f64 = 1e-6;
 
-/// The classes of generic bodies beside a special one, with how many of [`BESIDE`] random ones at a distance of 1e-6 have each, the
+/// The classes of generic bodies beside a special one, with how many of the random ones at a distance of 1e-6 have each, the
 /// most frequent first. Rare ones may be missing.
 #[must_use]
 pub fn classes_beside(body: &Body) -> Vec<(ClassName, usize)> {
