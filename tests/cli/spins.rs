@@ -548,3 +548,34 @@ fn the_nearest_axis_of_a_symmetric_body_is_steady_at_a_spin() {
     let text = bifdiag("critical-spin --A 1,1,1.5 --r 0.3,0,0.5 --axis=0.2,1,0.1").succeeds();
     text.printing("the nearest permanent axis is (0.894427, 0, 0.447214), 77.4");
 }
+
+/// Of a symmetric pair of steady axes each end of the given axis has its own; a circle of axes is listed once.
+#[test]
+fn each_end_has_its_own_axis_of_a_pair() {
+    for (body, axis, k) in [("--A 2,3,4 --r 0,0,1", "1,0,0", 0), ("--A 2,3,5 --r 1,1,0", "0,0,1", 2)] {
+        let found = bifdiag(&format!("critical-spin {body} --axis={axis} --json")).succeeds().json();
+        let families = found["families"].as_array().unwrap();
+        let ends: Vec<f64> = families.iter().map(|family| family["fast_axis"][k].as_f64().unwrap()).collect();
+        assert_eq!(ends, [1.0, -1.0], "{body}");
+        // Where a type begins, too.
+        for (plus, minus) in
+            families[0]["stretches"].as_array().unwrap().iter().zip(families[1]["stretches"].as_array().unwrap())
+        {
+            let axis = |stretch: &Value| Some(stretch["from"].as_object()?["axis"].as_array()?.clone());
+            let Some((plus, minus)) = axis(plus).zip(axis(minus)) else { continue };
+            let sum = plus[k].as_f64().unwrap() + minus[k].as_f64().unwrap();
+            assert!(sum == 0.0 && plus[(k + 1) % 3] == minus[(k + 1) % 3], "{plus:?} {minus:?}");
+        }
+    }
+    let place = tempfile::tempdir().unwrap();
+    for (axis, end) in [("1,0,0", "(1, 0, 0)"), ("-1,0,0", "(-1, 0, 0)")] {
+        let line = format!("campbell --A 2,3,4 --r 0,0,1 --axis={axis} --no-plot --to");
+        bifdiag(&line)
+            .and("900 rpm")
+            .inside(place.path())
+            .succeeds()
+            .printing(&format!("that tends to {end} at fast spins"));
+    }
+    let circle = bifdiag("critical-spin --A 2,2,3.5 --r 0,0,0.4 --axis x --json").succeeds().json();
+    assert_eq!(circle["families"].as_array().unwrap().len(), 1);
+}

@@ -234,3 +234,37 @@ fn a_damped_motion_falls_where_spin_down_says() {
     let ratio = late[1] / late[2];
     assert!((ratio - libm::pow(2.0, 2.0 / 3.0)).abs() < 0.1, "{late:?} {ratio}");
 }
+
+/// The default start is the end of the curve, whatever the rounding of its l.
+#[test]
+fn a_spin_down_begins_at_the_end_of_its_curve() {
+    let curves = [
+        ("2,3,4", "1,0,0", "L+.1"),
+        ("2,3,4", "0,0,-1", "L-.1"),
+        ("2,3,4", "0,0,-1", "S1.1"),
+        ("2.3,2.7,1.5", "0,-.8,-.2", "G1.2"),
+    ];
+    for (moments, center, curve) in curves {
+        let line = format!("spin-down --A {moments} --r {center} --from={curve} --json");
+        let found = bifdiag(&line).succeeds().json();
+        assert!(!found["path"].as_array().unwrap().is_empty(), "{line}");
+    }
+    bifdiag("spin-down --A 2,3,4 --r 1,0,0 --from L+.1").succeeds().printing("hangs at rest");
+    bifdiag("spin-down --A 1,2,3 --r 0,0,0 --from S3.1").succeeds().printing("comes to rest");
+}
+
+/// A verdict by Arnold's theorem between two changes is one with isolated exceptions, and says so.
+#[test]
+fn a_range_of_spins_admits_its_isolated_exceptions() {
+    let line = "critical-spin --A 1.71,2.63,2.11 --r 0,0,1 --axis z";
+    bifdiag(line).succeeds().printing("by Arnold's theorem: but for isolated spins; `bifdiag show` lists them");
+    let found = bifdiag(&format!("{line} --json")).succeeds().json();
+    let by_arnold: Vec<&Value> = found["stretches"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|stretch| stretch["nonlinear"]["why"] == json!("arnold"))
+        .collect();
+    assert!(!by_arnold.is_empty() && by_arnold.iter().all(|stretch| stretch["nonlinear"]["proved"] == json!(false)));
+    bifdiag("show L-.1 --A 1.71,2.63,2.11 --r 0,0,1").succeeds().printing("open (degenerate)");
+}

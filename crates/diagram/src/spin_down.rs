@@ -31,7 +31,7 @@ pub enum Turn {
     Fall(EventId, Vec<CurveId>),
     /// The start is no minimum: with friction the body falls from it at once, to one of these.
     Lost(Vec<CurveId>),
-    /// The body comes to rest, hanging.
+    /// The body comes to rest, and hangs if it has weight.
     Rest,
 }
 
@@ -41,11 +41,10 @@ pub fn spin_down(arrangement: &Arrangement, from: CurveId, x: f64) -> Vec<(Stret
     let set = &arrangement.set;
     let is_minimum = |curve: CurveId| set.curves[curve].index == Some(0);
     let mut way = Vec::new();
-    let (mut curve, mut upper) = (from, x);
-    let Some(mut slab) = arrangement.slabs.pairs().find(|(_, slab)| slab.x[0] < x && x <= slab.x[1]).map(|(id, _)| id)
-    else {
-        return way;
-    };
+    // x may lie beyond the upper end of the curve by its rounding.
+    let along = arrangement.slabs.pairs().filter(|(_, slab)| slab.x[0] < x && slab.order.contains(&from));
+    let Some((mut slab, start)) = along.last() else { return way };
+    let (mut curve, mut upper) = (from, x.min(start.x[1]));
     // Minima of less energy at x in a slab.
     let below = |slab: SlabId, x: f64, h: f64| -> Vec<CurveId> {
         let is_below = |&other: &CurveId| is_minimum(other) && set.curves[other].point(&set.frame, x).h() < h;

@@ -13,8 +13,8 @@ use bifdiag_equilibria::permanent::{
 };
 use bifdiag_numbers::{Number, decimal};
 use bifdiag_schema::{
-    FrictionDocument, MeasuredDocument, NonlinearDocument, SampledClassDocument, SpinChangeDocument, SpinDocument,
-    SpinRangeDocument, SpinStretchDocument, ToleranceDocument,
+    FrictionDocument, MeasuredDocument, NonlinearDocument, Reason, SampledClassDocument, SpinChangeDocument,
+    SpinDocument, SpinRangeDocument, SpinStretchDocument, ToleranceDocument,
 };
 use bifdiag_survey::border::classes_of;
 use dashu_ratio::RBig;
@@ -106,7 +106,8 @@ pub fn spin_stretches(rotation: &AxisRotation, up: &str, second: f64) -> Vec<Spi
             from: from.map(|change| spin(change.omega * second)),
             to: to.map(|change| spin(change.omega * second)),
             stability: kind.name().to_owned(),
-            nonlinear: NonlinearDocument::along(found.verdict, found.why, found.proved),
+            // Arnold's theorem holds on the stretch but for isolated spins, which are not looked for here.
+            nonlinear: NonlinearDocument::along(found.verdict, found.why, found.proved && found.why != Reason::Arnold),
             friction: FrictionDocument { rates: Vec::new(), ..friction(&judged.friction, &[[0.0; 2]; 2]) },
         })
     };

@@ -19,7 +19,7 @@ pub enum SlowdownEvent {
     Cusp,
     /// It is no minimum: with friction the body falls at once.
     Start,
-    /// The body hangs at rest.
+    /// The body comes to rest, and hangs if it has weight.
     Rest,
 }
 

@@ -1,7 +1,7 @@
 //! Axes of questions, and the rotations that they mean.
 
 use bifdiag_documents::Subject;
-use bifdiag_equilibria::critical::{Multiplicity, SteadyFamily};
+use bifdiag_equilibria::critical::{Multiplicity, Place, SteadyFamily, SteadyStretch};
 use bifdiag_equilibria::permanent::{NearestAxis, PermanentAxis, angle_between, nearest_permanent, permanent_axis};
 use bifdiag_numbers::vector::dot;
 use bifdiag_schema::NearestAxisDocument;
@@ -128,12 +128,37 @@ pub fn followed_text(nearest: &NearestAxisDocument) -> String {
     format!("the nearest permanent axis, ({x}, {y}, {z}), {angle}° from the one given, is followed")
 }
 
-/// The family whose axis is nearest to a direction that points up, at fast spins.
-pub fn fastest_along(families: &[SteadyFamily], up: [f64; 3]) -> Option<&SteadyFamily> {
+/// The family whose axis is nearest to a direction that points up, at fast spins; of a symmetric pair the one on that side.
+pub fn fastest_along(families: &[SteadyFamily], up: [f64; 3]) -> Option<SteadyFamily> {
     // γ points down; a pair has both ends.
     let along = |family: &SteadyFamily| {
         let side = dot(family.fast, up);
         if family.axes == Multiplicity::Points(1) { -side } else { side.abs() }
     };
-    families.iter().max_by(|p, q| along(p).total_cmp(&along(q)))
+    let nearest = families.iter().max_by(|p, q| along(p).total_cmp(&along(q)))?.clone();
+    let is_other = nearest.axes == Multiplicity::Points(2) && dot(nearest.fast, up) > 0.0;
+    Some(if is_other { mirrored(nearest) } else { nearest })
+}
+
+/// The other one of a symmetric pair, reflected in the principal plane from which both come: across it both are farthest apart
+/// at fast spins, where they tend to the two ends of a principal axis.
+fn mirrored(family: SteadyFamily) -> SteadyFamily {
+    let across = family.fast.iter().enumerate().max_by(|p, q| p.1.abs().total_cmp(&q.1.abs())).map_or(0, |(k, _)| k);
+    let reflected = |mut gamma: [f64; 3]| {
+        gamma[across] = 0.0 - gamma[across];
+        gamma
+    };
+    SteadyFamily {
+        slow: family.slow.map(reflected),
+        fast: reflected(family.fast),
+        stretches: family
+            .stretches
+            .into_iter()
+            .map(|stretch| SteadyStretch {
+                from: stretch.from.map(|place| Place { gamma: reflected(place.gamma), ..place }),
+                ..stretch
+            })
+            .collect(),
+        ..family
+    }
 }

@@ -131,7 +131,7 @@ fn moving(subject: &Subject, given: [f64; 3], largest: f64) -> Result<Followed, 
     let prepared = RelativeEquilibria::new(&subject.body).map_err(failed(NOT_FOUND))?;
     let families = prepared.families().ok_or_else(|| Failure::work(NOT_FOUND))?;
     let family = fastest_along(&families, subject.to_principal(given)).filter(|family| !family.is_permanent);
-    let family = family.ok_or_else(|| not_permanent(subject, given))?;
+    let family = &family.ok_or_else(|| not_permanent(subject, given))?;
     let second = subject.second();
     let mut rows = Vec::new();
     for k in 1..=STEPS {

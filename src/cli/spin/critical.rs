@@ -7,7 +7,7 @@ use bifdiag_equilibria::permanent::{Near, NearestAxis, angle_between, exact_spin
 use bifdiag_exact::{Accuracy, Solver};
 use bifdiag_numbers::Number;
 use bifdiag_numbers::vector::dot;
-use bifdiag_schema::{CriticalSpinDocument, SpinDocument, SteadySpinDocument, Verdict};
+use bifdiag_schema::{CriticalSpinDocument, Multiplicity, Reason, SpinDocument, SteadySpinDocument, Verdict};
 use clap::Args;
 use dashu_ratio::RBig;
 
@@ -164,13 +164,15 @@ fn beside(document: &mut CriticalSpinDocument, subject: &Subject, given: &AxisAr
     let up = subject.to_principal(given.direction);
     let near = [up, up.map(|x| -x)].map(|up| fastest_along(&families, up));
     let [Some(plus), Some(minus)] = near else { return };
-    document.families = bifdiag_documents::steady_families(subject, &[plus, minus]);
+    // Both ends belong to a circle of axes.
+    let is_one = plus.axes == Multiplicity::Circle && minus == plus;
+    let both = [&plus, &minus];
+    document.families = bifdiag_documents::steady_families(subject, &both[usize::from(is_one)..]);
     document.slow = Some(
-        [plus, minus]
-            .map(|family| family.stretches.first().map_or_else(String::new, |first| first.kind.word().to_owned())),
+        both.map(|family| family.stretches.first().map_or_else(String::new, |first| first.kind.word().to_owned())),
     );
-    let slowest = [plus, minus]
-        .map(|family| family.stretches.first().and_then(|first| first.from).map_or(0.0, |place| place.omega));
+    let slowest =
+        both.map(|family| family.stretches.first().and_then(|first| first.from).map_or(0.0, |place| place.omega));
     let second = subject.second();
     let ends = |up: [f64; 3]| [("+axis", up, slowest[0]), ("-axis", up.map(|x| -x), slowest[1])];
     document.tolerance = match known {
@@ -311,7 +313,13 @@ fn stretches(document: &CriticalSpinDocument) -> String {
             words::with_friction(&stretch.friction),
         ]);
     }
-    format!("\n{}", table.text())
+    let exceptions = document.stretches.iter().any(|stretch| stretch.nonlinear.why == Reason::Arnold);
+    let isolated = if exceptions {
+        "by Arnold's theorem: but for isolated spins; `bifdiag show` lists them as l of the rotation's curve"
+    } else {
+        ""
+    };
+    format!("\n{}{isolated}", table.text())
 }
 
 /// Without weight, the other principal axes at the same angle.

@@ -92,7 +92,7 @@ fn text(subject: &Subject, document: &SpinDownDocument) -> String {
             range(stretch.h),
             range(stretch.omega),
             format!("{below}, {above}"),
-            then(stretch),
+            then(stretch, subject.body.is_euler()),
         ]);
     }
     report.line(table.text());
@@ -103,7 +103,7 @@ fn text(subject: &Subject, document: &SpinDownDocument) -> String {
 }
 
 /// What ends a stretch.
-fn then(stretch: &SlowdownDocument) -> String {
+fn then(stretch: &SlowdownDocument, is_free: bool) -> String {
     let onto = stretch.onto.join(" or ");
     let falls = |why: &str| {
         if onto.is_empty() { format!("{why}: falls") } else { format!("{why}: falls, to {onto}") }
@@ -114,6 +114,6 @@ fn then(stretch: &SlowdownDocument) -> String {
         SlowdownEvent::Pitchfork => falls("pitchfork"),
         SlowdownEvent::Cusp => falls("cusp"),
         SlowdownEvent::Start => falls("no minimum"),
-        SlowdownEvent::Rest => "hangs at rest".to_owned(),
+        SlowdownEvent::Rest => if is_free { "comes to rest" } else { "hangs at rest" }.to_owned(),
     }
 }

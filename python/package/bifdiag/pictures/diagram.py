@@ -114,7 +114,7 @@ def _stretches(curve: "Curve", ink: str) -> Iterator[tuple[float, float, dict[st
     if curve.kind in POLES:
         yield *curve.l_range, {"color": "0.4", "linestyle": POLES[curve.kind]}
     for part in curve.stability:
-        style = {"color": ink, "linestyle": STRETCHES[part.nonlinear.verdict]}
+        style: dict[str, Any] = {"color": ink, "linestyle": STRETCHES[part.nonlinear.verdict]}
         if part.nonlinear.verdict == "stable" and part.friction.conserving_l != "survives":
             style["linewidth"] = THIN
         yield part.l_from, part.l_to, style
