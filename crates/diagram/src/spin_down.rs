@@ -42,8 +42,8 @@ pub fn spin_down(arrangement: &Arrangement, from: CurveId, x: f64) -> Vec<(Stret
     let is_minimum = |curve: CurveId| set.curves[curve].index == Some(0);
     let mut way = Vec::new();
     // x may lie beyond the upper end of the curve by its rounding.
-    let along = arrangement.slabs.pairs().filter(|(_, slab)| slab.x[0] < x && slab.order.contains(&from));
-    let Some((mut slab, start)) = along.last() else { return way };
+    let mut along = arrangement.slabs.pairs().filter(|(_, slab)| slab.x[0] < x && slab.order.contains(&from));
+    let Some((mut slab, start)) = along.next_back() else { return way };
     let (mut curve, mut upper) = (from, x.min(start.x[1]));
     // Minima of less energy at x in a slab.
     let below = |slab: SlabId, x: f64, h: f64| -> Vec<CurveId> {
