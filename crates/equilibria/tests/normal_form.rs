@@ -27,6 +27,20 @@ fn attraction(mass: Interval, from: [Interval; 2]) -> Series<Interval> {
     square.composed(taylor).scaled(&mass)
 }
 
+/// The Hamiltonian of the restricted three-body problem about a triangular point, for the mass μ of the smaller body.
+fn at_the_triangular_point(mu: Interval) -> Series<Interval> {
+    let point = |x| Interval::point(x);
+    let (one, half, minus) = (point(1.0), point(0.5), point(-1.0));
+    let height = point(3.0).sqrt() * half;
+    let [x, y, px, py] =
+        [(0, half - mu), (1, height), (2, -height), (3, half - mu)].map(|(k, at)| Series::variable(k, at, one));
+    let kinetic = px.times(&px).plus(&py.times(&py)).scaled(&half);
+    let turning = y.times(&px).plus(&x.times(&py).scaled(&minus));
+    let far = attraction(one - mu, [half, height]).scaled(&minus);
+    let near = attraction(mu, [-half, height]).scaled(&minus);
+    kinetic.plus(&turning).plus(&far).plus(&near)
+}
+
 /// Triangular points of the restricted three-body problem: Deprit and Deprit-Bartholomé (Astron. J. 72, 1967). With
 /// H₄ = ½(A I₁² + 2B I₁I₂ + C I₂²) and σ = ω₁ω₂
 /// A = ω₂²(81 − 696ω₁² + 124ω₁⁴)/(72(1 − 2ω₁²)²(1 − 5ω₁²)), B = −σ(43 + 64σ²)/(6(4σ² − 1)(25σ² − 4)), C is A with ω₁ and ω₂
@@ -35,18 +49,8 @@ fn attraction(mass: Interval, from: [Interval; 2]) -> Series<Interval> {
 fn the_triangular_points_have_deprits_determinant() {
     for mu in [0.001, 0.005, 0.01, 0.012, 0.015, 0.02, 0.03, 0.038] {
         let point = |x| Interval::point(x);
-        let (mu, one, half) = (point(mu), point(1.0), point(0.5));
-        let height = point(3.0).sqrt() * half;
-        let [q1, q2] = [half - mu, height];
-        let [x, y, px, py] =
-            [(0, q1), (1, q2), (2, -height), (3, half - mu)].map(|(k, at)| Series::variable(k, at, one));
-        let minus = point(-1.0);
-        let kinetic = px.times(&px).plus(&py.times(&py)).scaled(&half);
-        let turning = y.times(&px).plus(&x.times(&py).scaled(&minus));
-        let far = attraction(one - mu, [half, height]).scaled(&minus);
-        let near = attraction(mu, [-half, height]).scaled(&minus);
-        let hamiltonian = kinetic.plus(&turning).plus(&far).plus(&near);
-
+        let (mu, one) = (point(mu), point(1.0));
+        let hamiltonian = at_the_triangular_point(mu);
         let square = point(27.0) * mu * (one - mu) / point(4.0);
         let form = NormalForm::new(&hamiltonian, &one, &square, ()).unwrap();
         let n = point;
@@ -83,15 +87,7 @@ fn the_triangular_points_are_stable_at_rouths_mass() {
     let point = |x| Interval::point(x);
     let (one, half) = (point(1.0), point(0.5));
     let mu = half * (one - (point(23.0) / point(27.0)).sqrt());
-    let height = point(3.0).sqrt() * half;
-    let [x, y, px, py] =
-        [(0, half - mu), (1, height), (2, -height), (3, half - mu)].map(|(k, at)| Series::variable(k, at, one));
-    let minus = point(-1.0);
-    let kinetic = px.times(&px).plus(&py.times(&py)).scaled(&half);
-    let turning = y.times(&px).plus(&x.times(&py).scaled(&minus));
-    let far = attraction(one - mu, [half, height]).scaled(&minus);
-    let near = attraction(mu, [-half, height]).scaled(&minus);
-    let hamiltonian = kinetic.plus(&turning).plus(&far).plus(&near);
+    let hamiltonian = at_the_triangular_point(mu);
     let numerator = arnold_numerator(&hamiltonian, &one, &point(0.25), ()).expect("no resonance of order three");
     // c(36 − 541c + 644c²)/(16(4 − 25c)) at c = ¼.
     assert!((numerator.middle().lo - 59.0 / 144.0).abs() < 1e-6, "{numerator:?}");
