@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use bifdiag_body::Body;
 use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, critical};
 use bifdiag_equilibria::curves::{CriticalSet, CurveName};
-use bifdiag_equilibria::nonlinear::Why;
+use bifdiag_equilibria::nonlinear::Reason;
 use bifdiag_equilibria::stability::{LinearType, LinearTypes, StabilityChangeKind, StabilitySpan};
 use serde::Deserialize;
 
@@ -99,17 +99,17 @@ fn the_standing_lagrange_top_sleeps_from_its_threshold_on() {
     // A1 = 2 A2: the gyroscopic term vanishes and both pairs agree at every l.
     let standing = |l: &str| lagrange(l).into_iter().find(|point| point.gamma[0] == -1.0).unwrap();
     for (l, kind, verdict) in [
-        ("0", LinearType::DoubleReal, Why::Spectrum),
-        ("1.9", LinearType::DoubleReal, Why::Spectrum),
-        ("1.9999999999999999999", LinearType::DoubleReal, Why::Spectrum),
-        ("2", LinearType::Zero, Why::Energy),
-        ("2.0000000000000000001", LinearType::DoubleElliptic, Why::Energy),
-        ("50", LinearType::DoubleElliptic, Why::Energy),
+        ("0", LinearType::DoubleReal, Reason::Spectrum),
+        ("1.9", LinearType::DoubleReal, Reason::Spectrum),
+        ("1.9999999999999999999", LinearType::DoubleReal, Reason::Spectrum),
+        ("2", LinearType::Zero, Reason::Energy),
+        ("2.0000000000000000001", LinearType::DoubleElliptic, Reason::Energy),
+        ("50", LinearType::DoubleElliptic, Reason::Energy),
     ] {
         let point = standing(l);
         assert_eq!((point.stability, point.nonlinear.why), (kind, verdict), "{l}: {point:?}");
         let hanging = lagrange(l).into_iter().find(|point| point.gamma[0] == 1.0).unwrap();
-        assert_eq!(hanging.nonlinear.why, Why::Energy, "{l}: {hanging:?}");
+        assert_eq!(hanging.nonlinear.why, Reason::Energy, "{l}: {hanging:?}");
     }
     let [first, second] = standing("1.9").eigenvalues.pairs;
     assert_eq!(first, second);
@@ -123,9 +123,9 @@ fn a_slender_top_sleeps_by_its_integral_only() {
         let standing = list.into_iter().find(|point| point.gamma[2] == -1.0).unwrap();
         (standing.index, standing.stability, standing.nonlinear.why)
     };
-    assert_eq!(verdict("1.999999999999999999"), (2, LinearType::Complex, Why::Spectrum));
-    assert_eq!(verdict("2"), (2, LinearType::DoubleElliptic, Why::Integral));
-    assert_eq!(verdict("2.000000000000000001"), (2, LinearType::Elliptic, Why::Integral));
+    assert_eq!(verdict("1.999999999999999999"), (2, LinearType::Complex, Reason::Spectrum));
+    assert_eq!(verdict("2"), (2, LinearType::DoubleElliptic, Reason::Integral));
+    assert_eq!(verdict("2.000000000000000001"), (2, LinearType::Elliptic, Reason::Integral));
 }
 
 #[test]

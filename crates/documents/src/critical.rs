@@ -2,16 +2,16 @@
 
 use bifdiag_body::part::Spin;
 use bifdiag_equilibria::critical::{Equilibria, Equilibrium};
-use bifdiag_equilibria::nonlinear::{Verdict, Why};
 use bifdiag_equilibria::stability::LinearType;
 use bifdiag_numbers::Number;
 use bifdiag_schema::{
-    CriticalDocument, NonlinearDocument, RelativeEquilibriumDocument, SteadyAxesDocument, SteadyAxisDocument,
+    CriticalDocument, NonlinearDocument, NonlinearVerdict, Reason, RelativeEquilibriumDocument, SteadyAxesDocument,
+    SteadyAxisDocument,
 };
 
 use crate::body::given;
 use crate::command::head;
-use crate::stability::{friction, nonlinear, nonlinear_verdict, reason};
+use crate::stability::{friction, nonlinear};
 use crate::subject::Subject;
 
 /// The relative equilibria of a body at one l.
@@ -118,9 +118,9 @@ pub fn type_code(kind: LinearType) -> i8 {
 }
 
 /// What is known of the stability where the verdict is this, or where nothing more than the type is told.
-pub(crate) fn stable(found: Option<(Verdict, Why)>, kind: LinearType) -> bifdiag_schema::Verdict {
-    let told = found.unwrap_or((Verdict::Open, Why::Degenerate));
-    let nonlinear = NonlinearDocument::along(nonlinear_verdict(told.0), reason(told.1), true);
+pub(crate) fn stable(found: Option<(NonlinearVerdict, Reason)>, kind: LinearType) -> bifdiag_schema::Verdict {
+    let told = found.unwrap_or((NonlinearVerdict::Open, Reason::Degenerate));
+    let nonlinear = NonlinearDocument::along(told.0, told.1, true);
     bifdiag_schema::Verdict::of(&nonlinear, stability(kind))
 }
 

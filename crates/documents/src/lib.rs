@@ -42,7 +42,7 @@ pub use spin::{
     tolerance_beside, type_name,
 };
 pub use spin_down::spin_down;
-pub use stability::{NONLINEAR_VERDICTS, REASONS, friction, nonlinear, nonlinear_verdict, reason};
+pub use stability::{NONLINEAR_VERDICTS, REASONS, friction, nonlinear};
 pub use steady::{steady_families, steady_spins};
 pub use subject::Subject;
 pub use witnesses::{ReadWitnessError, read_witness, shipped_witnesses};

@@ -6,15 +6,14 @@ use bifdiag_body::Body;
 use bifdiag_body::part::{INPUT_NAMES, Measured, MeasuredPart, Part, Spin};
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::region_changes::{RotationChange, rotation_changes};
-use bifdiag_equilibria::nonlinear::Verdict;
 use bifdiag_equilibria::permanent::{
     AxisRotation, Near, SpinRange, SpinType, sampled_bodies, sampled_parts, sampled_shares, settled_types_of_part,
     settled_types_of_shares, spin_ranges,
 };
 use bifdiag_numbers::{Number, decimal};
 use bifdiag_schema::{
-    FrictionDocument, MeasuredDocument, NonlinearDocument, Reason, SampledClassDocument, SpinChangeDocument,
-    SpinDocument, SpinRangeDocument, SpinStretchDocument, ToleranceDocument,
+    FrictionDocument, MeasuredDocument, NonlinearDocument, NonlinearVerdict, Reason, SampledClassDocument,
+    SpinChangeDocument, SpinDocument, SpinRangeDocument, SpinStretchDocument, ToleranceDocument,
 };
 use bifdiag_survey::border::classes_of;
 use dashu_ratio::RBig;
@@ -98,7 +97,7 @@ pub fn spin_stretches(rotation: &AxisRotation, up: &str, second: f64) -> Vec<Spi
         let mut first = None;
         let decided = judged
             .inspect(|one| first = first.or(Some(*one)))
-            .find(|(_, judged)| judged.nonlinear.verdict != Verdict::Open);
+            .find(|(_, judged)| judged.nonlinear.verdict != NonlinearVerdict::Open);
         let (kind, judged) = decided.or(first)?;
         let found = nonlinear(&judged.nonlinear);
         Some(SpinStretchDocument {

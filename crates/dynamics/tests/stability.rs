@@ -7,7 +7,7 @@ use bifdiag_dynamics::field::{HeavyTop, State};
 use bifdiag_dynamics::integrator::DEFAULT_TOLERANCE;
 use bifdiag_dynamics::motion::{MotionOptions, follow};
 use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, critical};
-use bifdiag_equilibria::nonlinear::Verdict;
+use bifdiag_equilibria::nonlinear::NonlinearVerdict;
 use bifdiag_numbers::Number;
 
 /// Steele, Lea and Flood's SplitMix64.
@@ -81,14 +81,14 @@ fn motions_beside_stable_equilibria_stay_and_beside_unstable_ones_leave() {
             // Beside the resonance 1:1 linear motions swell by much.
             let is_apart = point.nonlinear.near.is_none_or(|near| near[0] > 0.1);
             match point.nonlinear.verdict {
-                Verdict::Stable if is_apart => {
+                NonlinearVerdict::Stable if is_apart => {
                     let slowest = speeds[0].min(speeds[1]);
                     let far = departure(&body, &point, &mut random, 200.0 * std::f64::consts::TAU / slowest);
                     farthest = farthest.max(far);
                     assert!(far < 1e3 * DISTURBANCE, "{body:?} l = {l}: {far:e} {point:?}");
                     *counts.entry("stays").or_insert(0) += 1;
                 }
-                Verdict::Unstable if growth > 0.1 * speeds[0].max(speeds[1]) => {
+                NonlinearVerdict::Unstable if growth > 0.1 * speeds[0].max(speeds[1]) => {
                     let far = departure(&body, &point, &mut random, 60.0 / growth);
                     assert!(far > 1e4 * DISTURBANCE, "{body:?} l = {l}: {far:e} {point:?}");
                     *counts.entry("leaves").or_insert(0) += 1;

@@ -5,7 +5,7 @@ mod whole;
 
 use bifdiag_body::{Body, BodyAxis, Frame};
 use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, RelativeEquilibria};
-use bifdiag_equilibria::nonlinear::{Verdict, Why};
+use bifdiag_equilibria::nonlinear::{NonlinearVerdict, Reason};
 use bifdiag_equilibria::permanent::AxisRotation;
 use bifdiag_equilibria::stability::LinearType;
 use bifdiag_numbers::vector::dot;
@@ -121,7 +121,7 @@ fn the_sleeping_top_with_and_without_friction() {
             let judged = top.stability_at_spin(&omega).unwrap();
             // At the threshold too, by the integral.
             let sleeps = l * l > 4.0 * a1 * r - 1e-12;
-            assert_eq!(judged.nonlinear.verdict == Verdict::Stable, sleeps, "{l} {judged:?}");
+            assert_eq!(judged.nonlinear.verdict == NonlinearVerdict::Stable, sleeps, "{l} {judged:?}");
             let survives = a3 > a1 && l * l > a3 * a3 * r / (a3 - a1);
             assert_eq!(judged.friction.survives, Some(survives), "{l} {judged:?}");
             assert_eq!(judged.friction.growing, if survives { 0 } else { 2 });
@@ -141,9 +141,9 @@ fn only_rotation_about_the_largest_moment_survives_without_weight() {
         rotation.stability_at_spin(&dashu_ratio::RBig::ONE).unwrap()
     });
     let found = judged.map(|found| (found.nonlinear.verdict, found.nonlinear.why, found.friction.survives));
-    assert_eq!(found[0], (Verdict::Stable, Why::Integral, Some(false)));
-    assert_eq!(found[1], (Verdict::Unstable, Why::Spectrum, Some(false)));
-    assert_eq!(found[2], (Verdict::Stable, Why::Energy, Some(true)));
+    assert_eq!(found[0], (NonlinearVerdict::Stable, Reason::Integral, Some(false)));
+    assert_eq!(found[1], (NonlinearVerdict::Unstable, Reason::Spectrum, Some(false)));
+    assert_eq!(found[2], (NonlinearVerdict::Stable, Reason::Energy, Some(true)));
 }
 
 /// Rotation about a principal axis through the centre of mass, with the moment C about it and A, B across (V. V. Rumyantsev,
@@ -175,9 +175,9 @@ fn rotations_about_a_principal_axis() {
             assert_eq!(judged.friction.survives, Some(negative == 0), "{s} {judged:?}");
             seen[negative] += 1;
             let expected = match (negative, judged.kind) {
-                (0, _) => (Verdict::Stable, Why::Energy),
-                (2, LinearType::Elliptic) => (Verdict::Stable, Why::Arnold),
-                _ => (Verdict::Unstable, Why::Spectrum),
+                (0, _) => (NonlinearVerdict::Stable, Reason::Energy),
+                (2, LinearType::Elliptic) => (NonlinearVerdict::Stable, Reason::Arnold),
+                _ => (NonlinearVerdict::Unstable, Reason::Spectrum),
             };
             assert_eq!((judged.nonlinear.verdict, judged.nonlinear.why), expected, "{a:?} {r} {s} {judged:?}");
             assert!(judged.nonlinear.proved);

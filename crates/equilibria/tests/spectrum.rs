@@ -6,7 +6,7 @@ mod whole;
 use bifdiag_body::{Body, BodyAxis, Frame, Preset};
 use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, RelativeEquilibria};
 use bifdiag_equilibria::curves::CriticalSet;
-use bifdiag_equilibria::nonlinear::{Verdict, Why};
+use bifdiag_equilibria::nonlinear::{NonlinearVerdict, Reason};
 use bifdiag_equilibria::permanent::{AxisRotation, permanent_axis};
 use bifdiag_equilibria::stability::{LinearType, LinearTypes};
 use bifdiag_numbers::{Number, Sign};
@@ -48,9 +48,9 @@ fn agrees(frame: &Frame, found: &Equilibrium) -> Held {
     let growth = found.eigenvalues.pairs.iter().map(|pair| pair[0]).fold(0.0, f64::max);
     prop_assert!(is_of_type(found), "{found:?}");
     // An eigenvalue with positive real part means unstable, whatever the other pair does.
-    prop_assert_eq!(growth > 0.0, found.nonlinear.why == Why::Spectrum, "{:?}", found);
-    prop_assert_eq!(found.stability.is_unstable(), found.nonlinear.why == Why::Spectrum, "{:?}", found);
-    prop_assert!(growth == 0.0 || found.nonlinear.verdict == Verdict::Unstable, "{:?}", found);
+    prop_assert_eq!(growth > 0.0, found.nonlinear.why == Reason::Spectrum, "{:?}", found);
+    prop_assert_eq!(found.stability.is_unstable(), found.nonlinear.why == Reason::Spectrum, "{:?}", found);
+    prop_assert!(growth == 0.0 || found.nonlinear.verdict == NonlinearVerdict::Unstable, "{:?}", found);
     let (real, size) = real_parts(frame, found.gamma, found.omega);
     let largest = real.iter().copied().fold(0.0, f64::max);
     prop_assert!((largest - growth).abs() <= CLEAR * size + found.eigenvalues.error, "{real:?} {found:?}");
@@ -91,29 +91,29 @@ fn verdicts_and_types_agree_with_the_whole_spectrum() {
 
 /// Bodies whose coincidences lie at rational l: A, r, l, γ there, and what is known of that equilibrium.
 /// Moments, centre of mass, l, γ, and what is known of the relative equilibrium there.
-type Known = ([&'static str; 3], [&'static str; 3], &'static str, [f64; 3], LinearType, Why);
+type Known = ([&'static str; 3], [&'static str; 3], &'static str, [f64; 3], LinearType, Reason);
 
 const EXACT: [Known; 15] = [
     // c = 0 at the pitchfork of a standing top: b < 0, b = 0, b > 0.
-    (["2", "2", "1"], ["1", "0", "0"], "2", [-1.0, 0.0, 0.0], LinearType::ZeroReal, Why::Spectrum),
-    (["5", "3", "6"], ["0", "0", "12"], "12", [0.0, 0.0, -1.0], LinearType::ZeroReal, Why::Spectrum),
-    (["3", "4", "5"], ["0", "0", "8"], "10", [0.0, 0.0, -1.0], LinearType::Zero, Why::Degenerate),
-    (["1", "2", "3"], ["0", "0", "1"], "3", [0.0, 0.0, -1.0], LinearType::Zero, Why::Energy),
+    (["2", "2", "1"], ["1", "0", "0"], "2", [-1.0, 0.0, 0.0], LinearType::ZeroReal, Reason::Spectrum),
+    (["5", "3", "6"], ["0", "0", "12"], "12", [0.0, 0.0, -1.0], LinearType::ZeroReal, Reason::Spectrum),
+    (["3", "4", "5"], ["0", "0", "8"], "10", [0.0, 0.0, -1.0], LinearType::Zero, Reason::Degenerate),
+    (["1", "2", "3"], ["0", "0", "1"], "3", [0.0, 0.0, -1.0], LinearType::Zero, Reason::Energy),
     // At the pitchforks of a hanging one: μ is the largest moment, or the second.
-    (["3", "5/2", "2"], ["0", "0", "1"], "2", [0.0, 0.0, 1.0], LinearType::Zero, Why::Energy),
-    (["6", "3", "2"], ["0", "0", "4"], "4", [0.0, 0.0, 1.0], LinearType::Zero, Why::Degenerate),
+    (["3", "5/2", "2"], ["0", "0", "1"], "2", [0.0, 0.0, 1.0], LinearType::Zero, Reason::Energy),
+    (["6", "3", "2"], ["0", "0", "4"], "4", [0.0, 0.0, 1.0], LinearType::Zero, Reason::Degenerate),
     // Lagrange's top: the circle leaves the standing and the hanging rotation, and where both pairs agree.
-    (["1", "1", "2"], ["0", "0", "4"], "4", [0.0, 0.0, -1.0], LinearType::Zero, Why::Energy),
-    (["1", "1", "5/4"], ["0", "0", "1/4"], "5/4", [0.0, 0.0, -1.0], LinearType::Zero, Why::Integral),
-    (["5", "5", "1"], ["0", "0", "4"], "1", [0.0, 0.0, 1.0], LinearType::Zero, Why::Energy),
-    (["1", "1", "1/2"], ["0", "0", "1"], "2", [0.0, 0.0, -1.0], LinearType::DoubleElliptic, Why::Integral),
+    (["1", "1", "2"], ["0", "0", "4"], "4", [0.0, 0.0, -1.0], LinearType::Zero, Reason::Energy),
+    (["1", "1", "5/4"], ["0", "0", "1/4"], "5/4", [0.0, 0.0, -1.0], LinearType::Zero, Reason::Integral),
+    (["5", "5", "1"], ["0", "0", "4"], "1", [0.0, 0.0, 1.0], LinearType::Zero, Reason::Energy),
+    (["1", "1", "1/2"], ["0", "0", "1"], "2", [0.0, 0.0, -1.0], LinearType::DoubleElliptic, Reason::Integral),
     // b² = 4c: both ends of complex stretches.
-    (["1", "4", "7/4"], ["0", "0", "13"], "7", [0.0, 0.0, -1.0], LinearType::DoubleReal, Why::Spectrum),
-    (["1", "4", "7/4"], ["0", "0", "13"], "3", [0.0, 0.0, -1.0], LinearType::DoubleReal, Why::Spectrum),
-    (["25", "1", "1"], ["0", "0", "1"], "12/5", [0.0, 0.0, -1.0], LinearType::DoubleElliptic, Why::Resonance11),
-    (["25", "1", "1"], ["0", "0", "1"], "2/5", [0.0, 0.0, -1.0], LinearType::DoubleReal, Why::Spectrum),
+    (["1", "4", "7/4"], ["0", "0", "13"], "7", [0.0, 0.0, -1.0], LinearType::DoubleReal, Reason::Spectrum),
+    (["1", "4", "7/4"], ["0", "0", "13"], "3", [0.0, 0.0, -1.0], LinearType::DoubleReal, Reason::Spectrum),
+    (["25", "1", "1"], ["0", "0", "1"], "12/5", [0.0, 0.0, -1.0], LinearType::DoubleElliptic, Reason::Resonance11),
+    (["25", "1", "1"], ["0", "0", "1"], "2/5", [0.0, 0.0, -1.0], LinearType::DoubleReal, Reason::Spectrum),
     // A cusp of the pair over the second axis, at γ₁ = −1/3.
-    (["12", "3", "5"], ["3", "0", "0"], "4", [-1.0 / 3.0, f64::NAN, 0.0], LinearType::Zero, Why::Degenerate),
+    (["12", "3", "5"], ["3", "0", "0"], "4", [-1.0 / 3.0, f64::NAN, 0.0], LinearType::Zero, Reason::Degenerate),
 ];
 
 #[test]
@@ -134,7 +134,7 @@ fn kovalevskaya_at_its_pitchfork_is_unstable() {
     let found =
         RelativeEquilibria::new(&Preset::find("kovalevskaya").unwrap().body()).unwrap().at(&"2".parse().unwrap());
     let standing = found.unwrap().list.into_iter().find(|point| point.gamma[0] == -1.0).unwrap();
-    assert_eq!((standing.stability.word(), standing.nonlinear.verdict), ("zero", Verdict::Unstable));
+    assert_eq!((standing.stability.word(), standing.nonlinear.verdict), ("zero", NonlinearVerdict::Unstable));
     let [[growth, still], zero] = standing.eigenvalues.pairs;
     assert!((growth - 0.5_f64.sqrt()).abs() <= standing.eigenvalues.error && still == 0.0 && zero == [0.0, 0.0]);
 }
@@ -171,7 +171,7 @@ fn permanent_rotations_are_judged_as_equilibria() {
                     "{place}"
                 );
                 let between = rotation.type_at_spin(&omega).unwrap();
-                assert_eq!(between.is_stable(), why != Why::Spectrum, "{place}");
+                assert_eq!(between.is_stable(), why != Reason::Spectrum, "{place}");
                 let is_one = !matches!(point.multiplicity, Multiplicity::Points(_));
                 assert_eq!(
                     rotation.multiplicity() == point.multiplicity,
@@ -179,7 +179,7 @@ fn permanent_rotations_are_judged_as_equilibria() {
                 );
                 let (_, growth) = rotation.frequencies_and_growth(&omega);
                 compared += 1;
-                assert!((why == Why::Spectrum) == (growth > 0.0), "{place} {growth:e}");
+                assert!((why == Reason::Spectrum) == (growth > 0.0), "{place} {growth:e}");
             }
         }
     }
@@ -211,12 +211,12 @@ fn rotations_without_weight_have_the_types_of_the_whole_spectrum() {
             let largest = real.into_iter().fold(0.0, f64::max);
             prop_assert!((largest - growth).abs() <= CLEAR * size, "{largest} {growth}");
             prop_assert_eq!(kind.is_unstable(), growth > 0.0);
-            prop_assert_eq!(verdict == Verdict::Unstable, growth > 0.0);
+            prop_assert_eq!(verdict == NonlinearVerdict::Unstable, growth > 0.0);
             prop_assert!(rotation.changes().is_empty());
             let [x, y, z] = BodyAxis::ALL.map(|k| body.moments()[k].value());
             let own = body.moments()[axis.axis].value();
             let is_middle = [x, y, z].iter().any(|other| *other < own) && [x, y, z].iter().any(|other| *other > own);
-            prop_assert_eq!(verdict == Verdict::Unstable, is_middle);
+            prop_assert_eq!(verdict == NonlinearVerdict::Unstable, is_middle);
         }
     });
 }

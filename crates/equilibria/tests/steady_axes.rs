@@ -3,7 +3,7 @@
 use bifdiag_body::{Body, Number};
 use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, RelativeEquilibria, SteadyFamily};
 use bifdiag_equilibria::curves::CurveName;
-use bifdiag_equilibria::nonlinear::{Nonlinear, Verdict, Why};
+use bifdiag_equilibria::nonlinear::{Nonlinear, NonlinearVerdict, Reason};
 use bifdiag_equilibria::stability::exact::Start;
 use bifdiag_numbers::vector::{cross, dot, norm, normalised};
 use dashu_ratio::RBig;
@@ -179,8 +179,11 @@ fn axes_appear_in_folds_and_forks() {
 }
 
 /// What is known without the normal form.
-fn told(verdict: Option<(Verdict, Why)>) -> String {
-    verdict.map_or_else(|| "left to the normal form".to_owned(), |(verdict, why)| format!("{verdict} {why}"))
+fn told(verdict: Option<(NonlinearVerdict, Reason)>) -> String {
+    verdict.map_or_else(
+        || "left to the normal form".to_owned(),
+        |(verdict, why)| format!("{} {}", verdict.word(), why.word()),
+    )
 }
 
 /// What a family says of a spin: branch, type and verdict, once for each axis.

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use bifdiag_body::{Body, Preset};
 use bifdiag_equilibria::critical::{Equilibrium, RelativeEquilibria};
 use bifdiag_equilibria::curves::{CriticalSet, CurveName};
-use bifdiag_equilibria::nonlinear::{Failing, Verdict, VerdictChange, Verdicts, Why};
+use bifdiag_equilibria::nonlinear::{Failing, NonlinearVerdict, Reason, VerdictChange, Verdicts};
 use bifdiag_numbers::Number;
 use bifdiag_numbers::vector::{cross, dot};
 use support::bodies::{Stratum, random_body};
@@ -37,7 +37,8 @@ fn is_confirmed(equilibria: &RelativeEquilibria<'_>, set: &CriticalSet, change: 
     let [Some(before), Some(after)] = sides else { return false };
     if change.kind == Failing::Resonance11 {
         let verdicts = [before, after].map(|point| point.nonlinear.verdict);
-        return verdicts.contains(&Verdict::Stable) && verdicts.contains(&Verdict::Unstable) == change.changes;
+        return verdicts.contains(&NonlinearVerdict::Stable)
+            && verdicts.contains(&NonlinearVerdict::Unstable) == change.changes;
     }
     let signs = [passing(&before, change.kind), passing(&after, change.kind)];
     matches!(signs, [Some(p), Some(q)] if (p > 0.0) != (q > 0.0)) && !change.changes
@@ -50,10 +51,34 @@ fn the_papers_body_has_these_changes() {
     let verdicts = Verdicts::new(&body, &set);
     assert!(verdicts.is_complete());
     let expected = [
-        (1.947_890_543_818_278_5, 2.619_765_065_855_363, Failing::Resonance11, Verdict::Stable, Why::Resonance11),
-        (2.236_708_030_753_01, 3.199_864_242_090_404, Failing::Resonance12, Verdict::Unstable, Why::Resonance12),
-        (2.327_799_984_629_819, 3.401_836_073_571_975, Failing::Determinant, Verdict::Open, Why::Degenerate),
-        (3.030_861_364_678_378_4, 5.255_603_779_766_969, Failing::Resonance13, Verdict::Stable, Why::Resonance13),
+        (
+            1.947_890_543_818_278_5,
+            2.619_765_065_855_363,
+            Failing::Resonance11,
+            NonlinearVerdict::Stable,
+            Reason::Resonance11,
+        ),
+        (
+            2.236_708_030_753_01,
+            3.199_864_242_090_404,
+            Failing::Resonance12,
+            NonlinearVerdict::Unstable,
+            Reason::Resonance12,
+        ),
+        (
+            2.327_799_984_629_819,
+            3.401_836_073_571_975,
+            Failing::Determinant,
+            NonlinearVerdict::Open,
+            Reason::Degenerate,
+        ),
+        (
+            3.030_861_364_678_378_4,
+            5.255_603_779_766_969,
+            Failing::Resonance13,
+            NonlinearVerdict::Stable,
+            Reason::Resonance13,
+        ),
     ];
     assert_eq!(verdicts.changes().len(), expected.len(), "{:?}", verdicts.changes());
     for (change, (l, h, kind, verdict, why)) in verdicts.changes().iter().zip(expected) {
@@ -80,7 +105,7 @@ fn changes_lie_between_equilibria_that_differ() {
             for change in verdicts.changes() {
                 assert!(is_confirmed(&equilibria, &set, change), "{body:?} {change:?}");
                 assert!(change.proved && change.error_bound < 1e-11 * (1.0 + change.l + change.h.abs()), "{change:?}");
-                *counts.entry(format!("{}: {}", change.kind, change.verdict)).or_insert(0) += 1;
+                *counts.entry(format!("{}: {}", change.kind.word(), change.verdict.word())).or_insert(0) += 1;
             }
         }
     }
@@ -102,8 +127,8 @@ fn no_equilibrium_of_a_random_body_is_left_open() {
             let l = Number::from_f64(0.37 * f64::from(k) * unit).unwrap();
             for point in equilibria.at(&l).unwrap().list {
                 let found = point.nonlinear;
-                assert!(found.verdict != Verdict::Open && found.proved, "{body:?} {l:?} {point:?}");
-                *counts.entry(format!("{} ({})", found.verdict, found.why)).or_insert(0) += 1;
+                assert!(found.verdict != NonlinearVerdict::Open && found.proved, "{body:?} {l:?} {point:?}");
+                *counts.entry(format!("{} ({})", found.verdict.word(), found.why.word())).or_insert(0) += 1;
             }
         }
     }
@@ -160,7 +185,7 @@ fn departure(body: &Body, point: &Equilibrium, size: f64, steps: u32, enough: f6
 }
 
 /// The change of a kind and verdict on a body, and the equilibrium there.
-fn at_change(body: &Body, kind: Failing, verdict: Verdict) -> Equilibrium {
+fn at_change(body: &Body, kind: Failing, verdict: NonlinearVerdict) -> Equilibrium {
     let set = CriticalSet::new(body.frame()).unwrap();
     let verdicts = Verdicts::new(body, &set);
     let change = verdicts.changes().iter().find(|change| (change.kind, change.verdict) == (kind, verdict)).unwrap();
@@ -173,11 +198,11 @@ fn at_change(body: &Body, kind: Failing, verdict: Verdict) -> Equilibrium {
 fn motions_at_the_resonance_1_1_do_as_said() {
     let paper = Preset::find("paper").unwrap().body();
     let other = Body::parse(&["0.80", "2.17", "2.47"], &["0.22", "0.74", "0.30"]).unwrap();
-    let stable = [(&paper, Verdict::Stable), (&other, Verdict::Stable)];
-    for (body, verdict) in stable.into_iter().chain([(&other, Verdict::Unstable)]) {
+    let stable = [(&paper, NonlinearVerdict::Stable), (&other, NonlinearVerdict::Stable)];
+    for (body, verdict) in stable.into_iter().chain([(&other, NonlinearVerdict::Unstable)]) {
         let point = at_change(body, Failing::Resonance11, verdict);
         let [far, near] = [1e-4, 1e-5].map(|size| departure(body, &point, size, 150_000, 1.0));
-        if verdict == Verdict::Stable {
+        if verdict == NonlinearVerdict::Stable {
             assert!(far < 0.2 && (far / near - 10.0_f64.sqrt()).abs() < 0.3, "{far} {near}");
         } else {
             assert!(far >= 1.0 && near >= 1.0, "{far} {near}");
@@ -190,14 +215,16 @@ fn motions_at_the_resonance_1_1_do_as_said() {
 fn motions_at_the_resonances_1_2_and_1_3_do_as_said() {
     let body = Body::parse(&["1.15", "2.29", "1.24"], &["0", "0.65", "0.12"]).unwrap();
     for kind in [Failing::Resonance12, Failing::Resonance13] {
-        let point = at_change(&body, kind, Verdict::Unstable);
+        let point = at_change(&body, kind, NonlinearVerdict::Unstable);
         let far = departure(&body, &point, 0.02, 2_500_000, 1.0);
-        assert!(far >= 1.0, "{kind}: {far}");
+        assert!(far >= 1.0, "{kind:?}: {far}");
     }
     let paper = Preset::find("paper").unwrap().body();
-    for (kind, verdict) in [(Failing::Resonance13, Verdict::Stable), (Failing::Determinant, Verdict::Open)] {
+    for (kind, verdict) in
+        [(Failing::Resonance13, NonlinearVerdict::Stable), (Failing::Determinant, NonlinearVerdict::Open)]
+    {
         let point = at_change(&paper, kind, verdict);
         let [soon, late] = [5_000, 500_000].map(|steps| departure(&paper, &point, 0.005, steps, 1.0));
-        assert!(late < 1.5 * soon, "{kind}: {soon} {late}");
+        assert!(late < 1.5 * soon, "{kind:?}: {soon} {late}");
     }
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use bifdiag_body::part::Spin;
 use bifdiag_documents::Subject;
 use bifdiag_equilibria::critical::{Place, RelativeEquilibria, SteadyFamily};
-use bifdiag_equilibria::nonlinear::Verdict;
+use bifdiag_equilibria::nonlinear::NonlinearVerdict;
 use bifdiag_plot::{Steadiness, SteadyCurve, SteadyScene, Theme, draw_steady};
 use dashu_ratio::RBig;
 
@@ -83,9 +83,9 @@ fn runs(family: &SteadyFamily, points: &[(f64, f64)], rpm: impl Fn(f64) -> f64) 
     let run = |(number, stretch): (usize, &bifdiag_equilibria::critical::SteadyStretch)| {
         let until = starts.get(number + 1).copied().unwrap_or(f64::INFINITY);
         let kind = match stretch.verdict {
-            Some((Verdict::Stable, _)) => Steadiness::Stable,
-            Some((Verdict::Unstable, _)) => Steadiness::Unstable,
-            Some((Verdict::Open, _)) | None => Steadiness::Open,
+            Some((NonlinearVerdict::Stable, _)) => Steadiness::Stable,
+            Some((NonlinearVerdict::Unstable, _)) => Steadiness::Unstable,
+            Some((NonlinearVerdict::Open, _)) | None => Steadiness::Open,
         };
         let here = points.iter().copied().filter(|(at, _)| (starts[number]..=until).contains(at));
         (kind, here.collect())

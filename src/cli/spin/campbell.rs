@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use bifdiag_body::part::Spin;
 use bifdiag_documents::Subject;
 use bifdiag_equilibria::critical::RelativeEquilibria;
-use bifdiag_equilibria::nonlinear::Verdict;
+use bifdiag_equilibria::nonlinear::NonlinearVerdict;
 use bifdiag_equilibria::permanent::{AxisRotation, PermanentAxis, angle_between, permanent_axis};
 use bifdiag_numbers::Sign;
 use bifdiag_plot::{Campbell, Known, draw_campbell};
@@ -217,12 +217,12 @@ fn rows(rotation: &AxisRotation, largest: f64, second: f64) -> Vec<Row> {
     (1..=STEPS).map(row).collect()
 }
 
-fn known(verdict: Verdict, survives_friction: Option<bool>) -> Known {
+fn known(verdict: NonlinearVerdict, survives_friction: Option<bool>) -> Known {
     match verdict {
-        Verdict::Stable if survives_friction == Some(true) => Known::Lasting,
-        Verdict::Stable => Known::Frictionless,
-        Verdict::Open => Known::Open,
-        Verdict::Unstable => Known::Unstable,
+        NonlinearVerdict::Stable if survives_friction == Some(true) => Known::Lasting,
+        NonlinearVerdict::Stable => Known::Frictionless,
+        NonlinearVerdict::Open => Known::Open,
+        NonlinearVerdict::Unstable => Known::Unstable,
     }
 }
 

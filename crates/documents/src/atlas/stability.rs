@@ -3,16 +3,16 @@
 use bifdiag_diagram::atlas::{Atlas, Window};
 use bifdiag_equilibria::critical::RelativeEquilibria;
 use bifdiag_equilibria::curves::{CurveId, CurveName};
-use bifdiag_equilibria::nonlinear::{self, Setting, Verdict, Verdicts, Why};
+use bifdiag_equilibria::nonlinear::{Setting, VerdictChange, Verdicts};
 use bifdiag_equilibria::stability::LinearTypes;
 use bifdiag_numbers::Number;
 use bifdiag_schema::{
-    Failing, FrictionDocument, NonlinearDocument, StabilityChangeDocument, StabilitySpan, UndecidedDocument,
-    VerdictChangeDocument,
+    FrictionDocument, NonlinearDocument, NonlinearVerdict, Reason, StabilityChangeDocument, StabilitySpan,
+    UndecidedDocument, VerdictChangeDocument,
 };
 
 use crate::critical::stability;
-use crate::stability::{damped, nonlinear_verdict, reason};
+use crate::stability::damped;
 
 /// What is known of the stability of a body's curves.
 pub(super) struct Stability<'a> {
@@ -59,7 +59,7 @@ impl<'a> Stability<'a> {
                 l_to: span.l_to,
                 stability: stability(span.stability),
                 // What rests on the normal form `verify` does not check.
-                nonlinear: NonlinearDocument::along(nonlinear_verdict(verdict), reason(why), known.is_some()),
+                nonlinear: NonlinearDocument::along(verdict, why, known.is_some()),
                 friction: FrictionDocument {
                     conserving_l: Some(damped(setting.index == 0)),
                     growing: setting.index,
@@ -72,7 +72,7 @@ impl<'a> Stability<'a> {
 
     /// The verdict along a stretch of a curve with two imaginary pairs at index 2: that at one point, since D₄ is an analytic
     /// function along the curve, which vanishes at isolated points only.
-    fn inside(&self, id: CurveId, [from, to]: [f64; 2]) -> (Verdict, Why) {
+    fn inside(&self, id: CurveId, [from, to]: [f64; 2]) -> (NonlinearVerdict, Reason) {
         let name = Some(CurveName::of(&self.atlas.arrangement().set, id));
         let points = INSIDE.iter().filter_map(|part| {
             let l = if to.is_finite() { from + part * (to - from) } else { (from + self.atlas.momentum(1.0)) / part };
@@ -84,8 +84,9 @@ impl<'a> Stability<'a> {
                 .map(|point| (point.nonlinear.verdict, point.nonlinear.why))
         });
         let mut first = None;
-        let decided = points.inspect(|found| first = first.or(Some(*found))).find(|found| found.0 == Verdict::Stable);
-        decided.or(first).unwrap_or((Verdict::Open, Why::Degenerate))
+        let decided =
+            points.inspect(|found| first = first.or(Some(*found))).find(|found| found.0 == NonlinearVerdict::Stable);
+        decided.or(first).unwrap_or((NonlinearVerdict::Open, Reason::Degenerate))
     }
 
     /// Every change of the linear type along a branch.
@@ -113,18 +114,13 @@ impl<'a> Stability<'a> {
 pub fn verdict_changes(atlas: &Atlas) -> Option<Vec<VerdictChangeDocument>> {
     let set = &atlas.arrangement().set;
     let verdicts = Verdicts::new(atlas.body(), set);
-    let document = |found: &nonlinear::VerdictChange| VerdictChangeDocument {
+    let document = |found: &VerdictChange| VerdictChangeDocument {
         l: found.l,
         h: found.h,
         curve: CurveName::of(set, found.curve).to_string(),
-        kind: match found.kind {
-            nonlinear::Failing::Resonance11 => Failing::Resonance11,
-            nonlinear::Failing::Resonance12 => Failing::Resonance12,
-            nonlinear::Failing::Resonance13 => Failing::Resonance13,
-            nonlinear::Failing::Determinant => Failing::Determinant,
-        },
-        verdict: nonlinear_verdict(found.verdict),
-        why: reason(found.why),
+        kind: found.kind,
+        verdict: found.verdict,
+        why: found.why,
         changes: found.changes,
         error_bound: found.error_bound,
         // `verify` does not check it.

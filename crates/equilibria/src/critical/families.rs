@@ -7,7 +7,7 @@ use dashu_ratio::RBig;
 use super::found::{abscissa_of, middle};
 use super::{Equilibrium, Multiplicity, RelativeEquilibria};
 use crate::curves::{Branch, BranchName, CurveName, Orbit};
-use crate::nonlinear::{Setting, Verdict, Why};
+use crate::nonlinear::Setting;
 use crate::stability::exact::{Start, Strand};
 use crate::stability::{Constants, LinearType, StabilityChangeKind, State};
 use bifdiag_body::{Axis, Body};
@@ -15,6 +15,7 @@ use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Arithmetic;
 use bifdiag_numbers::vector::dot;
 use bifdiag_numbers::wide::Wide;
+use bifdiag_schema::{NonlinearVerdict, Reason};
 
 /// Steady axes that move with the spin without ever meeting others, from one spin to infinity.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,7 +49,7 @@ pub struct SteadyStretch {
     pub kind: LinearType,
     /// What eigenvalues, energy and integrals say of the stability; `None` at two imaginary pairs that are left to the normal
     /// form, which differs from spin to spin.
-    pub verdict: Option<(Verdict, Why)>,
+    pub verdict: Option<(NonlinearVerdict, Reason)>,
 }
 
 /// A point of a family.

@@ -3,7 +3,7 @@
 use super::beyond;
 use super::{Equilibrium, Fixed, Found, Multiplicity, Question, RelativeEquilibria};
 use crate::curves::{BranchName, CurveId, CurveName, Orbit, Point, Shape};
-use crate::nonlinear::{self, Friction, Nonlinear, Setting, Verdict, Why};
+use crate::nonlinear::{self, Friction, Nonlinear, Setting};
 use crate::stability::exact::{ExactBody, ExactPoint, Touch};
 use crate::stability::{Constants, Eigenvalues, LinearType, Place, Reduced, State};
 use bifdiag_body::Axis;
@@ -12,6 +12,7 @@ use bifdiag_numbers::UNIT_ROUNDOFF;
 use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
 use bifdiag_numbers::interval::Interval;
 use bifdiag_numbers::wide::Wide;
+use bifdiag_schema::{NonlinearVerdict, Reason};
 
 /// A relative equilibrium in the frame, before it is expressed in the body's axes and units.
 struct Site {
@@ -244,7 +245,7 @@ impl RelativeEquilibria<'_> {
                 multiplicity: Multiplicity::Sphere,
                 is_fold: false,
                 stability: LinearType::Zero,
-                nonlinear: Nonlinear::of((Verdict::Stable, Why::Energy)),
+                nonlinear: Nonlinear::of((NonlinearVerdict::Stable, Reason::Energy)),
                 friction: Friction { survives: Some(true), growing: 0, rates: [None; 2] },
                 eigenvalues: Eigenvalues { pairs: [[0.0; 2]; 2], error: 0.0 },
                 curve: Some(CurveName::Rest),
@@ -265,7 +266,11 @@ impl RelativeEquilibria<'_> {
             (_, false) => LinearType::Saddle,
         };
         // The body hangs in the minimum, and falls from where it stands.
-        let verdict = if index == 0 { (Verdict::Stable, Why::Energy) } else { (Verdict::Unstable, Why::Spectrum) };
+        let verdict = if index == 0 {
+            (NonlinearVerdict::Stable, Reason::Energy)
+        } else {
+            (NonlinearVerdict::Unstable, Reason::Spectrum)
+        };
         let gamma = frame.r_hat().map(|c| side * c);
         let starts = |c: &CurveId| {
             let curve = &self.set.curves[*c];

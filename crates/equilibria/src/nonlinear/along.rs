@@ -10,7 +10,7 @@ use std::cmp::Ordering;
 use dashu_ratio::RBig;
 
 use super::judge::Question;
-use super::verdict::{Setting, Verdict, Why};
+use super::verdict::Setting;
 use crate::curves::{CriticalSet, CurveId};
 use crate::stability::exact::{ExactBody, FamilyChart, Part, StabilityProfile, StationKind, compare};
 use crate::stability::{Constants, LinearType, LinearTypes, Reduced, State};
@@ -21,38 +21,7 @@ use bifdiag_numbers::polynomial::{Polynomial, Root};
 use bifdiag_numbers::root::itp;
 use bifdiag_numbers::taylor::TaylorModel;
 use bifdiag_numbers::wide::{Interval128, Interval384};
-
-/// Which hypothesis of Arnold's theorem fails.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Failing {
-    /// ω₁ = ω₂.
-    Resonance11,
-    /// ω₁ = 2ω₂.
-    Resonance12,
-    /// ω₁ = 3ω₂.
-    Resonance13,
-    /// The determinant is 0.
-    Determinant,
-}
-
-impl Failing {
-    /// The word in tables and documents.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Resonance11 => "1:1",
-            Self::Resonance12 => "1:2",
-            Self::Resonance13 => "1:3",
-            Self::Determinant => "D4",
-        }
-    }
-}
-
-impl std::fmt::Display for Failing {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.word())
-    }
-}
+use bifdiag_schema::{Failing, NonlinearVerdict, Reason};
 
 /// An isolated point of a curve at which a hypothesis of Arnold's theorem fails. In the body's units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,9 +37,9 @@ pub struct VerdictChange {
     /// What fails.
     pub kind: Failing,
     /// The verdict there.
-    pub verdict: Verdict,
+    pub verdict: NonlinearVerdict,
     /// Its reason.
-    pub why: Why,
+    pub why: Reason,
     /// The verdicts on its two sides differ.
     pub changes: bool,
     /// The point and the verdict are proved.
@@ -87,9 +56,9 @@ pub struct VerdictSpan {
     /// The linear type there.
     pub stability: LinearType,
     /// The verdict.
-    pub verdict: Verdict,
+    pub verdict: NonlinearVerdict,
     /// Its reason.
-    pub why: Why,
+    pub why: Reason,
     /// Whether it survives damping that conserves l.
     pub survives: bool,
 }
@@ -156,7 +125,7 @@ impl<'a> Verdicts<'a> {
         let setting = Setting::along(self.set, &self.set.curves[id]);
         let span = |span: crate::stability::StabilitySpan| {
             let setting = setting?;
-            let (verdict, why) = setting.verdict(span.stability).unwrap_or((Verdict::Stable, Why::Arnold));
+            let (verdict, why) = setting.verdict(span.stability).unwrap_or((NonlinearVerdict::Stable, Reason::Arnold));
             let (l_from, l_to, stability) = (span.l_from, span.l_to, span.stability);
             Some(VerdictSpan { l_from, l_to, stability, verdict, why, survives: setting.index == 0 })
         };
@@ -306,7 +275,7 @@ impl OnFamily<'_> {
         &self,
         [(l, l_error), (h, h_error)]: [(f64, f64); 2],
         kind: Failing,
-        (verdict, why): (Verdict, Why),
+        (verdict, why): (NonlinearVerdict, Reason),
         (changes, proved): (bool, bool),
     ) -> VerdictChange {
         let error_bound = l_error.max(h_error);
@@ -373,7 +342,7 @@ impl OnFamily<'_> {
         }
         let is_narrow = to - from <= FINEST * root.abs();
         let state = part.state(&c, &Interval128::double(from, ()).hull(&Interval128::double(to, ())));
-        let verdict = (Verdict::Open, Why::Degenerate);
+        let verdict = (NonlinearVerdict::Open, Reason::Degenerate);
         is_narrow.then(|| self.change(state.place(&c, &self.set.frame), Failing::Determinant, verdict, (false, true)))
     }
 }

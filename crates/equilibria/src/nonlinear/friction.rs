@@ -7,8 +7,9 @@
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
 
-use super::verdict::{Setting, Verdict, Why};
+use super::verdict::Setting;
 use crate::stability::{LinearType, Reduced};
+use bifdiag_schema::{NonlinearVerdict, Reason};
 
 /// Stability under damping that conserves l.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +30,7 @@ impl Friction {
         let is_degenerate = matches!(kind, LinearType::Zero | LinearType::ZeroReal);
         let survives = match setting.index {
             0 if is_degenerate => match setting.verdict(kind) {
-                Some((Verdict::Stable, Why::Energy)) => Some(true),
+                Some((NonlinearVerdict::Stable, Reason::Energy)) => Some(true),
                 _ => setting.minimum,
             },
             index => Some(index == 0),

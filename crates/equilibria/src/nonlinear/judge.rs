@@ -7,8 +7,9 @@ use bifdiag_numbers::enclosure::Enclosure;
 use super::determinant::arnold_numerator;
 use super::normal_form::NormalForm;
 use super::reduced_hamiltonian::{farthest, reduced_hamiltonian};
-use super::verdict::{Determinant, Nonlinear, Setting, Verdict, Why};
+use super::verdict::{Determinant, Nonlinear, Setting};
 use crate::stability::{Constants, LinearType, RESONANCES, Reduced, State};
+use bifdiag_schema::{NonlinearVerdict, Reason};
 
 /// A relative equilibrium, enclosed, of a type that is known.
 #[derive(Clone, Copy, Debug)]
@@ -38,10 +39,10 @@ impl<E: Enclosure> Question<'_, E> {
         if self.kind == LinearType::DoubleElliptic {
             // At index 2 the faster pair has positive energy, and the double one is not semisimple.
             let verdict = match self.numerator()?.strict_sign()? {
-                Sign::Negative => Verdict::Unstable,
-                _ => Verdict::Stable,
+                Sign::Negative => NonlinearVerdict::Unstable,
+                _ => NonlinearVerdict::Stable,
             };
-            return found(verdict, Why::Resonance11, None);
+            return found(verdict, Reason::Resonance11, None);
         }
         let [two, three] = [1, 2].map(|n| match exact[n - 1] {
             Some(holds) => Some(holds),
@@ -52,7 +53,7 @@ impl<E: Enclosure> Question<'_, E> {
         if two {
             match form.cubic.sign()? {
                 Sign::Zero => {}
-                _ => return found(Verdict::Unstable, Why::Resonance12, None),
+                _ => return found(NonlinearVerdict::Unstable, Reason::Resonance12, None),
             }
         }
         let sign = form.arnold.strict_sign();
@@ -63,26 +64,26 @@ impl<E: Enclosure> Question<'_, E> {
             let [k11, k12, k22] = form.twist.clone();
             let along = k11 + small(3) * k12 + small(9) * k22;
             let verdict = match (along.square() - small(27) * form.quartic).strict_sign()? {
-                Sign::Negative => Verdict::Unstable,
-                _ => Verdict::Stable,
+                Sign::Negative => NonlinearVerdict::Unstable,
+                _ => NonlinearVerdict::Stable,
             };
-            return found(verdict, Why::Resonance13, arnold);
+            return found(verdict, Reason::Resonance13, arnold);
         }
         sign?;
-        found(Verdict::Stable, Why::Arnold, arnold)
+        found(NonlinearVerdict::Stable, Reason::Arnold, arnold)
     }
 
     /// The verdict where enclosures came to their end.
     #[must_use]
     pub fn undecided(&self, exact: [Option<bool>; 2]) -> Nonlinear {
         let why = match exact {
-            _ if self.kind == LinearType::DoubleElliptic => Why::Resonance11,
-            [Some(true), _] => Why::Resonance12,
-            [_, Some(true)] => Why::Resonance13,
-            _ => Why::Degenerate,
+            _ if self.kind == LinearType::DoubleElliptic => Reason::Resonance11,
+            [Some(true), _] => Reason::Resonance12,
+            [_, Some(true)] => Reason::Resonance13,
+            _ => Reason::Degenerate,
         };
         let arnold = self.normal_form().and_then(|form| determinant(&form.arnold));
-        Nonlinear { verdict: Verdict::Open, why, arnold, near: Some(near(self.reduced)), proved: false }
+        Nonlinear { verdict: NonlinearVerdict::Open, why, arnold, near: Some(near(self.reduced)), proved: false }
     }
 
     /// c(b² − 4c)D₄ in units in which Ω = 1, finite at ω₁ = ω₂; `None` where the enclosures do not give it.

@@ -15,10 +15,12 @@ mod reduced_hamiltonian;
 pub mod series;
 mod verdict;
 
-pub use along::{Failing, VerdictChange, VerdictSpan, Verdicts};
+pub use bifdiag_schema::{Failing, NonlinearVerdict, Reason};
+
+pub use along::{VerdictChange, VerdictSpan, Verdicts};
 pub use determinant::arnold_numerator;
 pub use friction::Friction;
 pub use judge::Question;
 pub use normal_form::NormalForm;
 pub use reduced_hamiltonian::reduced_hamiltonian;
-pub use verdict::{Determinant, Nonlinear, Setting, Verdict, Why};
+pub use verdict::{Determinant, Nonlinear, Setting};

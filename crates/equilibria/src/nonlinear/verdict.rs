@@ -1,67 +1,8 @@
 //! Verdicts on the stability of a relative equilibrium, with their reasons.
 
-use std::fmt;
-
 use crate::curves::{CriticalSet, Curve};
 use crate::stability::LinearType;
-
-/// What is known of the stability of a relative equilibrium in the sense of Lyapunov, at fixed l and modulo rotation
-/// about the vertical (of a circle or sphere of them: as a whole).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Verdict {
-    /// Stable.
-    Stable,
-    /// Unstable.
-    Unstable,
-    /// No theorem decides.
-    Open,
-}
-
-impl fmt::Display for Verdict {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Stable => "stable",
-            Self::Unstable => "unstable",
-            Self::Open => "open",
-        })
-    }
-}
-
-/// Why a verdict is what it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Why {
-    /// U_l has a strict minimum.
-    Energy,
-    /// A further integral confines the motion.
-    Integral,
-    /// Arnold's theorem: no resonance of order up to four, and a determinant other than 0.
-    Arnold,
-    /// An eigenvalue has a positive real part.
-    Spectrum,
-    /// ω₁ = 2ω₂.
-    Resonance12,
-    /// ω₁ = 3ω₂.
-    Resonance13,
-    /// ω₁ = ω₂.
-    Resonance11,
-    /// An eigenvalue is zero, or Arnold's determinant is.
-    Degenerate,
-}
-
-impl fmt::Display for Why {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Energy => "energy",
-            Self::Integral => "integral",
-            Self::Arnold => "arnold",
-            Self::Spectrum => "spectrum",
-            Self::Resonance12 => "resonance 1:2",
-            Self::Resonance13 => "resonance 1:3",
-            Self::Resonance11 => "resonance 1:1",
-            Self::Degenerate => "degenerate",
-        })
-    }
-}
+use bifdiag_schema::{NonlinearVerdict, Reason};
 
 /// What a verdict needs besides the linear type (Proposition 13.6 of docs/mathematics.md).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,14 +25,14 @@ impl Setting {
 
     /// What follows from eigenvalues, energy and integrals; `None` at two imaginary pairs that are left to the normal form.
     #[must_use]
-    pub fn verdict(self, kind: LinearType) -> Option<(Verdict, Why)> {
+    pub fn verdict(self, kind: LinearType) -> Option<(NonlinearVerdict, Reason)> {
         Some(match kind {
-            _ if kind.is_unstable() => (Verdict::Unstable, Why::Spectrum),
-            LinearType::Zero if self.minimum == Some(true) => (Verdict::Stable, Why::Energy),
-            LinearType::Zero if self.integral => (Verdict::Stable, Why::Integral),
-            LinearType::Zero => (Verdict::Open, Why::Degenerate),
-            _ if self.index == 0 => (Verdict::Stable, Why::Energy),
-            _ if self.integral => (Verdict::Stable, Why::Integral),
+            _ if kind.is_unstable() => (NonlinearVerdict::Unstable, Reason::Spectrum),
+            LinearType::Zero if self.minimum == Some(true) => (NonlinearVerdict::Stable, Reason::Energy),
+            LinearType::Zero if self.integral => (NonlinearVerdict::Stable, Reason::Integral),
+            LinearType::Zero => (NonlinearVerdict::Open, Reason::Degenerate),
+            _ if self.index == 0 => (NonlinearVerdict::Stable, Reason::Energy),
+            _ if self.integral => (NonlinearVerdict::Stable, Reason::Integral),
             _ => return None,
         })
     }
@@ -110,9 +51,9 @@ pub struct Determinant {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nonlinear {
     /// The verdict.
-    pub verdict: Verdict,
+    pub verdict: NonlinearVerdict,
     /// Its reason.
-    pub why: Why,
+    pub why: Reason,
     /// Arnold's determinant, where the normal form decides and there is one.
     pub arnold: Option<Determinant>,
     /// Distances from the resonances 1:1, 1:2 and 1:3, where the normal form decides: (b² − 4c)/b², (4b² − 25c)/b² and
@@ -126,7 +67,7 @@ pub struct Nonlinear {
 impl Nonlinear {
     /// A verdict that needs no normal form.
     #[must_use]
-    pub fn of((verdict, why): (Verdict, Why)) -> Self {
+    pub fn of((verdict, why): (NonlinearVerdict, Reason)) -> Self {
         Self { verdict, why, arnold: None, near: None, proved: true }
     }
 }
