@@ -116,6 +116,20 @@ def phi_dot():
     erratum("phi_dot", "(w1 g1 + w2 g2)/(g1^2 + g2^2); the printed form is right for A1 = A2 = 2 only", passed)
 
 
+def completeness():
+    # A pendulum that falls from its highest point and returns there: <g, r> rises once and falls once.
+    k, time, height = sp.symbols("k t r3", positive=True)
+    tanh, sech = sp.tanh(k * time), 1 / sp.cosh(k * time)
+    at = dict(zip([*g, *m], [2 * tanh * sech, 0, 1 - 2 * tanh**2, 0, -2 * moments[1] * k * sech, 0]))
+    pendulum = {r[0]: 0, r[1]: 0, r[2]: height}
+    # r3 = A2 k².
+    moves = [sp.diff(value, time) - rate.subs(pendulum).subs(at) for value, rate in zip(at.values(), [*g_dot, *m_dot])]
+    solves = all(sp.simplify((c.subs(height, moments[1] * k**2)).rewrite(sp.exp)) == 0 for c in moves)
+    condition = S.subs(pendulum).subs(at) / (-4 * height * k * tanh * sech**2)  # of one sign but at t = 0
+    once = sp.simplify(condition.rewrite(sp.exp)) == 1
+    erratum("section 1", "an orbit that meets S = 0 once: <g, r> may converge monotonically", solves and once)
+
+
 # The section -------------------------------------------------------------------------------------------------------
 
 
@@ -140,7 +154,10 @@ def appendix():
     a, b = sp.Matrix(sp.symbols("a1:4")), sp.Matrix(sp.symbols("b1:4"))
     entries = sp.symbols("s1:7")
     M = sp.Matrix(3, 3, lambda i, j: entries[min(i, j) * (5 - min(i, j)) // 2 + max(i, j)])
-    holds("eq:AaAb", "Aa x Ab = det(A) A^-1 (a x b)", zero((M * a).cross(M * b) - M.adjugate() * a.cross(b)))
+    adjugate = zero((M * a).cross(M * b) - M.adjugate() * a.cross(b))
+    singular = sp.diag(1, 1, 0)
+    left = singular.det() == 0 and not zero((singular * a).cross(singular * b))
+    erratum("eq:AaAb", "Aa x Ab = adj(A) (a x b) for all A; det(A) A^-1 for invertible A only", adjugate and left)
     holds("<v,A^-1 v>", "= <u,Au> <g,Ag> / det A", zero(vAv - u.dot(A * u) * J / det_A))
     l1 = l0 - l0.dot(A_inverse * v) / vAv * v
     holds("l1", "= l A g / <g,Ag>", zero(l1 - l * A * g / J))
@@ -368,6 +385,7 @@ def no_tenth_entry(cases=2000):
 def main():
     equations_of_motion()
     phi_dot()
+    completeness()
     section_condition()
     appendix()
     time_reversal()

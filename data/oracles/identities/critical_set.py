@@ -8,6 +8,16 @@ from common import (
 )
 
 
+@check("Definition 1.1")
+def _():
+    # Second moments of masses at points: ∫ x_k² dm = (A_i + A_j − A_k)/2, and 0 only if all mass, and so r, has x_k = 0.
+    y, z, m = vector("y"), vector("z"), sp.symbols("m n", positive=True)
+    second = [m[0] * a**2 + m[1] * b**2 for a, b in zip(y, z)]
+    moments = [sum(second) - c for c in second]
+    for k in range(3):
+        zero((sum(moments) - 2 * moments[k]) / 2 - second[k])
+
+
 @check("Proposition 1.2")
 def _():
     g, l, r = vector("g"), vector("l"), vector("r")
@@ -28,11 +38,13 @@ def _():
     for i in range(3):
         zero(eg[i] - dg[i] * k / c)
         zero(el[i] - dl[i] * c * k * k / c)
-    M = sp.diag(-1, 1, 1)
-    eg, el = field(A, M * r, M * g, M * l)
-    for i in range(3):
-        zero(eg[i] + (M * dg)[i])
-        zero(el[i] + (M * dl)[i])
+    # A reflection and an odd permutation reverse the time, an even permutation does not.
+    odd, even = sp.Matrix([[0, 1, 0], [1, 0, 0], [0, 0, 1]]), sp.Matrix([[0, 1, 0], [0, 0, 1], [1, 0, 0]])
+    for M, sign in ((sp.diag(-1, 1, 1), -1), (odd, -1), (even, 1)):
+        eg, el = field(M * A * M.T, M * r, M * g, M * l)
+        for i in range(3):
+            zero(eg[i] - sign * (M * dg)[i])
+            zero(el[i] - sign * (M * dl)[i])
 
 
 @check("Proposition 2.2")

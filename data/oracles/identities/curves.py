@@ -3,7 +3,7 @@ import sympy as sp
 from sympy import Matrix, Rational as Q
 
 from common import (
-    A, A_, BODIES, R_, a1, a2, a3, check, critical, critical_points,
+    A, A_, BODIES, Point, R_, a1, a2, a3, check, critical, critical_points,
     cusp_polynomial, data, dot, means, mu, over_passive, p_,
     polynomials, q_, r1, r2, s, sums, vector, x, zero,
 )
@@ -84,12 +84,18 @@ def _():
                  cusps.count_roots(high, None)]
         assert sp.gcd(cusps, cusps.diff()).degree() == 0
         assert count[0] % 2 == 0 and count[1] % 2 == 1 and count[2] % 2 == 1 and count[3] == 0, count
+    # The body with four boundary circles of 11.10.
+    cusps = cusp_polynomial(*BODIES[3])
+    assert [cusps.count_roots(*ends) for ends in ((None, 1), (1, Q(27, 25)), (Q(27, 25), Q(103, 50)))] == [4, 1, 1]
 
 
 @check("Proposition 4.7")
 def _():
     R, _, J, X, _ = over_passive()
     zero(sp.diff(X, s) * 2 * s**2 / J - (a3 * s**2 + 3 * R))
+    # A double passive moment: Lagrange's top (1, 1, 3/2) on its axis, index 2 left and 0 right of μ = 1.
+    for m, index in ((Q(9, 10), 2), (Q(11, 10), 0)):
+        assert Point([Q(1), Q(1), Q(3, 2)], [Q(0), Q(0), Q(1)], m).index == index
 
 
 @check("Proposition 4.8")
@@ -116,6 +122,25 @@ def _():
     assert [(n + 1) + 5 * (n - 1) + 4 * (3 - n) for n in (3, 2, 1)] == [14, 12, 10]
     a, r = BODIES[2]
     assert len(critical_points(a, r, Q(145, 100) ** 2 / 2)) == 10
+
+
+@check("Theorem 4.12")
+def _():
+    # V = (μ − J) T − 1 by a_k = μ − τ_k.
+    w1, w2, w3 = w = sp.symbols("w1:4", positive=True)
+    tau = [mu - b for b in A_]
+    j, t = sum(a * b for a, b in zip(A_, w)), sum(c / d for c, d in zip(w, tau))
+    v = sum(w[i] * w[k] * (A_[i] - A_[k]) ** 2 / tau[i] / tau[k] for i in range(3) for k in range(i))
+    zero((v - (mu - j) * t + 1).subs(w3, 1 - w1 - w2))
+    # The curvatures of 7.3 at a pitchfork: μ − J = a_i − J = m = R̂/s², x = sJ²/2.
+    J, T, m, S = sp.symbols("J T m S")
+    V = m * T - 1
+    generic, pair = -2 * V / (J * S * J**2 / 2 * (T * J + 4 * V)), -4 * m * S**2 / (S**3 * J**3 * (J + 4 * m))
+    zero(generic - pair - 4 / (S * J**2 * (T * J + 4 * V) * (J + 4 * m)))
+    zero(T * J + 4 * V - (T * (J + 4 * m) - 4))
+    # a_i + 3R̂/s² of 3.7 is J + 4m.
+    R, _, moment, _, _ = over_passive()
+    zero(a3 + 3 * R / s**2 - moment - 4 * R / s**2)
 
 
 @check("Proposition 4.10")

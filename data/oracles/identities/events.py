@@ -41,6 +41,9 @@ def _():
     for a, r in data(2):
         passive = pole_polynomial([*a, Q(7, 3)], [*r, sp.S(0)])
         zero(passive - pole_polynomial(a, r) * (mu - Q(7, 3)) ** 8)
+    # J_r = a₂: the polynomial is 0 there, which is no meeting; at other active moments it is not.
+    for a, r, on_wall in (([Q(1), Q(2), Q(3)], [Q(1), Q(1), Q(1)], True), (*BODIES[0], False)):
+        assert (pole_polynomial(a, r).subs(mu, a[1]) == 0) == on_wall
     a, r = BODIES[0]
     F = sp.Poly(pole_polynomial(a, r), mu)
     norm = sum(c**2 for c in r)
@@ -128,6 +131,9 @@ def _():
         H = sp.series((q / 2 - R) / root, e, 0, 4).removeO() / e
         rest = H - X / values[a2] + sign * values[r2] + values[a2] ** 2 * hat / (4 * X)
         assert sp.limit(rest / e, e, 0) == 0
+    # The index beside a double active moment: one more on the left.
+    for sign, index in ((-1, 2), (1, 1)):
+        assert Point([Q(1), Q(1), Q(2)], [Q(1), Q(0), Q(1, 2)], 1 + sign * Q(1, 10**6)).index == index
     R, _, _, X, H = over_passive()
     rest = (H - X / a3 + a3**2 * R / (4 * X)) * s**2
     assert sp.limit(rest.subs(values), s, sp.oo) == 0

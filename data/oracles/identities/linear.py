@@ -43,6 +43,10 @@ def _():
         a = [rational(1, 1000) for _ in range(3)]
         b, c, _ = linearisation(a, sphere(rational(1, 1000), rational(1, 1000)), rational(1, 1000), max(a) + rational(1, 1000))
         assert c > 0 and b > 0 and b**2 - 4 * c >= 0
+    # λ² M + λ Γ + K = 0 at one λ: the polynomial has this λ twice, and −λ.
+    y, k, m1, m2, m3 = sp.symbols("lambda k m1 m2 m3")
+    M = Matrix([[m1, m3], [m3, m2]])
+    zero((y**2 * M - k * M).det() - M.det() * (y**2 - k) ** 2)
 
 
 @check("Example 13.3")
@@ -52,6 +56,9 @@ def _():
     # B₃γ₃ = r₃ with γ = −e₃: s(μ − a₃) = −r.
     b, c, _ = linearisation(a, Matrix([0, 0, -1]), W, a3 - r / W**2)
     zero(b**2 - 4 * c - (W * (2 * a1 - a3)) ** 2 / a1**4 * (W**2 * a3**2 - 4 * a1 * r))
+    zero(c.subs(r, W**2 * (a3 - a1)))  # l² = A₃²r/(A₃ − A₁), where s (A₃ − A₁) = r
+    zero((b**2 - 4 * c).subs(a3, 2 * a1))
+    zero(a3**2 - 4 * a1 * (a3 - a1) - (a3 - 2 * a1) ** 2)
 
 
 @check("Proposition 13.4")

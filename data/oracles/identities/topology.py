@@ -121,6 +121,26 @@ def _():
     zero(rate(-dot(l, l) / 2) - dot(l, g.cross(r)))
 
 
+@check("Theorem 9.7")
+def _():
+    # Two active moments: ω' of one sign, ω(a₃) as the moment across r, and J on the great circle through γ(a₃) and e₃.
+    D, p, _, rho = polynomials(A_[:2], R_[:2])
+    r2_ = R_[0] ** 2 + R_[1] ** 2
+    zero(sp.diff(rho, mu) * p - rho * sp.diff(p, mu) / 2 - (R_[0] * R_[1] * (A_[0] - A_[1])) ** 2)
+    across = (A_[0] * R_[1] ** 2 + A_[1] * R_[0] ** 2) / r2_
+    zero(rho.subs(mu, a3) - r2_ * (a3 - across))
+    # On the circle γ = (w/r²) r + c t̂ + z e₃ with z² = 1 − w²/r² − c²: J is quadratic in c with the coefficient J_t − a₃.
+    w, c = sp.symbols("w c")
+    norm = sp.sqrt(r2_)
+    flat = [w / r2_ * R_[0] - c * R_[1] / norm, w / r2_ * R_[1] + c * R_[0] / norm]
+    J = A_[0] * flat[0] ** 2 + A_[1] * flat[1] ** 2 + a3 * (1 - w**2 / r2_ - c**2)
+    assert sp.simplify(sp.diff(J, c, 2) / 2 - (across - a3)) == 0
+    # Its zero of dJ/dc lies on the ray of γ(a₃) = adj(a₃ − A) r.
+    ray = [R_[0] * (a3 - A_[1]), R_[1] * (a3 - A_[0])]
+    at = sp.solve(sp.diff(J, c), c)[0]
+    assert sp.simplify((flat[0] * ray[1] - flat[1] * ray[0]).subs(c, at)) == 0
+
+
 @check("Lemma 9.6")
 def _():
     D, p, _, rho = polynomials(A_, R_)
