@@ -136,6 +136,21 @@ fn fast_rotations_are_sorted_by_the_weight_too() {
     }
 }
 
+/// The two of a symmetric pair have one h, however fast they turn: γ orders them.
+#[test]
+fn symmetric_pairs_are_sorted_by_gamma() {
+    let fast = "--A 4677/5000,0.245,0.8197483 --r 0,577/500,0 --l 1780306.261344";
+    for body in ["--A 1,2,3 --r 0,0,0 --l 2", "--A 1,2,3 --r 0,0,0 --l=-2", fast] {
+        let found = bifdiag(&format!("critical {body} --json")).succeeds().json();
+        let list = found["critical"].as_array().unwrap();
+        let keys: Vec<[f64; 4]> = list
+            .iter()
+            .map(|p| [number(&p["h"]), number(&p["gamma"][0]), number(&p["gamma"][1]), number(&p["gamma"][2])])
+            .collect();
+        assert!(keys.is_sorted(), "{body}: {keys:?}");
+    }
+}
+
 /// Where several axes are as near, one alone is not the nearest; of a circle of axes each is told to be one.
 #[test]
 fn ties_and_circles_of_axes_are_told() {

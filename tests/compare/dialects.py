@@ -1,28 +1,31 @@
-"""A program of schema version 1 beside one of version 2: both are asked the same, and compared in what both tell.
+"""A program of schema version 2 beside one of version 3: both are asked the same, and compared in what both tell.
 
-What version 2 says in other words, or better, stands here with the reason; everything else must be equal.
+What version 3 says in other words, or better, stands here with the reason; everything else must be equal.
 """
 
 import json
 import subprocess
+from fractions import Fraction
+from itertools import permutations
 
-OPTIONS = {"--seed": "--rng-seed", "--starts": "--seeds"}  # of `section`, in version 1
+# Answers in prose, of the format itself, or of pictures: of these only the exit status is compared.
+PROSE = {"text", "pages", "schema", "help", "command line", "table", "verify", "scan merge", "picture"}
 
-# Answers in prose, of the format itself, or of another shape: not compared.
-OTHER_SHAPES = {"text", "pages", "schema", "help", "command line", "batch", "picture", "scan border"}
+# Presets whose numbers are others in version 3: both programs get those of version 2.
+PRESETS = {"lagrange": ["--A=2,1,1", "--r=1,0,0"]}
 
-# Fields that version 2 words otherwise, or that only one of the two has.
+# Fields that only one of the two has, or words otherwise.
 OTHER_WORDS = {
-    "schema_version",
-    "accuracy",  # other levels
-    "certificate",  # only with --certificate
-    "inertia",  # is `part` now
-    "columns",  # tables have more of them
+    "certificate",  # each program verifies its own
+    "command",
     "note",
-    "rng_seed",  # is `seed` now
+    "schema_version",
     "sha256",  # of a file of the other version
-    "work",
+    "version",
+    "view",  # is part of `drawing` now
 }
+
+ROUNDINGS = 4 * 2.0**-52
 
 
 def version(program):
@@ -31,85 +34,107 @@ def version(program):
     return json.loads(subprocess.run([program, *words], capture_output=True, check=True).stdout)["schema_version"]
 
 
-def command(words, lines):
-    """A command of version 2 in the words of version 1; `lines` tells that it is a batch."""
-    said = [OPTIONS.get(word, word) if words[0] == "section" else word for word in words if word != "--certificate"]
-    if "--certificate" in words or ("exact" in words and lines):
-        said += ["--accuracy", "certified"]
-    for word in ("--accuracy", "exact", "fast"):
-        if word in words:
-            said.remove(word)
-    return said
+def command(words):
+    """The same command with presets as numbers where these are others now."""
+    for name, numbers in PRESETS.items():
+        if name in words:
+            at = words.index(name)
+            return [*words[: at - 1], *numbers, *words[at + 1 :]]
+    return words
 
 
 def common(old, new):
-    """Documents of version 1 and 2, each reduced to what both tell in the same words."""
-    if isinstance(old, list) and isinstance(new, list):
-        if len(old) == len(new):
-            pairs = [common(a, b) for a, b in zip(old, new)]
-            return [a for a, _ in pairs], [b for _, b in pairs]
-        return old, new
+    """Documents of version 2 and 3, each reduced to what both tell in the same words."""
+    if isinstance(old, list) and isinstance(new, list) and len(old) == len(new):
+        pairs = [common(a, b) for a, b in zip(old, new)]
+        return [a for a, _ in pairs], [b for _, b in pairs]
     if not (isinstance(old, dict) and isinstance(new, dict)):
         return old, new
+    if "error" in old and "error" in new:
+        return {}, {}  # the words of a refusal
+    if old.get("found") is True and new.get("found") is True:
+        return {"found": True}, {"found": True}  # another witness; `README.md` says how these were compared
+    if "curves" in old and "regions" in old:
+        old, new = without_drawing(old), without_drawing(new)
+    if "critical" in old and "critical" in new:
+        bounds = old.get("error_bound", 0.0) + new.get("error_bound", 0.0)
+        new = {**new, "critical": equilibria(old["critical"], new["critical"], bounds)}
+        new["error_bound"] = near(old.get("error_bound"), new.get("error_bound"), ROUNDINGS)
+    if "plate" in old and "A" in old:
+        new = {**new, **flags(old, new)}
     old, new = ({key: value for key, value in side.items() if key not in OTHER_WORDS} for side in (old, new))
-    if "error" in old or "error" in new:
-        # A line that is refused: the words are not compared, but that only one of the two answers is told.
-        return {"answer": old.get("status", "refused")}, {"answer": new.get("status", "refused")}
-    if "error_bound" in old and "error_bound" in new and "nearest" in old and abs(old["h"] - new["h"]) <= old["error_bound"]:
-        # A margin within the error that version 1 gave it, which of two curves is nearer included.
-        return old, old
-    if old.get("summary", {}).get("undecided") and not new.get("summary", {}).get("undecided"):
-        # An atlas that version 1 left open, with what it could tell of its curves.
-        return {}, {}
-    if "status" in old and "status" in new and "A" in old:
-        old, new = classification(old, new)
-    if new.get("condition") == "angular-momentum":
-        # The signature is that of the paper's section; version 1 gave it to this one too.
-        old, new = ({key: value for key, value in side.items() if key != "signature"} for side in (old, new))
-    if "found" in old and "found" in new:
-        # Version 2 answers from the witnesses that come with it.
-        return ({"found": side["found"]} for side in (old, new))
     for key in set(old) & set(new):
-        old[key], new[key] = field(key, old[key], new[key])
+        old[key], new[key] = common(old[key], new[key])
     return old, new
 
 
-def field(key, old, new):
-    if key == "stability":
-        return stability(old, new)
-    if key == "energy_surface":
-        return energy_surface(old), energy_surface(new)
-    return common(old, new)
+def near(old, new, tolerance):
+    """The old number if the new one is as near to it as that, relative to its size."""
+    numbers = old is not None and new is not None
+    return old if numbers and abs(old - new) <= tolerance * max(abs(old), abs(new)) else new
 
 
-def energy_surface(name):
-    """`(S1xS2)#(S1xS2)#(S1xS2)` is `#3(S1xS2)` in version 2."""
-    count = name.count("(S1xS2)")
-    return f"#{count}(S1xS2)" if count > 2 else name
+def within(old, new, bound):
+    """Likewise, by an absolute bound."""
+    return old if abs(old - new) <= bound else new
 
 
-def stability(old, new):
-    """`degenerate` was a zero eigenvalue or a double pair; version 2 says which, and sees every double pair."""
-    if old == "degenerate" or (old, new) == ("elliptic", "double-elliptic"):
-        return new, new
-    if isinstance(old, list):
-        spans = [[span["stability"] for span in side] for side in (old, new)]
-        return (new, new) if "degenerate" in spans[0] else (old, new)
-    return old, new
+def without_drawing(document):
+    """An atlas without outlines and points of its curves, with the widths of regions where version 2 has them."""
+    drawing = document.get("drawing")
+    widths = {} if drawing is None else {id: region["h_width"] for id, region in drawing["regions"].items()}
+    curves = [{key: value for key, value in curve.items() if key != "polyline"} for curve in document["curves"]]
+    regions = [
+        {"h_width": widths.get(region["id"]), **{key: value for key, value in region.items() if key != "polygon"}}
+        for region in document["regions"]
+    ]
+    rest = {key: value for key, value in document.items() if key != "drawing"}
+    return {**rest, "curves": curves, "regions": regions}
 
 
-def classes(candidates):
-    """The classes that meet at a point, each once: in version 1 lists of components, in version 2 with the region."""
-    lists = [entry["components"] if isinstance(entry, dict) else entry for entry in candidates or []]
-    named = [[{**c, "energy_surface": energy_surface(c["energy_surface"])} for c in components] for components in lists]
-    return sorted({json.dumps(components, sort_keys=True) for components in named})
+def equilibria(old, new, bound):
+    """The new entries, with the old values of those fields that agree within the errors that both programs state.
+
+    Values of nearly degenerate bodies come from enclosures of more bits now, and some are rounded in another order.
+    """
+    if len(old) != len(new):
+        return new
+    return [equilibrium(*pair, bound) for pair in zip(old, new)]
 
 
-def classification(old, new):
-    before, after = classes(old.get("candidates")), classes(new.get("candidates"))
-    if old["status"] == "undecided" and new["status"] != "undecided":
-        # Decided now: the truth must be one of the candidates of before, or they be those that meet there.
-        truth = after if new["status"] == "critical" else classes([new["components"] or []])
-        missing = [text for text in truth if before and text not in before]
-        return {"candidates": before}, {"candidates": missing or before}
-    return {**old, "candidates": before}, {**new, "candidates": after}
+def equilibrium(old, new, bound):
+    errors = old["eigenvalue_error"] + new["eigenvalue_error"]
+    pairs = zip(old["eigenvalues"], new["eigenvalues"])
+    narrower = new["eigenvalue_error"] <= old["eigenvalue_error"]
+    return {
+        **new,
+        "h": within(old["h"], new["h"], bound),
+        "gamma": [within(*pair, ROUNDINGS) for pair in zip(old["gamma"], new["gamma"])],
+        "omega": near(old["omega"], new["omega"], ROUNDINGS),
+        "eigenvalues": [[within(*pair, errors) for pair in zip(*values)] for values in pairs],
+        "eigenvalue_error": old["eigenvalue_error"] if narrower else new["eigenvalue_error"],
+        "stable": stable(old["stable"], new),
+    }
+
+
+def stable(old, new):
+    """What was left to the normal form, or at a degenerate point open, has a verdict now, with its reason."""
+    why = new["nonlinear"]["why"]
+    error = new["nonlinear"]["D4_error"]
+    if old == "spectrum" and new["stable"] == "arnold" and why == "arnold":
+        return old if abs(new["nonlinear"]["D4_over_s"]) > error else "arnold, but D4 may be 0"
+    if old == "spectrum" and why.startswith("resonance") and new["stable"] in ("arnold", False):
+        return old
+    return new["stable"]
+
+
+def flags(old, new):
+    """Definition 1.1: if A_i + A_j = A_k, the mass lies in the plane across e_k, so that the body exists only with r_k = 0."""
+    moments, center = ([Fraction(text) for text in old[key]] for key in ("A", "r"))
+    exists = all(
+        moments[i] + moments[j] > moments[k] or (moments[i] + moments[j] == moments[k] and center[k] == 0)
+        for i, j, k in permutations(range(3))
+    )
+    flat = any(moments[i] + moments[j] == moments[k] for i, j, k in permutations(range(3)))
+    right = (new["unphysical"], new["plate"]) == (not exists, exists and flat)
+    return {"unphysical": old["unphysical"], "plate": old["plate"]} if right else {}

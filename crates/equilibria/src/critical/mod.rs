@@ -5,6 +5,7 @@ mod continuation;
 mod families;
 mod found;
 
+use std::cmp::Ordering;
 use std::sync::{Arc, OnceLock};
 
 use dashu_ratio::RBig;
@@ -287,9 +288,11 @@ fn sorted(body: &Body, mut list: Vec<Equilibrium>, at_spin: bool) -> Vec<Equilib
     };
     let is_fast = |p: &Equilibrium| 0.5 * (p.omega * p.l).abs() > FAST * norm(center);
     list.sort_by(|p, q| {
-        let by_h = if is_fast(p) && is_fast(q) { difference(p, q).total_cmp(&0.0) } else { p.h.total_cmp(&q.h) };
+        // Of a symmetric pair the difference is 0 or -0, which must be equal here.
+        let by_h = if is_fast(p) && is_fast(q) { difference(p, q) } else { p.h - q.h };
+        let by_h = by_h.partial_cmp(&0.0).unwrap_or(Ordering::Equal);
         let by_gamma = (0..3).map(|k| p.gamma[k].total_cmp(&q.gamma[k]));
-        by_gamma.fold(by_h, std::cmp::Ordering::then)
+        by_gamma.fold(by_h, Ordering::then)
     });
     list
 }
