@@ -98,6 +98,19 @@ fn all_witnesses_are_what_they_say_and_are_proved_and_verified() {
 }
 
 /// The classes that a million random bodies have shown are among them, with their shares.
+/// No two curves of a body touch (Theorem 4.12), so that no border can be explained by it.
+#[test]
+fn no_border_is_said_to_be_a_tangency() {
+    for class in classes() {
+        for beside in &class.neighbours {
+            assert!(!beside.event.contains("touch"), "{} and {}: {}", class.name, beside.class, beside.event);
+        }
+    }
+    for file in ["survey/graph.json", "survey/special.json"] {
+        assert!(!support::data(file).contains(" touch\""), "{file}");
+    }
+}
+
 #[test]
 fn the_classes_of_the_survey_are_there() {
     let survey: serde_json::Value = serde_json::from_str(&support::data("survey/general.summary.json")).unwrap();

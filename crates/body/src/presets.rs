@@ -136,7 +136,7 @@ mod tests {
         assert!(Preset::find("nobody").is_none());
     }
 
-    /// The class by Example 15.2 of docs/mathematics.md, from exact comparisons:
+    /// The class by Example 15.2 of docs/algorithms.md, from exact comparisons:
     /// 4(1/√k2 − 1) < 1/k3 ⇔ 16/k2 < (1/k3 + 4)².
     fn katok_class(body: &Body) -> Option<u32> {
         let [a1, a2, a3] = body.moments().each_ref().map(|a| a.value().clone());

@@ -70,7 +70,7 @@ fn maps_are_planar_in_every_stratum() {
     }
 }
 
-/// Katok's class by Example 15.2 of docs/mathematics.md, exactly but for a square root; `None` near a border.
+/// Katok's class by Example 15.2 of docs/algorithms.md, exactly but for a square root; `None` near a border.
 fn katok_class([a2, a3]: [f64; 2]) -> Option<usize> {
     let near = |x: f64, y: f64| (x - y).abs() < 1e-3;
     if [a2, a3].iter().any(|a| near(*a, 1.0) || near(*a, 0.75)) || near(a2, a3) {

@@ -51,7 +51,6 @@ fn name(kind: &BorderEventKind) -> BorderEventName {
         BorderEventKind::TriplePoint { .. } => BorderEventName::TriplePoint,
         BorderEventKind::CuspOnCurve { .. } => BorderEventName::CuspOnCurve,
         BorderEventKind::PitchforkOnCurve { .. } => BorderEventName::PitchforkOnCurve,
-        BorderEventKind::Tangency { .. } => BorderEventName::Tangency,
         BorderEventKind::CuspAtPitchfork { .. } => BorderEventName::CuspAtPitchfork,
         BorderEventKind::PitchforkAtInfinity { .. } => BorderEventName::PitchforkAtInfinity,
         BorderEventKind::SymmetryBroken { .. } => BorderEventName::SymmetryBroken,

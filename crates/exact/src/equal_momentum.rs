@@ -67,7 +67,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 
     /// J_a − J_b of two critical points over the same x, each anywhere in its range, the narrowest over all a_k and a_j of
-    /// Lemma 7.8 of docs/mathematics.md: as small as μ and the moments between them are close, however wide the ranges are.
+    /// Lemma 7.8 of docs/algorithms.md: as small as μ and the moments between them are close, however wide the ranges are.
     pub fn moments_at_equal_momentum(&self, a: &State<E>, b: &State<E>) -> E {
         let c = &self.c;
         let n = self.model.groups.len();

@@ -3,7 +3,7 @@
 //! Both are solutions of one family: with ε in the place of r_i and μ = a_i + εv, where 1/v = sγ_i > 0, the branch right of
 //! a_i has ε = r_i and the one left of it, mirrored in γ_i, ε = −r_i. At fixed x, dh/dε = −γ_i. So if the solution cannot
 //! leave a box in which x is monotone in v while ε runs from one to the other, the left branch lies above the right one by
-//! ∫γ_i dε, however small r_i is (Lemma 7.5 and Lemma 7.6 of docs/mathematics.md).
+//! ∫γ_i dε, however small r_i is (Lemma 7.5 and Lemma 7.6 of docs/algorithms.md).
 
 use super::family::Half;
 use super::model::Constants;

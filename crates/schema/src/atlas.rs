@@ -114,7 +114,7 @@ impl StabilityChangeKind {
 }
 
 /// A point of a branch at which the linear type changes: a root of the polynomials of Proposition 13.4 of
-/// docs/mathematics.md, isolated exactly.
+/// docs/algorithms.md, isolated exactly.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StabilityChangeDocument {
     /// Vertical angular momentum.

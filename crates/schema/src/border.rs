@@ -17,8 +17,6 @@ pub enum BorderEventName {
     CuspOnCurve,
     /// A pitchfork passes through another curve, or two pitchforks or crossings on one curve change places.
     PitchforkOnCurve,
-    /// Two curves touch: two crossings are born or vanish.
-    Tangency,
     /// The cusp of a symmetric pair reaches its pitchfork.
     CuspAtPitchfork,
     /// A pitchfork leaves to infinity on one curve and comes back on another: two moments of inertia pass each other.

@@ -1,4 +1,4 @@
-"""Checks the identities of docs/mathematics.md: pip install sympy mpmath; python3 identities
+"""Checks the identities of docs/mathematics.md and docs/algorithms.md: pip install sympy mpmath; python3 identities
 
 One line for each statement; exit status 1 if one fails. Identities between rational functions are checked symbolically
 (sympy), those on the 6×6 matrix of 13.1 in exact arithmetic at random rational points, at which a wrong one would hold

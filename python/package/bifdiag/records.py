@@ -373,7 +373,7 @@ class Event:
 @dataclass(frozen=True, slots=True)
 class StabilityChange:
     """A point of a branch at which the linear type changes: a root of the polynomials of Proposition 13.4 of
-    docs/mathematics.md, isolated exactly.
+    docs/algorithms.md, isolated exactly.
 
     Attributes
     ----------

@@ -244,7 +244,7 @@ export interface Enclosure {
   h: [string, string];
 }
 
-/** A point of a branch at which the linear type changes: a root of the polynomials of Proposition 13.4 of docs/mathematics.md, isolated exactly. */
+/** A point of a branch at which the linear type changes: a root of the polynomials of Proposition 13.4 of docs/algorithms.md, isolated exactly. */
 export interface StabilityChange {
   /** Vertical angular momentum. */
   l: number;

@@ -7,7 +7,7 @@
 //! along a curve, and the order in l of events that have nothing to do with each other.
 //!
 //! A map that is connected and has one directed edge marked (the *root*: the lower edge of the frame, that leaves l = 0)
-//! has no symmetry (Proposition 14.2 of docs/mathematics.md). So a walk over it from the root gives each vertex, edge
+//! has no symmetry (Proposition 14.2 of docs/algorithms.md). So a walk over it from the root gives each vertex, edge
 //! and face a number that depends on the map alone, and the text written with these numbers is the canonical form. The
 //! class's name is the beginning of the SHA-256 of that text.
 //!

@@ -66,7 +66,7 @@ impl Potential<'_> {
     ///
     /// With S = L²/8 · max(−d²U/dt²) on an arc of length L, U lies below its chord plus 4S u(1 − u), 0 ≤ u ≤ 1; where
     /// the end values differ by D that exceeds the larger one by at most (4S − D)²/(16S), and not at all when D ≥ 4S
-    /// (Lemma 9.3 of docs/mathematics.md). The arc is halved until that bound suffices or a point above the level shows
+    /// (Lemma 9.3 of docs/algorithms.md). The arc is halved until that bound suffices or a point above the level shows
     /// up.
     pub fn arc_stays_below(&self, from: Vector, to: Vector, level: f64) -> bool {
         const MAX_DEPTH: u32 = 8;

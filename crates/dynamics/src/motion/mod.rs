@@ -7,7 +7,7 @@
 //! - the **angle φ** by quadrature of φ̇ = (ω₁γ₁ + ω₂γ₂)/(γ₁² + γ₂²). Near γ = ±e₃, where φ̇ is singular, the sum
 //!   φ + ψ (near e₃) or the difference φ − ψ (near −e₃) is integrated, which is smooth there, and ψ follows from γ.
 //!
-//! Every sample says how far apart the two are. (Proposition 12.4 and Proposition 12.5 of docs/mathematics.md.)
+//! Every sample says how far apart the two are. (Proposition 12.4 and Proposition 12.5 of docs/algorithms.md.)
 //!
 //! **Angles.** R = R_z(φ) R_x(ϑ) R_z(ψ) takes vectors of the body to space; its third row is
 //! γ = (sinψ sinϑ, cosψ sinϑ, cosϑ).

@@ -204,7 +204,7 @@ mod tests {
 
     #[test]
     fn below_the_minimum_the_lowest_energy_seen_is_named() {
-        // Example 15.3 of docs/mathematics.md: the minimum at l = 3.25 is 1.639699408.
+        // Example 15.3 of docs/algorithms.md: the minimum at l = 3.25 is 1.639699408.
         let error = spread_starts(&torus(), 1.6, 3.25, &StartOptions { count: 1, ..StartOptions::default() });
         let Err(SectionError::Inaccessible { lowest, .. }) = error else { panic!("{error:?}") };
         assert!((lowest - 1.639_699_408).abs() < 1e-3 && lowest >= 1.639_699_407);

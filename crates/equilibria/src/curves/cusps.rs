@@ -203,7 +203,7 @@ fn bracket_by_ratio(ends: [f64; 2], beyond: impl Fn(f64) -> bool) -> [f64; 2] {
 }
 
 /// The only place where J is extremal along the generic family: the root of Σ_k c_k (μ − a_k)³ = 0 with
-/// c_k = r_i² r_j² (a_i − a_j)² (Proposition 3.8 of docs/mathematics.md; increasing in μ, so the root is unique). Needs
+/// c_k = r_i² r_j² (a_i − a_j)² (Proposition 3.8 of docs/algorithms.md; increasing in μ, so the root is unique). Needs
 /// three active moments.
 ///
 /// Returns the interval (1 or 2 of the four) and μ; `None` when the root falls on the middle moment.

@@ -1,5 +1,5 @@
 //! Arnold's determinant without eigenvectors: a rational function of the Taylor coefficients of the Hamiltonian (Theorem
-//! 13.10 of docs/mathematics.md).
+//! 13.10 of docs/algorithms.md).
 //!
 //! Let H₂ = ½⟨x, Sx⟩, M = J S, F = ½⟨Mx, SMx⟩, LG = ⟨∇G, Mx⟩ and LG₃ = H₃. With B(p, q) = p(J∂)q
 //!

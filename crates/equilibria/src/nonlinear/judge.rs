@@ -1,5 +1,5 @@
 //! The theorems that decide what eigenvalues, energy and integrals leave open (Theorem 13.9, Proposition 13.11 of
-//! docs/mathematics.md).
+//! docs/algorithms.md).
 
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;

@@ -1,7 +1,7 @@
 //! What uncertain moments and weight do to the spins at which a rotation changes.
 //!
 //! With w = −ρ the roots of K_A, K_B and of the discriminant (see the head of this folder) are s = w/(C − A), w/(C − B) and, by
-//! Proposition 13.7 of docs/mathematics.md, where p = 2A − C and q = 2B − C have one sign and w > 0,
+//! Proposition 13.7 of docs/algorithms.md, where p = 2A − C and q = 2B − C have one sign and w > 0,
 //!
 //! - s± = 2w (√(A|q|) ± √(B|p|))² / (C² (|p| + |q|)).
 //!

@@ -1,7 +1,7 @@
 //! J and the slopes 1/J over a stretch: J is monotone but for one known place.
 //!
 //! The order of two families over passive moments where r lies on an axis: one family in the moment joins them (Lemma 7.7
-//! of docs/mathematics.md), so nothing is evaluated and the two moments may be as close as they like.
+//! of docs/algorithms.md), so nothing is evaluated and the two moments may be as close as they like.
 
 use super::node::Node;
 use crate::curves::{Curve, Place};

@@ -1,5 +1,5 @@
 //! The topology of U_hl from the ridges and valleys of J over the circles of latitude about r̂ (Theorem 9.7 of
-//! docs/mathematics.md): exact, without a critical point, a path or a box.
+//! docs/algorithms.md): exact, without a critical point, a path or a box.
 
 mod axial;
 mod curve;

@@ -1,4 +1,4 @@
-//! The classes of all regions that meet at a point on curves (Proposition 8.6 of docs/mathematics.md).
+//! The classes of all regions that meet at a point on curves (Proposition 8.6 of docs/algorithms.md).
 //!
 //! Over the point's own x these are the cells just below and above it. Over x ∓ δ they are those between the curves that
 //! pass through the point: `strip` bounds δ so that no other curve comes near, `fan` proves that the curves through the

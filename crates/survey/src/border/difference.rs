@@ -175,7 +175,8 @@ fn cusp_at_pitchfork<'a>(surplus: &Surplus<'a, '_>, pair: BranchName) -> Option<
     Some(surplus.found(BorderEventKind::CuspAtPitchfork { pair }, events, Vanishing::Excess(axis)))
 }
 
-/// Two new crossings: a cusp has passed through a curve, or two curves touch.
+/// Two new crossings: a cusp has passed through a curve. That two curves touch is no cause: none do (Theorem 4.12 of
+/// docs/mathematics.md).
 fn two_crossings<'a>(surplus: &Surplus<'a, '_>) -> Option<Finding<'a>> {
     let [p, q] = nearest(&surplus.crossings())?;
     let (one, two) = (p.change.curves(), q.change.curves());
@@ -185,18 +186,15 @@ fn two_crossings<'a>(surplus: &Surplus<'a, '_>) -> Option<Finding<'a>> {
         matches!(event.change, Change::Birth(_) | Change::Death(_))
             && own.iter().all(|curve| event.change.curves().contains(curve))
     });
-    if let (Some(cusp), Some(through), false) = (cusp, shared, own.is_empty()) {
-        let (branch, curve) = (surplus.branch(cusp.change.curves()[0]), surplus.branch(through));
-        let kind = BorderEventKind::CuspOnCurve {
-            cusp: surplus.name(branch),
-            encounter: Encounter::PassesThrough,
-            curves: vec![surplus.name(curve)],
-        };
-        let vanishing = Vanishing::CuspOnCurve { cusp: branch, curve, near: surplus.near(cusp) };
-        return Some(surplus.found(kind, vec![*cusp, p, q], vanishing));
-    }
-    let EventLabel::Crossing(branches) = label(surplus.side, &p) else { return None };
-    Some(surplus.found(BorderEventKind::Tangency { branches }, vec![p, q], Vanishing::Nothing))
+    let (cusp, through) = cusp.zip(shared).filter(|_| !own.is_empty())?;
+    let (branch, curve) = (surplus.branch(cusp.change.curves()[0]), surplus.branch(through));
+    let kind = BorderEventKind::CuspOnCurve {
+        cusp: surplus.name(branch),
+        encounter: Encounter::PassesThrough,
+        curves: vec![surplus.name(curve)],
+    };
+    let vanishing = Vanishing::CuspOnCurve { cusp: branch, curve, near: surplus.near(cusp) };
+    Some(surplus.found(kind, vec![*cusp, p, q], vanishing))
 }
 
 fn one_crossing<'a>(surplus: &Surplus<'a, '_>, branches: [BranchName; 2]) -> Finding<'a> {

@@ -73,11 +73,6 @@ pub enum BorderEventKind {
         /// The branches that it meets.
         curves: Vec<BranchName>,
     },
-    /// Two curves touch: two crossings are born or vanish.
-    Tangency {
-        /// Their branches.
-        branches: [BranchName; 2],
-    },
     /// The cusp of a symmetric pair reaches its pitchfork.
     CuspAtPitchfork {
         /// The pair.
@@ -162,7 +157,6 @@ impl fmt::Display for BorderEventKind {
             Self::PitchforkOnCurve { pitchfork, encounter, curves } => {
                 write!(f, "the {} {encounter} {}", EventLabel::Pitchfork(*pitchfork), joined(curves, " and "))
             }
-            Self::Tangency { branches } => write!(f, "the curves {} touch", joined(branches, " and ")),
             Self::CuspAtPitchfork { pair } => write!(f, "the cusp of the pair {pair} reaches its pitchfork"),
             Self::PitchforkAtInfinity { from, to } => {
                 let [from, to] = [from, to].map(|branches| joined(branches, " and "));

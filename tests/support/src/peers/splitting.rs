@@ -1,7 +1,7 @@
 //! A splitting method: every substep is the exact flow of a part of H under the same Poisson bracket.
 //!
 //! H = l₁²/2A₁ + l₂²/2A₂ + l₃²/2A₃ − ⟨γ,r⟩. The flow of lᵢ²/2Aᵢ turns γ and l about axis i by −(lᵢ/Aᵢ)t, that of
-//! −⟨γ,r⟩ adds −t γ×r to l (Proposition 12.3 of docs/mathematics.md). All of them keep ⟨γ,γ⟩ and ⟨γ,l⟩, so that their
+//! −⟨γ,r⟩ adds −t γ×r to l (Proposition 12.3 of docs/algorithms.md). All of them keep ⟨γ,γ⟩ and ⟨γ,l⟩, so that their
 //! composition does, to rounding.
 
 use bifdiag_dynamics::field::{HeavyTop, State, cross, scale, sub};

@@ -5,7 +5,7 @@
 //! right of a_i has ε = r_i; the branch left of it, mirrored in γ_i, has ε = −r_i. At fixed x dh/dε = −γ_i (h is
 //! stationary in γ). So if x(v, ε) is monotone in v on a box that the solution cannot leave while ε runs from r_i to
 //! −r_i, then h_left − h_right = ∫ γ_i dε > 0: the left branch lies above the right one, by 2 r_i γ_i to first order,
-//! however small that is (Lemma 7.5 of docs/mathematics.md).
+//! however small that is (Lemma 7.5 of docs/algorithms.md).
 
 use bifdiag_body::{Axis, Frame};
 use bifdiag_equilibria::curves::Mu;

@@ -99,7 +99,7 @@ const SLACK: f64 = 32.0;
 /// d²h/dx² over a finite range of x inside the arc; `None` where no finite enclosure was found.
 ///
 /// Along the generic family d²h/dx² = −2V/(J x (T J + 4V)); over μ = a_i it is −4R̂/(s³ J³ (a_i + 3R̂/s²)); on a
-/// straight line 0 (Lemma 7.3 of docs/mathematics.md).
+/// straight line 0 (Lemma 7.3 of docs/algorithms.md).
 pub(super) fn curvature(frame: &Frame, arc: &Arc, x: [f64; 2]) -> Option<Interval> {
     let enclosure = match &arc.shape {
         Shape::Straight { .. } => Interval::ZERO,

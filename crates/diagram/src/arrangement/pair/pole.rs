@@ -1,7 +1,7 @@
 //! Pole line against a critical curve near it, to relative accuracy.
 //!
 //! When r lies close to a principal axis, critical points c lie close to p = ±r̂ and U(p) − U(c) is of second order in
-//! δ = p − c: far below the rounding of U. With s(μ − A)c = r (Corollary 3.11 of docs/mathematics.md):
+//! δ = p − c: far below the rounding of U. With s(μ − A)c = r (Corollary 3.11 of docs/algorithms.md):
 //! U(p) − U(c) = s/(2J_p) [4α² + 2αβ + J_c ⟨δ, (μ−A)δ⟩ + μ|δ|²(2α + β)], α = ⟨δ, Ac⟩, β = ⟨δ, Aδ⟩, and
 //! J_p − J_c = 2α + β. The component of δ along the large axis m follows from |p| = |c|:
 //! δ_m = −Σ_{j≠m} δ_j (p_j + c_j)/(p_m + c_m).

@@ -1,7 +1,7 @@
 //! Orders that hold whatever the numbers are.
 //!
 //! r on a principal axis: the order of a symmetric pair and the straight lines γ = ±r̂ in closed form
-//! (Proposition 5.5 of docs/mathematics.md).
+//! (Proposition 5.5 of docs/algorithms.md).
 //!
 //! With a the moment of the axis, d = a_i − a, σ = ±1 for the line γ = σ r̂ and g = σ⟨γ, r̂⟩ on the pair over a_i:
 //! h_pair − h_line = −σ r (1 − g)² (a + d (1 + g)²)/(2 a g). Away from the pitchfork g = 1 it vanishes only for d < 0,

@@ -140,7 +140,7 @@ fn extend(nodes: &mut Vec<Node>, end: f64, tolerance: Tolerance, at: impl Fn(f64
 
 /// A bound on the distance in h between an arc and the chord through its ends, from a third point between them.
 ///
-/// Over x the slope 1/J is monotone along an arc (Proposition 3.8 of docs/mathematics.md), so that between two of its points
+/// Over x the slope 1/J is monotone along an arc (Proposition 3.8 of docs/algorithms.md), so that between two of its points
 /// the arc lies in the triangle of its chord over x and its tangents there. All three are parabolas over l.
 fn excursion([from, middle, to]: [Node; 3]) -> f64 {
     let slope = (to.h - from.h) / (to.l - from.l);

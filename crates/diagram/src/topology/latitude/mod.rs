@@ -1,5 +1,5 @@
 //! Topology of U_hl by a sweep over circles of latitude: no Morse theory, no critical points (Proposition 9.4 of
-//! docs/mathematics.md).
+//! docs/algorithms.md).
 //!
 //! With r̂ as polar axis and c = ⟨γ,r̂⟩, J is on each circle of latitude a trigonometric polynomial of degree 2, so
 //! the circle meets U_hl in at most two arcs, or wholly, or not at all. The sphere is cut along finitely many

@@ -1,7 +1,7 @@
 //! Taylor series of the Euler–Poisson equations, several orbits a SIMD register.
 //!
 //! The system is quadratic, so that the coefficients follow from nine Cauchy products (six of γ×ω, three of
-//! l×ω; Proposition 12.1 of docs/mathematics.md). The order follows from the tolerance, the step of each lane from its
+//! l×ω; Proposition 12.1 of docs/algorithms.md). The order follows from the tolerance, the step of each lane from its
 //! own last two coefficients (Jorba and Zou, Experimental Mathematics 14 (2005) 99–117).
 //!
 //! **Same bits everywhere.** Lanes never mix, every product-sum is a fused multiply-add and is summed in one

@@ -13,7 +13,7 @@ const LONG: f64 = 1.0 / SHORT;
 const SHORT: f64 = 1.0 / (1u128 << 100) as f64;
 
 /// δγ̇ = δγ×ω + γ×δω, δl̇ = δl×ω + l×δω − δγ×r: linear along the orbit, with the orbit's own series as coefficients
-/// (Proposition 12.2 of docs/mathematics.md).
+/// (Proposition 12.2 of docs/algorithms.md).
 ///
 /// Call [`advance`](Self::advance) between [`Lanes::expand`] and [`Lanes::commit`]. The orbits do not feel it.
 #[repr(C, align(64))]

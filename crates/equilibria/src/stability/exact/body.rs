@@ -1,5 +1,5 @@
 //! A body as integers, moments and squares of r in the frame's order with the units in which they are whole, and the
-//! polynomials of its generic family in μ (Proposition 13.4 of docs/mathematics.md).
+//! polynomials of its generic family in μ (Proposition 13.4 of docs/algorithms.md).
 
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
@@ -154,7 +154,7 @@ impl Forms {
         Self { p, q, product, cusp, zero, swing, resonances }
     }
 
-    /// q⁴ − 4x²p³D²: its roots are the multipliers of the equilibria at x (Proposition 4.8 of docs/mathematics.md).
+    /// q⁴ − 4x²p³D²: its roots are the multipliers of the equilibria at x (Proposition 4.8 of docs/algorithms.md).
     #[must_use]
     pub fn at_momentum(&self, x: &RBig) -> Polynomial {
         let (over, under) = (x.numerator(), IBig::from(x.denominator().clone()));

@@ -1,5 +1,5 @@
 //! Stability decided in exact arithmetic: the conditions for a change of the linear type as integer polynomials in the
-//! parameter of each family (Proposition 13.4 of docs/mathematics.md), their roots isolated without exception.
+//! parameter of each family (Proposition 13.4 of docs/algorithms.md), their roots isolated without exception.
 
 mod body;
 mod family_chart;
