@@ -89,6 +89,38 @@ fn the_papers_body_has_these_changes() {
     }
 }
 
+/// On an axis the cubic terms vanish: the determinant has no pole at ω₁ = 2ω₂, and its polynomial no zero there.
+#[test]
+fn an_axis_has_no_zero_of_the_determinant_at_its_resonance() {
+    let body = Body::parse(&["1.7", "2.9", "3.1"], &["0.3", "0", "0"]).unwrap();
+    let set = CriticalSet::new(body.frame()).unwrap();
+    let verdicts = Verdicts::new(&body, &set);
+    assert!(verdicts.is_complete());
+    let kinds: Vec<Failing> = verdicts.changes().iter().map(|change| change.kind).collect();
+    assert_eq!(kinds, [Failing::Resonance11, Failing::Resonance13, Failing::Resonance12]);
+    let last = verdicts.changes()[2];
+    assert_eq!((last.verdict, last.why, last.proved), (NonlinearVerdict::Stable, Reason::Arnold, true));
+}
+
+/// Beside special bodies, where the polynomial of the determinant has values of many sizes, no zero is left open.
+#[test]
+fn beside_special_bodies_every_zero_is_known() {
+    let near = [
+        (["1", "1.000001", "1.3"], ["0.3", "0.5", "0.7"]),
+        (["1", "1.000000000001", "1.3"], ["0.3", "0.5", "0.7"]),
+        (["2", "1.1", "1"], ["0.94868", "1e-9", "0.61623"]),
+        (["1", "1.000000001", "0.7"], ["1e-9", "0", "1"]),
+        (["1.3", "1", "0.7"], ["2e-12", "1", "1e-12"]),
+        (["1e-12", "1", "1.0000000000005"], ["1", "0.3", "0.2"]),
+    ];
+    for (moments, center) in near {
+        let body = Body::parse(&moments, &center).unwrap();
+        let set = CriticalSet::new(body.frame()).unwrap();
+        let verdicts = Verdicts::new(&body, &set);
+        assert!(verdicts.is_complete() && verdicts.changes().iter().all(|change| change.proved), "{moments:?}");
+    }
+}
+
 /// Every change lies between equilibria that differ in what fails; between the listed points nothing is left open.
 #[test]
 fn changes_lie_between_equilibria_that_differ() {

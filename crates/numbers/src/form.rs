@@ -28,6 +28,28 @@ impl<E: Enclosure<Precision = ()>> EnclosedForm<E> {
         Self { c }
     }
 
+    /// The form of a degree less than the number of these different places in (0, 1) with these values there (v + u is 1): by
+    /// Newton's divided differences.
+    #[must_use]
+    pub fn through(places: &[E], mut values: Vec<E>) -> Self {
+        let (one, count) = (E::small(1, ()), values.len());
+        for step in 1..count {
+            for k in (step..count).rev() {
+                let run = places[k].clone() - places[k - step].clone();
+                values[k] = (values[k].clone() - values[k - 1].clone()) / run;
+            }
+        }
+        let sum = Self::linear(one.clone(), one.clone());
+        let mut power = Self { c: vec![one.clone()] };
+        let mut form = Self { c: values.pop().into_iter().collect() };
+        for (place, value) in places.iter().zip(values).rev() {
+            power = power.times(&sum);
+            let factor = Self::linear(-place.clone(), one.clone() - place.clone());
+            form = form.times(&factor).plus(&power.scaled(&value));
+        }
+        form
+    }
+
     /// The product; the degrees add up.
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
@@ -189,8 +211,9 @@ impl<E: Enclosure<Precision = ()>> Piece<E> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::enclosure::Arithmetic;
     use crate::interval::Interval;
-    use crate::wide::Interval128;
+    use crate::wide::{Interval128, Interval384};
     use dashu_ratio::RBig;
     use proptest::prelude::*;
 
@@ -225,6 +248,21 @@ mod tests {
                 prop_assert!(lo <= *root && *root <= hi);
                 prop_assert!(!apart || roots.len() > 8 || range.hi - range.lo < 1e-6);
             }
+        }
+    }
+
+    #[test]
+    fn forms_through_their_values_have_their_roots() {
+        let planted: Vec<RBig> = (1..=30).map(|k| rational(k * k, 877)).collect();
+        let form = with_roots::<Interval384>(&planted);
+        let places: Vec<Interval384> = (0..=30).map(|k| Interval384::rational(&rational(2 * k + 1, 62), ())).collect();
+        let values = places.iter().map(|place| form.at(place)).collect();
+        let found = EnclosedForm::through(&places, values).simple_roots().unwrap();
+        let inside = planted.iter().filter(|root| **root < RBig::ONE);
+        assert_eq!(found.len(), inside.clone().count());
+        for (range, root) in found.iter().zip(inside) {
+            let [lo, hi] = range.exact_bounds().unwrap();
+            assert!(lo <= *root && *root <= hi && hi - lo < rational(1, 1_000_000_007), "{range:?}");
         }
     }
 

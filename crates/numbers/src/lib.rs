@@ -14,7 +14,6 @@ pub mod sequence;
 mod sign;
 pub mod symmetric;
 pub mod table;
-pub mod taylor;
 pub mod vector;
 pub mod wide;
 

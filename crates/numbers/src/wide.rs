@@ -26,6 +26,9 @@ pub type Interval128 = Bounded<FixedFloat<2>>;
 /// Intervals whose ends have 384 bits.
 pub type Interval384 = Bounded<FixedFloat<6>>;
 
+/// Intervals whose ends have 1024 bits.
+pub type Interval1024 = Bounded<FixedFloat<16>>;
+
 impl<F: Directed> Bounded<F> {
     /// Both ends, or the whole line when an operation had no finite result.
     fn of(lo: Option<F>, hi: Option<F>, precision: F::Precision) -> Self {

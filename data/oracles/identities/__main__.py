@@ -18,6 +18,7 @@ import topology  # noqa: F401
 import tenth_type  # noqa: F401
 import sections  # noqa: F401
 import linear  # noqa: F401
+import determinant  # noqa: F401
 import examples  # noqa: F401
 from common import CHECKS
 

@@ -1,25 +1,21 @@
 //! Verdicts along whole curves, and the isolated points at which the hypotheses of Arnold's theorem fail.
 //!
-//! The resonances are roots of polynomials, isolated exactly. Between them Arnold's determinant is a smooth function of the
-//! parameter of the family: Taylor models prove its sign on cells, and where two cells differ bisection by signs at points
-//! finds the zero. Beside the ends of a stretch and the resonance 1:2, where the normal form is singular, cells stop at a
-//! relative distance of 10^−6 (`NEAR`); single points there are judged as everywhere.
+//! The resonances are roots of polynomials, isolated exactly; so are the zeros of Arnold's determinant, whose polynomial is
+//! known by enclosed values (`zeros`).
 
 use std::cmp::Ordering;
 
 use dashu_ratio::RBig;
 
-use super::judge::Question;
+use super::judge::{MAXIMUM, Question};
 use super::verdict::Setting;
+use super::zeros::zeros;
 use crate::curves::{CriticalSet, CurveId};
-use crate::stability::exact::{ExactBody, FamilyChart, Part, StabilityProfile, StationKind, compare};
+use crate::stability::exact::{ExactBody, FamilyChart, StabilityProfile, StationKind, compare};
 use crate::stability::{Constants, LinearType, LinearTypes, Reduced, State};
 use bifdiag_body::Body;
-use bifdiag_numbers::Sign;
-use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
+use bifdiag_numbers::enclosure::Enclosure;
 use bifdiag_numbers::polynomial::{Polynomial, Root};
-use bifdiag_numbers::root::itp;
-use bifdiag_numbers::taylor::TaylorModel;
 use bifdiag_numbers::wide::{Interval128, Interval384};
 use bifdiag_schema::{Failing, NonlinearVerdict, Reason};
 
@@ -72,14 +68,6 @@ pub struct Verdicts<'a> {
     is_complete: bool,
 }
 
-/// Cells of a part to begin with.
-const CELLS: u32 = 4;
-/// Evaluations on one part at most: several times what a body needs whose numbers doubles resolve.
-const EVALUATIONS: usize = 1000;
-/// Relative width at which cells stop.
-const NEAR: f64 = 1e-6;
-/// Relative width of the fence of a zero at most.
-const FINEST: f64 = 1e-12;
 /// Bits of roots in intervals of 128 and of 384 bits.
 const BITS: [usize; 2] = [112, 352];
 
@@ -135,7 +123,7 @@ impl<'a> Verdicts<'a> {
     fn along(&mut self, profile: &StabilityProfile) {
         let body = profile.body();
         let families = profile.families(self.set);
-        self.is_complete &= self.set.clusters.is_empty();
+        self.is_complete &= self.set.clusters.is_empty() && families.len() == profile.family_count();
         for (chart, known, curves) in families {
             if chart.is_circle() {
                 continue;
@@ -170,7 +158,8 @@ impl<'a> Verdicts<'a> {
     fn inside(&mut self, family: &OnFamily<'_>, ends: [Option<Root>; 2]) -> Option<()> {
         let [mut from, mut to] = ends;
         let chart = family.chart;
-        let mut singular = Vec::new();
+        // At ω₁ = 2ω₂ the polynomial of the determinant vanishes if the determinant has no pole.
+        let mut poles = Vec::new();
         for (n, kind) in [(1, Failing::Resonance12), (2, Failing::Resonance13)] {
             for mut root in chart.roots(&chart.resonances[n])? {
                 root.refine(BITS[0]);
@@ -178,52 +167,21 @@ impl<'a> Verdicts<'a> {
                 let is_before = to.as_mut().is_none_or(|end| compare(&mut root, end) == Ordering::Less);
                 if is_after && is_before {
                     self.changes.push(family.resonance(&root, kind, false));
-                    if n == 1 {
-                        singular.push(root);
-                    }
+                    poles.extend((n == 1).then_some(root));
                 }
             }
         }
-        let first = from.map_or(RBig::ZERO, |root| root.hi);
         // A body that stands at rest is a saddle: the last stretch of an unbounded chart is none.
-        let last = match to {
-            Some(root) => root.lo,
-            None if chart.is_bounded() => RBig::ONE,
-            None => return None,
+        let last = to.as_ref().map(|root| root.hi.clone()).or_else(|| chart.is_bounded().then_some(RBig::ONE))?;
+        let first = from.as_ref().map_or(RBig::ZERO, |root| root.lo.clone());
+        let is_inside = |[lo, hi]: &[RBig; 2]| {
+            let is_apart = |pole: &Root| pole.hi < *lo || *hi < pole.lo;
+            from.as_ref().is_none_or(|end| end.hi < *lo)
+                && to.as_ref().is_none_or(|end| *hi < end.lo)
+                && poles.iter().all(is_apart)
         };
-        let poles: Vec<Part> = singular.iter().flat_map(|root| chart.parts(family.body, &root.lo, &root.hi)).collect();
-        let mut zeros = Some(());
-        // The sign before the seam of two parts.
-        let mut last_sign = None;
-        for part in chart.parts(family.body, &first, &last) {
-            let Some(cells) = family.cells(&part) else {
-                zeros = None;
-                continue;
-            };
-            let mut signs = cells.iter().filter_map(|cell| cell.2);
-            let first_sign = signs.next();
-            if last_sign.is_some() && first_sign != last_sign {
-                zeros = None;
-            }
-            last_sign = signs.next_back().or(first_sign);
-            // What is undecided lies between two cells.
-            for window in cells.windows(3) {
-                let [(.., before), (left, right, None), (.., after)] = *window else { continue };
-                let is_inside = |x: f64| left.min(right) <= x && x <= left.max(right);
-                if poles.iter().any(|pole| pole.measures_like(&part) && is_inside(pole.from)) {
-                    continue;
-                }
-                match (before, after) {
-                    (Some(p), Some(q)) if p != q => match family.zero(&part, [left, right], p) {
-                        Some(change) => self.changes.push(change),
-                        None => zeros = None,
-                    },
-                    (Some(_), Some(_)) => zeros = None,
-                    _ => {}
-                }
-            }
-        }
-        zeros
+        let zeros = zeros(family.body, chart, [&first, &last])?;
+        zeros.iter().all(is_inside).then(|| self.changes.extend(zeros.iter().map(|range| family.zero(range))))
     }
 }
 
@@ -234,9 +192,6 @@ struct OnFamily<'a> {
     set: &'a CriticalSet,
     curve: CurveId,
 }
-
-/// A cell and the sign of the determinant on it.
-type Cell = (f64, f64, Option<Sign>);
 
 impl OnFamily<'_> {
     /// Morse index at a rational t.
@@ -282,91 +237,11 @@ impl OnFamily<'_> {
         VerdictChange { l, h, error_bound, curve: self.curve, kind, verdict, why, changes, proved }
     }
 
-    /// A part in cells on which the determinant has one sign, and narrow ones on which it is open; `None` where doubles do not
-    /// resolve the body.
-    fn cells(&self, part: &Part) -> Option<Vec<Cell>> {
-        let c: Constants<TaylorModel> = self.body.constants(());
-        let scale = part.from.abs().max(part.to.abs());
-        let at = |n: u32| match n {
-            0 => part.from,
-            CELLS => part.to,
-            _ => part.from + (part.to - part.from) * f64::from(n) / f64::from(CELLS),
-        };
-        let mut open: Vec<(f64, f64)> = (0..CELLS).rev().map(|n| (at(n), at(n + 1))).collect();
-        let mut cells: Vec<Cell> = Vec::new();
-        let mut evaluations = 0;
-        while let Some((x0, x1)) = open.pop() {
-            evaluations += 1;
-            if evaluations > EVALUATIONS {
-                return None;
-            }
-            let sign = sign_over(&c, part, x0, x1);
-            let size = x0.abs().max(x1.abs());
-            let middle = 0.5 * (x0 + x1);
-            let is_narrow = (x1 - x0).abs() <= NEAR * size || size <= NEAR * scale || middle == x0 || middle == x1;
-            match (sign, cells.last_mut()) {
-                (None, _) if !is_narrow => open.extend([(middle, x1), (x0, middle)]),
-                (sign, Some(last)) if last.2 == sign => last.1 = x1,
-                (sign, _) => cells.push((x0, x1, sign)),
-            }
-        }
-        Some(cells)
-    }
-
-    /// The zero of the determinant between two points of different signs: the secant of the ends finds it, and signs on both
-    /// sides of where it leads fence it.
-    fn zero(&self, part: &Part, ends: [f64; 2], before: Sign) -> Option<VerdictChange> {
-        let c: Constants<Interval128> = self.body.constants(());
-        let value = |x: f64| {
-            let state = part.state(&c, &Interval128::double(x, ()));
-            let reduced = Reduced::new(&c, &state);
-            determinant(&c, &state, &reduced)
-        };
-        let middle = |x: f64| value(x).map_or(f64::NAN, |found| found.middle().bounds()[0]);
-        let [first, last] = ends;
-        let (low, high) = (middle(first), middle(last));
-        if low.is_nan() || high.is_nan() || (low > 0.0) == (high > 0.0) {
-            return None;
-        }
-        let (mut from, mut to, signs) =
-            if first < last { (first, last, [low, high]) } else { (last, first, [high, low]) };
-        let root = itp(from, to, signs[0], signs[1], 0.0, middle);
-        let sign = |x: f64| value(x).and_then(|found| found.strict_sign());
-        let before = if first < last { before } else { -before };
-        for reach in [4.0, 64.0, 1024.0].map(|units| units * f64::EPSILON * root.abs()) {
-            let around = [(root - reach).max(from), (root + reach).min(to)];
-            if around.map(sign) == [Some(before), Some(-before)] {
-                [from, to] = around;
-                break;
-            }
-        }
-        let is_narrow = to - from <= FINEST * root.abs();
-        let state = part.state(&c, &Interval128::double(from, ()).hull(&Interval128::double(to, ())));
+    /// The point at a zero of the determinant.
+    fn zero(&self, [lo, hi]: &[RBig; 2]) -> VerdictChange {
+        let c: Constants<Interval384> = self.body.constants(());
+        let state = self.chart.state_over(self.body, &c, [lo, hi]);
         let verdict = (NonlinearVerdict::Open, Reason::Degenerate);
-        is_narrow.then(|| self.change(state.place(&c, &self.set.frame), Failing::Determinant, verdict, (false, true)))
+        self.change(state.place(&c, &self.set.frame), Failing::Determinant, verdict, (false, true))
     }
-}
-
-/// What the verdicts on an elliptic stretch need: index 2 and no integral.
-const MAXIMUM: Setting = Setting { index: 2, minimum: None, integral: false };
-
-/// The sign of Arnold's determinant on a range of the coordinate.
-fn sign_over(c: &Constants<TaylorModel>, part: &Part, x0: f64, x1: f64) -> Option<Sign> {
-    let state = part.state(c, &TaylorModel::variable(x0, x1));
-    sign_of(c, &state, &Reduced::new(c, &state))
-}
-
-/// Its sign from the normal form; beside ω₁ = ω₂, where that is singular, from the numerator.
-fn sign_of<E: Enclosure>(c: &Constants<E>, state: &State<E>, reduced: &Reduced<E>) -> Option<Sign> {
-    if reduced.discriminant().strict_sign().is_some() {
-        return determinant(c, state, reduced)?.strict_sign();
-    }
-    // c > 0, and b² − 4c > 0 on the stretch.
-    reduced.coefficients()[1].strict_sign().filter(|sign| *sign == Sign::Positive)?;
-    Question { c, state, reduced, kind: LinearType::Elliptic, setting: MAXIMUM }.numerator()?.strict_sign()
-}
-
-fn determinant<E: Enclosure>(c: &Constants<E>, state: &State<E>, reduced: &Reduced<E>) -> Option<E> {
-    let question = Question { c, state, reduced, kind: LinearType::Elliptic, setting: MAXIMUM };
-    Some(question.normal_form()?.arnold)
 }

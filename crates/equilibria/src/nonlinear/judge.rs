@@ -26,6 +26,9 @@ pub struct Question<'a, E: Enclosure> {
     pub setting: Setting,
 }
 
+/// What the verdicts on a stretch with two imaginary pairs need: index 2 and no integral.
+pub(super) const MAXIMUM: Setting = Setting { index: 2, minimum: None, integral: false };
+
 impl<E: Enclosure> Question<'_, E> {
     /// The verdict; `None` where a better enclosure is needed. `exact` tells, where that is known, which of the resonances
     /// 1:2 and 1:3 holds exactly.

@@ -14,6 +14,7 @@ mod normal_form;
 mod reduced_hamiltonian;
 pub mod series;
 mod verdict;
+mod zeros;
 
 pub use bifdiag_schema::{Failing, NonlinearVerdict, Reason};
 

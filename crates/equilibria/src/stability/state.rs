@@ -135,16 +135,7 @@ impl<E: Enclosure> State<E> {
     /// The family over the passive moment a_axis at z = 1/s².
     #[must_use]
     pub fn over(c: &Constants<E>, axis: Axis, z: &E) -> Self {
-        Self::over_with(c, axis, z, &z.sqrt())
-    }
-
-    /// The same at ζ = 1/s, in which γ is smooth at ζ = 0.
-    #[must_use]
-    pub fn over_inverse(c: &Constants<E>, axis: Axis, zeta: &E) -> Self {
-        Self::over_with(c, axis, &zeta.square(), zeta)
-    }
-
-    fn over_with(c: &Constants<E>, axis: Axis, z: &E, zeta: &E) -> Self {
+        let zeta = z.sqrt();
         let mut w: [E; 3] = Axis::ALL
             .map(|k| if c.active[k] { z.clone() * c.rho[k].clone() / c.diff[axis][k].square() } else { c.small(0) });
         w[axis] = w.iter().fold(c.small(1), |rest, w| rest - w.clone());

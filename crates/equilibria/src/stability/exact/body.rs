@@ -119,7 +119,7 @@ impl ExactBody {
 /// polynomial of that resonance over (p q det A)².
 #[derive(Clone, Debug)]
 pub struct Forms {
-    p: Polynomial,
+    pub(super) p: Polynomial,
     q: Polynomial,
     /// D = Π (μ − a_k) over the active axes.
     product: Polynomial,

@@ -6,7 +6,7 @@ use dashu_ratio::RBig;
 use super::body::{ExactBody, Forms, swing_and_resonances};
 use crate::stability::{Constants, State};
 use bifdiag_body::Axis;
-use bifdiag_numbers::enclosure::Enclosure;
+use bifdiag_numbers::enclosure::{Enclosure, horner};
 use bifdiag_numbers::polynomial::rational::{self, over_one_denominator};
 use bifdiag_numbers::polynomial::{Polynomial, Root};
 
@@ -50,6 +50,8 @@ pub struct FamilyChart {
     pub swing: Polynomial,
     /// Of the signs of b² − 4c, 4b² − 25c and 9b² − 100c.
     pub resonances: [Polynomial; 3],
+    /// p = Σ D² r_k²/τ_k²; 1 over a passive moment.
+    total: Polynomial,
 }
 
 impl FamilyChart {
@@ -68,7 +70,17 @@ impl FamilyChart {
         let (zero, cusp) = (map(&forms.zero), map(&forms.cusp));
         let (swing, resonances) = (map(&forms.swing), forms.resonances.each_ref().map(map));
         let is_reversed = matches!(coordinate, Coordinate::Left(_)) || body.active.len() == 1;
-        Self { family: Family::Generic(n), zero, cusp, pitchforks, swing, resonances, is_reversed, coordinate }
+        Self {
+            family: Family::Generic(n),
+            zero,
+            cusp,
+            pitchforks,
+            swing,
+            resonances,
+            is_reversed,
+            total: map(&forms.p),
+            coordinate,
+        }
     }
 
     /// The family over a passive moment; needs r ≠ 0.
@@ -98,7 +110,8 @@ impl FamilyChart {
         let [zero, cusp, swing] = [zero, cusp, swing].map(Polynomial::primitive);
         let resonances = resonances.map(Polynomial::primitive);
         let (family, coordinate) = (Family::Over(axis), Coordinate::Over { axis, r_sum, z_max });
-        Self { family, coordinate, is_reversed: true, zero, cusp, pitchforks: Vec::new(), swing, resonances }
+        let total = Polynomial::constant(IBig::ONE);
+        Self { family, coordinate, is_reversed: true, zero, cusp, pitchforks: Vec::new(), swing, resonances, total }
     }
 
     /// The polynomial whose roots are the equilibria at x.
@@ -136,6 +149,35 @@ impl FamilyChart {
         if self.is_bounded() { polynomial.roots_in_unit() } else { polynomial.positive_roots() }
     }
 
+    /// p at t, up to a positive factor that is the same for all t.
+    pub fn total<E: Enclosure>(&self, t: &RBig, precision: E::Precision) -> E {
+        horner(&self.total.enclosed(precision), &E::rational(t, precision), precision)
+    }
+
+    /// The degree at most of the polynomial with the zeros of Arnold's determinant (Theorem 13.13 of docs/algorithms.md).
+    pub fn degree_of_determinant(&self, body: &ExactBody) -> usize {
+        match self.family {
+            Family::Over(_) => 9,
+            Family::Generic(_) if body.active.len() == 1 => 5,
+            Family::Generic(_) => 9 * (2 * body.active.len() - 1),
+        }
+    }
+
+    /// Its zeros, with their multiplicity, that are none of the determinant: pitchforks and double moments. On an axis the
+    /// former are poles of the determinant.
+    pub fn zeros_of_degeneracy(&self, body: &ExactBody) -> Vec<RBig> {
+        let is_axis = body.active.len() == 1;
+        let is_double = |k: Axis| body.group.iter().filter(|group| **group == body.group[k.index()]).count() > 1;
+        let at = |k: Axis, t: RBig| vec![t; if is_double(k) { 2 - usize::from(is_axis) } else { 0 }];
+        let pitchforks = self.pitchforks.iter().map(|(_, t)| t.clone()).filter(|_| !is_axis);
+        let ends = match &self.coordinate {
+            Coordinate::Left(axis) | Coordinate::Right(axis) => at(*axis, RBig::ZERO),
+            Coordinate::Inner(left, right) => [at(*left, RBig::ZERO), at(*right, RBig::ONE)].concat(),
+            Coordinate::Over { .. } => vec![RBig::ONE],
+        };
+        pitchforks.chain(ends).collect()
+    }
+
     /// t < 1.
     #[must_use]
     pub fn is_bounded(&self) -> bool {
@@ -159,65 +201,16 @@ impl FamilyChart {
         let (base, ends) = self.coordinate.distance(body, root, bits);
         State::generic(c, base, &number(&ends[0]).hull(&number(&ends[1])))
     }
-}
 
-/// A stretch of a family on a coordinate that is a double, in the frame's units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Part {
-    /// The moment from which μ is measured, or the passive moment of the family.
-    base: Axis,
-    /// ζ = 1/Ω² on the family over a passive moment, else μ − a_base.
-    is_over: bool,
-    /// From the end at smaller t …
-    pub from: f64,
-    /// … to that at larger t.
-    pub to: f64,
-}
-
-impl Part {
-    /// Both have the same coordinate.
-    pub fn measures_like(&self, other: &Self) -> bool {
-        self.base == other.base && self.is_over == other.is_over
-    }
-
-    /// The equilibria over a set of the coordinate.
-    pub fn state<E: Enclosure>(&self, c: &Constants<E>, at: &E) -> State<E> {
-        if self.is_over { State::over_inverse(c, self.base, at) } else { State::generic(c, self.base, at) }
-    }
-}
-
-impl FamilyChart {
-    /// The stretch from t₀ to t₁ in doubles, by rising t; its ends are rounded.
-    pub(crate) fn parts(&self, body: &ExactBody, from: &RBig, to: &RBig) -> Vec<Part> {
-        let double = |x: RBig| x.to_f64().value();
-        let gap = |x: RBig| double(body.moment_in_frame(&x));
-        match &self.coordinate {
-            Coordinate::Over { axis, z_max, .. } => {
-                let zeta = |t: &RBig| double(body.z_in_frame(&(t * z_max))).sqrt();
-                vec![Part { base: *axis, is_over: true, from: zeta(from), to: zeta(to) }]
-            }
-            Coordinate::Left(base) => {
-                vec![Part { base: *base, is_over: false, from: gap(-from), to: gap(-to) }]
-            }
-            Coordinate::Right(base) => {
-                vec![Part { base: *base, is_over: false, from: gap(from.clone()), to: gap(to.clone()) }]
-            }
-            Coordinate::Inner(left, right) => {
-                let (width, half) = (RBig::from(&body.a[*right] - &body.a[*left]), RBig::ONE / RBig::from(2));
-                let near = |t: &RBig| gap(t * &width);
-                let far = |t: &RBig| gap((t - RBig::ONE) * &width);
-                let mut parts = Vec::new();
-                if *from < half {
-                    let to = if *to < half { to } else { &half };
-                    parts.push(Part { base: *left, is_over: false, from: near(from), to: near(to) });
-                }
-                if *to > half {
-                    let from = if *from > half { from } else { &half };
-                    parts.push(Part { base: *right, is_over: false, from: far(from), to: far(to) });
-                }
-                parts
-            }
+    /// The equilibria over a narrow range of t.
+    pub fn state_over<E: Enclosure>(&self, body: &ExactBody, c: &Constants<E>, range: [&RBig; 2]) -> State<E> {
+        let number = |x: &RBig| E::rational(x, c.precision);
+        let hull = |ends: [RBig; 2]| number(&ends[0]).hull(&number(&ends[1]));
+        if let Coordinate::Over { axis, z_max, .. } = &self.coordinate {
+            return State::over(c, *axis, &hull(range.map(|t| body.z_in_frame(&(t * z_max)))));
         }
+        let (base, scale, from) = self.coordinate.nearest(body, range[1]);
+        State::generic(c, base, &hull(range.map(|t| body.moment_in_frame(&((t - &from) * &scale)))))
     }
 }
 
@@ -245,31 +238,32 @@ impl Coordinate {
         (t > RBig::ZERO && !(bounded && t >= RBig::ONE)).then_some(t)
     }
 
-    /// The nearest active moment and μ − a_base at the ends of the root's range, in the frame's units.
-    fn distance(&self, body: &ExactBody, root: &mut Root, bits: usize) -> (Axis, [RBig; 2]) {
-        root.refine(bits);
-        let (base, scale, from) = match *self {
+    /// The active moment from which μ is measured where t is at most `hi`, dμ/dt, and t at this moment.
+    fn nearest(&self, body: &ExactBody, hi: &RBig) -> (Axis, RBig, RBig) {
+        match *self {
             Self::Left(first) => (first, RBig::from(-1), RBig::ZERO),
             Self::Right(last) => (last, RBig::ONE, RBig::ZERO),
             Self::Over { axis, .. } => (axis, RBig::ZERO, RBig::ZERO),
             Self::Inner(left, right) => {
                 let width = RBig::from(&body.a[right] - &body.a[left]);
-                let half = RBig::ONE / RBig::from(2);
-                if root.hi <= half {
-                    (left, width, RBig::ZERO)
-                } else {
-                    // Relative to 1 − t, which may be small.
-                    let mut finer = bits;
-                    while !root.is_exact()
-                        && (&root.hi - &root.lo) * RBig::from(IBig::ONE << bits) > RBig::ONE - &root.hi
-                    {
-                        finer *= 2;
-                        root.refine(finer);
-                    }
-                    (right, width, RBig::ONE)
-                }
+                let is_left = *hi <= RBig::ONE / RBig::from(2);
+                if is_left { (left, width, RBig::ZERO) } else { (right, width, RBig::ONE) }
             }
-        };
+        }
+    }
+
+    /// The nearest active moment and μ − a_base at the ends of the root's range, in the frame's units.
+    fn distance(&self, body: &ExactBody, root: &mut Root, bits: usize) -> (Axis, [RBig; 2]) {
+        root.refine(bits);
+        let (base, scale, from) = self.nearest(body, &root.hi);
+        if from == RBig::ONE {
+            // Relative to 1 − t, which may be small.
+            let mut finer = bits;
+            while !root.is_exact() && (&root.hi - &root.lo) * RBig::from(IBig::ONE << bits) > RBig::ONE - &root.hi {
+                finer *= 2;
+                root.refine(finer);
+            }
+        }
         let mut ends = [&root.lo, &root.hi].map(|t| body.moment_in_frame(&((t - &from) * &scale)));
         ends.sort();
         (base, ends)

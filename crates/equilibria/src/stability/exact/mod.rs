@@ -22,7 +22,7 @@ use bifdiag_numbers::{Number, Sign};
 use profile::Profile;
 
 pub use body::{ExactBody, Forms};
-pub(crate) use family_chart::{Family, FamilyChart, Part};
+pub(crate) use family_chart::{Family, FamilyChart};
 pub use profile::{ExactPoint, Touch};
 pub(crate) use profile::{StationKind, compare};
 pub use strands::{Start, Strand, StrandStretch};
@@ -98,6 +98,11 @@ impl StabilityProfile {
     /// The exact body.
     pub(crate) fn body(&self) -> &ExactBody {
         &self.body
+    }
+
+    /// How many families there are.
+    pub(crate) fn family_count(&self) -> usize {
+        self.families.len()
     }
 
     /// The families with what is known along them, and the curves of each by rising number of their piece; none where f64 cut
