@@ -9,9 +9,10 @@ use bifdiag::schema::{Accuracy, AtlasDocument, WindowDocument};
 use bifdiag::{CertifiedAtlas, Curves, Solver, plot};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
-use crate::columns::vectors;
-use crate::texts::{json, number};
+use crate::columns::{array, vectors};
+use crate::texts::{Numbers, json, number};
 use crate::{errors, places, work};
 
 /// Ranges of h and l.
@@ -42,9 +43,12 @@ impl Atlas {
         let prepared = Solver::of(made.map_err(|error| errors::range(&error))?, accuracy);
         let mut atlas = Self { subject: subject.clone(), prepared, proved: None };
         if certificate {
-            let proof = python.detach(|| CertifiedAtlas::new(&subject.body)).map_err(|error| errors::range(&error))?;
-            let drawn = proof.to_atlas().map_err(|error| errors::range(&error))?;
-            atlas.proved = Some((proof, drawn));
+            let prove = || {
+                let proof = CertifiedAtlas::new(&subject.body).map_err(|error| errors::range(&error))?;
+                let drawn = proof.to_atlas().map_err(|error| errors::range(&error))?;
+                Ok::<_, PyErr>((proof, drawn))
+            };
+            atlas.proved = Some(python.detach(prove)?);
         }
         Ok(atlas)
     }
@@ -80,14 +84,14 @@ fn window([h, l]: Ranges) -> WindowDocument {
 
 #[pymethods]
 impl Atlas {
-    /// The regions of the document, without their outlines and cells.
-    fn regions(&self, python: Python<'_>) -> PyResult<String> {
+    /// The regions of the document, each a text, without their outlines and cells.
+    fn regions(&self, python: Python<'_>) -> PyResult<Vec<String>> {
         python.detach(|| {
             let mut regions = documents::atlas::regions(self.atlas());
             for region in &mut regions {
                 region.cells.clear();
             }
-            json(&regions)
+            regions.iter().map(json).collect()
         })
     }
 
@@ -168,6 +172,40 @@ impl Atlas {
         let found = work::run(python, threads, &stop, || places::of_points(&self.prepared, h, l, &stop))?;
         let found = found.expect("an atlas in the hands of Python is made");
         Ok(found.map_err(|error| errors::range(&error))?.into_pyarray(python))
+    }
+
+    /// The place of each point, its distance in h from the nearest curve, a bound on the error of that, and the number of
+    /// the curve (-1: none) among `curves`.
+    fn measured<'py>(
+        &self,
+        python: Python<'py>,
+        h: &Bound<'py, PyAny>,
+        l: &Bound<'py, PyAny>,
+        threads: usize,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let (h, l) = (Numbers::of(h)?, Numbers::of(l)?);
+        let stop = AtomicBool::new(false);
+        let point = |k: usize| [h.at(k), l.at(k)];
+        let work = || places::measured(&self.prepared, h.len().min(l.len()), point, &stop);
+        let found = if h.len() == 1 { python.detach(work) } else { work::run(python, threads, &stop, work)? };
+        let found = found.map_err(|error| errors::range(&error))?;
+        let mut curves = Vec::new();
+        let mut numbered = |name: CurveName| {
+            curves.iter().position(|known| *known == name).unwrap_or_else(|| {
+                curves.push(name);
+                curves.len() - 1
+            })
+        };
+        let nearest = |point: &places::Measured| {
+            point.nearest.map_or(-1, |name| i32::try_from(numbered(name)).expect("curves are few"))
+        };
+        let out = PyDict::new(python);
+        out.set_item("nearest", array(python, found.iter().map(nearest)))?;
+        out.set_item("place", array(python, found.iter().map(|point| point.place)))?;
+        out.set_item("margin", array(python, found.iter().map(|point| point.margin)))?;
+        out.set_item("error", array(python, found.iter().map(|point| point.error)))?;
+        out.set_item("curves", curves.iter().map(ToString::to_string).collect::<Vec<_>>())?;
+        Ok(out)
     }
 
     /// The place of one point of exact texts.

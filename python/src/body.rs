@@ -5,18 +5,20 @@ use bifdiag::schema::{Accuracy, PartDocument};
 use pyo3::prelude::*;
 
 use crate::atlas::{Atlas, accuracy};
-use crate::errors;
-use crate::texts::{json, number};
+use crate::texts::json;
+use crate::{errors, part};
 
 /// A heavy rigid body with a fixed point: principal moments A and centre of mass r, exact.
 #[pyclass(frozen, module = "bifdiag._core")]
 pub struct Body {
     pub subject: Subject,
+    /// Some number of the part is known to within so much only; the body has the nominal ones.
+    pub is_measured: bool,
 }
 
 impl From<bifdiag::body::Body> for Body {
     fn from(body: bifdiag::body::Body) -> Self {
-        Self { subject: body.into() }
+        Self { subject: body.into(), is_measured: false }
     }
 }
 
@@ -36,6 +38,12 @@ impl Body {
         let preset = bifdiag::body::Preset::find(name)
             .ok_or_else(|| errors::wrong(format!("there is no body `{name}`; the named bodies are {}", known())))?;
         Ok(preset.body().into())
+    }
+
+    /// Names of the named bodies, each with a note.
+    #[staticmethod]
+    fn presets() -> Vec<(&'static str, &'static str)> {
+        bifdiag::body::Preset::all().iter().map(|preset| (preset.name(), preset.note())).collect()
     }
 
     /// A1, A2, A3 as they were given.
@@ -66,6 +74,17 @@ impl Body {
         self.subject.part.as_ref().map(json).transpose()
     }
 
+    /// The units of mass, length and time of a part in kg, m and s.
+    fn scales(&self) -> PyResult<Option<[f64; 3]>> {
+        let units = self.subject.part.as_ref().map(|part| part::parsed(&part.units)).transpose()?;
+        Ok(units.map(|units| [units.mass(), units.length(), units.time()].map(|factor| factor.to_f64().value())))
+    }
+
+    /// Whether some number of the part is known to within so much only.
+    fn measured(&self) -> bool {
+        self.is_measured
+    }
+
     /// Whether some distribution of mass has these moments.
     fn physical(&self) -> bool {
         self.subject.part.as_ref().map_or(!self.subject.body.flags().unphysical, |part| part.physical)
@@ -86,13 +105,5 @@ impl Body {
     /// The type of U, E and P at one point: the document.
     fn classify(&self, python: Python<'_>, h: &str, l: &str, level: &str) -> PyResult<String> {
         Atlas::unmade(&self.subject, accuracy(level)?).classify(python, h, l)
-    }
-
-    /// All relative equilibria at one l: the document.
-    fn critical(&self, python: Python<'_>, l: &str) -> PyResult<String> {
-        let l = number(l)?;
-        let found =
-            python.detach(|| bifdiag::critical(&self.subject.body, &l)).map_err(|error| errors::range(&error))?;
-        json(&documents::critical(&self.subject, &l, &found))
     }
 }

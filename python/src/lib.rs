@@ -7,6 +7,7 @@ mod atlas;
 mod body;
 mod columns;
 mod command;
+mod critical;
 mod errors;
 mod motion;
 mod part;
@@ -25,6 +26,8 @@ mod _core {
     use crate::body::Body;
     #[pymodule_export]
     use crate::command::run;
+    #[pymodule_export]
+    use crate::critical::critical;
     #[pymodule_export]
     use crate::motion::motion;
     #[pymodule_export]

@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
+use bifdiag::Number;
 use bifdiag::body::part::file::{FileOptions, read};
-use bifdiag::body::part::{Existence, MassProperties, Part, Units};
+use bifdiag::body::part::{Dimension, Existence, MassProperties, Measured, Part, Quantity, Units};
 use bifdiag::documents::Subject;
 use bifdiag::numbers::symmetric::Symmetric;
 use dashu_ratio::RBig;
@@ -11,7 +12,6 @@ use pyo3::prelude::*;
 
 use crate::body::Body;
 use crate::errors;
-use crate::texts::number;
 
 /// The body of a tensor, its rows as texts, about the centre of mass or about the fixed point.
 #[pyfunction]
@@ -25,27 +25,31 @@ pub fn body_of_tensor(
     units: &str,
     unphysical: bool,
 ) -> PyResult<Body> {
+    let units = parsed(units)?;
+    let mut given = Given::default();
     let mut entries = Vec::new();
     for (row, column) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)] {
-        let [above, below] = [number(&tensor[row][column])?, number(&tensor[column][row])?];
-        if above.value() != below.value() {
-            let (above, below) = (above.text(), below.text());
+        let [above, below] = [&tensor[row][column], &tensor[column][row]];
+        let [value, mirrored] = [above, below].map(|text| given.read(text, Dimension::MOMENT, &units));
+        let (value, mirrored) = (value?, mirrored?);
+        if value != mirrored {
             let [row, column] = [row + 1, column + 1];
             return Err(errors::wrong(format!(
                 "the tensor is not symmetric: entry {row},{column} is {above}, entry {column},{row} is {below}"
             )));
         }
-        entries.push(above.value().clone());
+        entries.push(value);
     }
     let tensor = Symmetric::new(entries.try_into().expect("six entries"));
-    let mass = number(mass)?.value().clone();
-    let com = rationals(&com)?;
+    let mass = given.read(mass, Dimension::MASS, &units)?;
+    let com = given.place(&com, &units)?;
     let properties = if about_com {
         MassProperties::about_com(mass, com, tensor)
     } else {
         MassProperties::about_origin(mass, com, &tensor)
     };
-    of_properties(properties.map_err(|error| errors::body(&error))?, gravity, parsed(units)?, unphysical)
+    let properties = properties.map_err(|error| errors::body(&error))?;
+    given.of_properties(properties, gravity, units, unphysical)
 }
 
 /// The body of a mesh or of an inertial block.
@@ -60,32 +64,62 @@ pub fn body_of_file(
     units: Option<&str>,
     unphysical: bool,
 ) -> PyResult<Body> {
-    let [density, mass] = weight.map(|text| text.as_deref().map(number).transpose());
-    let (density, mass) = (density?, mass?);
+    let own = units.map(parsed).transpose()?;
+    let inner = own.clone().unwrap_or_default();
+    let mut given = Given::default();
+    let mut weigh = |text: &Option<String>, dimension| {
+        let read = text.as_deref().map(|text| given.read(text, dimension, &inner)).transpose()?;
+        Ok::<_, PyErr>(read.map(Number::from_rational))
+    };
+    let (density, mass) = (weigh(&weight[0], Dimension::DENSITY)?, weigh(&weight[1], Dimension::MASS)?);
     let options = FileOptions { link, density: density.as_ref(), mass: mass.as_ref() };
     let found = read(&path, &options).map_err(|error| errors::wrong(format!("{}: {error}", path.display())))?;
-    let (properties, units) = found.seen_from(&rationals(&pivot)?, units.map(parsed).transpose()?);
-    of_properties(properties, gravity, units, unphysical)
+    let (properties, units) = found.seen_from(&given.place(&pivot, &inner)?, own);
+    given.of_properties(properties, gravity, units, unphysical)
 }
 
-fn of_properties(properties: MassProperties, gravity: &str, units: Units, unphysical: bool) -> PyResult<Body> {
-    if let (Existence::Impossible(inequality), false) = (properties.existence(), unphysical) {
-        return Err(errors::no_body(format!(
-            "this part cannot exist: about its centre of mass {inequality} ({}). Check digits, units, reference point and \
-             the sign of the products, or pass unphysical=True",
-            units.moment()
-        )));
+/// The numbers of a part as they are read, each with its unit or in those of the part.
+#[derive(Default)]
+struct Given {
+    /// Some number is known to within so much only.
+    is_measured: bool,
+}
+
+impl Given {
+    /// The nominal value.
+    fn read(&mut self, text: &str, dimension: Dimension, units: &Units) -> PyResult<RBig> {
+        let quantity: Quantity = text.parse().map_err(|error| errors::input(&error))?;
+        let Measured { value, within } = quantity.measured(dimension, units).map_err(|error| errors::input(&error))?;
+        self.is_measured |= !within.is_zero();
+        Ok(value)
     }
-    let part = Part { properties, gravity: number(gravity)?.value().clone(), units };
-    let subject = Subject::of_part(&part).map_err(|error| errors::body(&error))?;
-    Ok(Body { subject })
+
+    fn place(&mut self, texts: &[String; 3], units: &Units) -> PyResult<[RBig; 3]> {
+        let [x, y, z] = texts.each_ref().map(|text| self.read(text, Dimension::LENGTH, units));
+        Ok([x?, y?, z?])
+    }
+
+    fn of_properties(
+        mut self,
+        properties: MassProperties,
+        gravity: &str,
+        units: Units,
+        unphysical: bool,
+    ) -> PyResult<Body> {
+        if let (Existence::Impossible(inequality), false) = (properties.existence(), unphysical) {
+            return Err(errors::no_body(format!(
+                "this part cannot exist: about its centre of mass {inequality} ({}). Check digits, units, reference point and \
+             the sign of the products, or pass unphysical=True",
+                units.moment()
+            )));
+        }
+        // In m/s², whatever the units are.
+        let gravity = self.read(gravity, Dimension::ACCELERATION, &Units::default())?;
+        let subject = Subject::of_part(&Part { properties, gravity, units }).map_err(|error| errors::body(&error))?;
+        Ok(Body { subject, is_measured: self.is_measured })
+    }
 }
 
-fn parsed(units: &str) -> PyResult<Units> {
+pub fn parsed(units: &str) -> PyResult<Units> {
     units.parse().map_err(|error: bifdiag::body::part::UnitsError| errors::input(&error))
-}
-
-fn rationals(texts: &[String; 3]) -> PyResult<[RBig; 3]> {
-    let [x, y, z] = texts.each_ref().map(|text| number(text));
-    Ok([x?, y?, z?].map(|number| number.value().clone()))
 }

@@ -3,6 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use bifdiag::diagram::atlas::{Place, Spot};
+use bifdiag::equilibria::curves::CurveName;
 use bifdiag::numbers::table::Id;
 use bifdiag::{AnswerError, Number, Solver};
 use rayon::prelude::*;
@@ -80,4 +81,32 @@ fn of_doubles(prepared: &Solver, h: f64, l: f64) -> Result<i64, AnswerError> {
 pub fn of_point(prepared: &Solver, h: &Number, l: &Number) -> Result<i64, AnswerError> {
     let found = prepared.classify(h, l)?;
     Ok(code(prepared.spot(h, l, &found.answer)))
+}
+
+/// A point, and how far in h the nearest curve is.
+pub struct Measured {
+    pub place: i64,
+    pub margin: f64,
+    pub error: f64,
+    /// That curve; `None` where none was computed.
+    pub nearest: Option<CurveName>,
+}
+
+/// Places of points and their distances from curves, each as [`Solver::classify`] tells it; unfinished when `stop` is set.
+pub fn measured(
+    prepared: &Solver,
+    count: usize,
+    point: impl Fn(usize) -> [Number; 2] + Sync,
+    stop: &AtomicBool,
+) -> Result<Vec<Measured>, AnswerError> {
+    let one = |k: usize| {
+        if stop.load(Ordering::Relaxed) {
+            return Ok(Measured { place: UNDECIDED, margin: f64::NAN, error: f64::NAN, nearest: None });
+        }
+        let [h, l] = point(k);
+        let found = prepared.classify(&h, &l)?;
+        let place = code(prepared.spot(&h, &l, &found.answer));
+        Ok(Measured { place, margin: found.margin.h, error: found.margin.error_bound, nearest: found.margin.nearest })
+    };
+    (0..count).into_par_iter().with_min_len(64).map(one).collect()
 }

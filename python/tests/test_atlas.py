@@ -128,8 +128,8 @@ def test_threads_change_nothing(atlas):
 @pytest.mark.parametrize(
     ("h", "l", "message"),
     [
-        ([1, np.nan], 1, "h has entries that are not finite"),
-        (1, np.inf, "l has entries that are not finite"),
+        ([1, np.nan], 1, r"h\[1\] = nan is no finite number"),
+        (1, np.inf, "l = inf is no finite number"),
         ([1, 2], [1, 2, 3], "broadcast"),
         ([True], 1, "bool"),
         ([1j], 1, "complex"),
@@ -137,11 +137,13 @@ def test_threads_change_nothing(atlas):
         ([None], 1, "NoneType"),
         (np.array([1], dtype="M8[s]"), 1, "datetime"),
         (1e200, 1, "range"),
+        (np.ma.array([[1, 2], [3, 4]], mask=[[0, 0], [1, 0]]), 1, r"h\[1, 0\]"),
     ],
 )
 def test_wrong_points_are_told(atlas, h, l, message):
-    with pytest.raises(bifdiag.InputError, match=message):
-        atlas.region(h, l)
+    for answer in (atlas.region, atlas.margin):
+        with pytest.raises(bifdiag.InputError, match=message):
+            answer(h, l, invalid="raise")
 
 
 def test_wrong_accuracies_name_the_right_ones(paper):

@@ -71,6 +71,7 @@ def test_bodies_are_pickled_and_copied(paper):
         (["x", 1, 1], [1, 0, 0], ValueError, "`x` is not a number"),
         ("2,1,1", [1, 0, 0], bifdiag.InputError, "three numbers"),
         (5, [1, 0, 0], bifdiag.InputError, "three numbers"),
+        ({2, 1, 3}, [1, 0, 0], bifdiag.InputError, "three numbers"),
         ([[1, 2], 1, 1], [1, 0, 0], bifdiag.InputError, "list"),
     ],
 )
@@ -118,3 +119,21 @@ def test_help_is_short_and_has_no_inner_workings():
         if isinstance(found := getattr(bifdiag, name), type):
             inner = [word for word in vars(found) if word in ("of", "all_of", "compute")]
             assert not inner
+
+
+def test_bodies_have_floats_beside_their_texts(paper):
+    assert paper.moments.tolist() == [2, 1.1, 1] and paper.com.tolist() == [0.94868, 0, 0.61623]
+    assert paper.exact == (("2", "11/10", "1"), ("0.94868", "0", "0.61623")) and paper.exact.A == paper.A
+    assert paper.weight == 1 and paper.units is None and not paper.measured
+
+
+def test_all_presets_are_at_hand():
+    bodies = bifdiag.bodies()
+    assert bodies["paper"] == bifdiag.Body.preset("paper") and len(bodies) >= 16
+
+
+def test_help_fits_two_screens(paper):
+    # 2 × 60 lines tell what a body is asked; each question has its own page.
+    names = [name for name in vars(bifdiag.Body) if not name.startswith("_")]
+    summaries = [(getattr(bifdiag.Body, name).__doc__ or "").strip().splitlines()[0] for name in names]
+    assert all(summaries) and len(names) + len(bifdiag.Body.__doc__.splitlines()) < 80

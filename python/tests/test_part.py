@@ -4,6 +4,7 @@ import json
 import pickle
 from fractions import Fraction
 
+import numpy as np
 import pytest
 
 import bifdiag
@@ -101,3 +102,53 @@ def test_a_file_that_gives_no_part_is_told(tmp_path):
     with pytest.raises(bifdiag.BodyError, match="cannot exist"):
         bifdiag.Body.from_inertia([[1, 0, 0], [0, 1, 0], [0, 0, 3]], [0, 0, 1], 1, about="centre of mass")
     assert bifdiag.Body.from_inertia([[1, 0, 0], [0, 1, 0], [0, 0, 3]], [0, 0, 0.1], 1, unphysical=True).part
+
+
+def test_parts_have_floats_beside_their_texts():
+    part = bifdiag.Body.from_inertia(TENSOR, [0, "0.1", "0.2"], "0.5", "9.81", "centre of mass", units="kg,mm,s")
+    assert part.moments.tolist() == [float(Fraction(text)) for text in part.exact.A] == [*map(float, part.moments)]
+    # m g com in the part's units: 9810 mm/s².
+    assert np.allclose(part.weight, 0.5 * 9810) and np.allclose(
+        part.weight * part.com, [float(Fraction(t)) for t in part.r]
+    )
+    axes = np.array(part.part["principal"]["axes"], dtype=float)
+    assert np.allclose(axes @ [0, 0.1, 0.2], part.com)
+    assert part.units == bifdiag.Units("kg,mm,s", 1.0, 1e-3, 1.0) and part.units.energy == 1e-6
+    assert pickle.loads(pickle.dumps(part.units)) == part.units
+
+
+def test_numbers_may_carry_their_units():
+    one = bifdiag.Body.from_inertia([["240000 kg mm2", 0, 0], [0, 0.24, 0], [0, 0, 0.17]], [0, 0, "8 cm"], "2000 g", 9.81)
+    other = bifdiag.Body.from_inertia([[0.24, 0, 0], [0, 0.24, 0], [0, 0, 0.17]], [0, 0, 0.08], 2, 9.81)
+    assert one == other and not one.measured
+    with pytest.raises(bifdiag.InputError, match="unit of something else"):
+        bifdiag.Body.from_inertia([[2, 0, 0], [0, 2, 0], [0, 0, 1]], [0, 0, "1 kg"], 1)
+
+
+def test_tolerances_are_the_command_lines(command, tmp_path):
+    tensor = [["0.24±1%", "0.001±0.0005", 0], ["0.001", "0.25", 0], [0, 0, "0.17+-0.002"]]
+    part = bifdiag.Body.from_inertia(tensor, [0, 0, "80±0.5 mm"], "2±0.01 kg", "9.81", "centre of mass")
+    line = ["--inertia-com=0.24±1%,0.25,0.17+-0.002,0.001±0.0005,0,0", "--products=tensor", "--com=0,0,80±0.5 mm"]
+    line += ["--mass=2±0.01 kg", "--g=9.81", "--units=kg,m,s"]
+    assert part.measured and part.critical_spin("z") == json.loads(command("critical-spin", "--json", *line, "--axis=z"))
+    mesh = tmp_path / "part.obj"
+    mesh.write_text(TETRAHEDRON)
+    body = bifdiag.Body.from_part(mesh, density="0.5±1%", pivot=[0, 0, "-1±0.01"], g="9.81±0.01", units="g,mm,s")
+    line = [f"--part={mesh}", "--density=0.5±1%", "--pivot=0,0,-1±0.01", "--g=9.81±0.01", "--units=g,mm,s"]
+    assert body.critical_spin("x") == json.loads(command("critical-spin", "--json", *line, "--axis=x"))
+    for measured in (part, body):
+        again = pickle.loads(pickle.dumps(measured))
+        assert again == measured and again.measured and hash(again) == hash(measured)
+        assert "±" in repr(measured)
+    plain = bifdiag.Body.from_part(mesh, density="0.5", pivot=[0, 0, -1], g="9.81", units="g,mm,s")
+    assert plain != body and plain.part == body.part and not plain.measured
+    assert plain.critical_spin("x", tolerance="1%")["tolerance"]
+
+
+def test_a_part_with_tolerances_has_no_single_diagram():
+    part = bifdiag.Body.from_inertia([["2±1%", 0, 0], [0, 2, 0], [0, 0, 1]], [0, 0, 0.1], 1)
+    for ask in (part.atlas, lambda: part.classify(1, 1), lambda: part.critical(1), lambda: part.section(1, 1)):
+        with pytest.raises(bifdiag.InputError, match="only critical_spin answers"):
+            ask()
+    with pytest.raises(bifdiag.InputError, match="negative"):
+        bifdiag.Body.from_inertia([["2±-1", 0, 0], [0, 2, 0], [0, 0, 1]], [0, 0, 0.1], 1)

@@ -180,3 +180,35 @@ def test_notebooks_show_objects_by_themselves(paper, atlas, section):
     assert "R5" in atlas.regions[4]._repr_html_()
     shown = section._repr_html_()
     assert "(3.8, 3.25)" in shown and "6 orbits" in shown and "regular" in shown
+
+
+def test_figures_have_the_size_that_is_asked_for(paper, atlas, section):
+    motion = paper.orbit(gamma=[0.6, 0, 0.8], omega=[1, 0.3, 1], t=5)
+    draw = [
+        atlas.plot,
+        section.plot,
+        paper.plot,
+        motion.plot,
+        lambda ax=None, **size: paper.plot_sphere(3.8, 3.25, ax, **size),
+    ]
+    for plot in draw:
+        drawn = np.ravel(plot(figsize=(3, 2)))[0]
+        assert drawn.figure.get_size_inches().tolist() == [3, 2]
+    _, ax = plt.subplots()
+    with pytest.raises(bifdiag.InputError, match="figsize is the size of a new figure"):
+        atlas.plot(ax, figsize=(3, 2))
+
+
+def test_a_motion_is_drawn_with_up_upwards(paper):
+    motion = paper.orbit(gamma=[0.94868, 0, 0.61623], omega=[0.1, 0, 0.1], t=3)
+    ax = motion.plot(color="red")
+    x, y, z = ax.lines[0].get_data_3d()
+    assert np.allclose(x**2 + y**2 + z**2, 1) and z[0] == pytest.approx(-1) and ax.lines[0].get_color() == "red"
+    # The centre of mass hangs where gamma is r̂.
+    center = paper.com / np.linalg.norm(paper.com)
+    assert np.allclose(-z, motion.gamma @ center)
+
+
+def test_the_energy_of_a_motion_is_kept(paper):
+    motion = paper.orbit(gamma=[0.6, 0, 0.8], omega=[1, 0.3, 1], t=5)
+    assert np.ptp(motion.energy) < 1e-12 and motion.energy[0] == pytest.approx(motion.meta["energy"])

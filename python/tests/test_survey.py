@@ -1,7 +1,12 @@
 """Scans, searches and the check of atlases."""
 
 import json
+import signal
+import subprocess
+import sys
+import time
 
+import numpy as np
 import pytest
 
 import bifdiag
@@ -67,3 +72,122 @@ def test_the_command_line_is_in_the_package(command):
     assert "bifdiag" in command("--version")
     assert json.loads(command("classify", "--body", "paper", "--h", 3.8, "--l", 3.25, "--json"))["status"] == "regular"
     assert "--A" in command("classify", "--A", "1,2", "--r", "1,0,0", "--h", 1, "--l", 1, status=2)
+
+
+def rows(count, seed=0):
+    rng = np.random.default_rng(seed)
+    x, y, z = rng.uniform(0.05, 1, (3, count)).round(3)
+    return np.stack([y + z, z + x, x + y], axis=1).round(3), rng.uniform(-1, 1, (count, 3)).round(3)
+
+
+def test_own_bodies_are_scanned(tmp_path):
+    A, r = rows(40)
+    found = bifdiag.scan(bodies=(A, r), threads=2)
+    assert len(found) == 40 == found.meta["rows"] and (A[:, 1] == found.A2).all() and (found.r3 == r[:, 2]).all()
+    counts = [len(bifdiag.Body(*body).atlas().regions) for body in zip(A.tolist(), r.tolist(), strict=True)]
+    assert found.regions.tolist() == counts
+    table = dict(zip(["A1", "A2", "A3", "r1", "r2", "r3"], np.hstack([A, r]).T, strict=True))
+    bodies = [bifdiag.Body(*body) for body in zip(A.tolist(), r.tolist(), strict=True)]
+    for same in (np.hstack([A, r]), table, bodies):
+        assert bifdiag.scan(bodies=same) == found
+    # Nothing is left behind, and nothing was written that was not asked for.
+    summary = bifdiag.scan(bodies=(A, r), out=tmp_path / "own.csv")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["own.csv", "own.csv.summary.json"]
+    assert summary["design"]["samples"] == 40 and summary["design"]["bodies"]["family"] == "listed"
+    shards = [tmp_path / f"shard-{part}.csv" for part in (1, 2, 3)]
+    for part, path in enumerate(shards, 1):
+        bifdiag.scan(bodies=(A, r), shard=(part, 3), out=path)
+    bifdiag.merge(shards, out=tmp_path / "merged.csv")
+    assert (tmp_path / "merged.csv").read_bytes() == (tmp_path / "own.csv").read_bytes()
+
+
+def test_a_scan_without_a_file_writes_none(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    found = bifdiag.scan(family="general", samples=20)
+    assert len(found) == 20 and not [*tmp_path.iterdir()] and "regions" in repr(found)
+    pd = pytest.importorskip("pandas")
+    assert isinstance(found.to_pandas(), pd.DataFrame)
+
+
+def test_finished_scans_are_not_overwritten(tmp_path):
+    A, r = rows(5)
+    out = tmp_path / "own.csv"
+    first = bifdiag.scan(bodies=(A, r), out=out)
+    written = out.read_bytes(), out.stat().st_mtime_ns
+    # The same again is the same, and nothing is done.
+    assert bifdiag.scan(bodies=(A, r), out=out) == first and (out.read_bytes(), out.stat().st_mtime_ns) == written
+    for other in ({"bodies": (A + 1, r)}, {"family": "general", "samples": 5}, {"bodies": (A, r), "shard": (1, 2)}):
+        with pytest.raises(bifdiag.InputError, match=r"holds another finished scan.*overwrite=True"):
+            bifdiag.scan(**other, out=out)
+    assert out.read_bytes() == written[0]
+    assert bifdiag.scan(bodies=(A + 1, r), out=out, overwrite=True)["rows"] == 5 and out.read_bytes() != written[0]
+    (tmp_path / "notes.csv").write_text("mine")
+    with pytest.raises(bifdiag.InputError, match="no finished scan"):
+        bifdiag.scan(bodies=(A, r), out=tmp_path / "notes.csv")
+    assert (tmp_path / "notes.csv").read_text() == "mine"
+
+
+def test_interrupted_scans_of_own_bodies_go_on(tmp_path):
+    A, r = rows(20_000)
+    np.savez(tmp_path / "bodies.npz", A=A, r=r)
+    out = tmp_path / "own.csv"
+    work = f"import bifdiag, numpy; f = numpy.load(r'{tmp_path / 'bodies.npz'}'); "
+    work += f"bifdiag.scan(bodies=(f['A'], f['r']), out=r'{out}')"
+    with subprocess.Popen([sys.executable, "-c", work], stderr=subprocess.DEVNULL) as process:
+        partial = tmp_path / "own.csv.partial"
+        for _ in range(600):
+            if partial.exists() and partial.stat().st_size > 20_000:
+                break
+            time.sleep(0.05)
+        process.send_signal(signal.SIGTERM)
+    deadline = time.monotonic() + 20
+    while time.monotonic() < deadline:
+        try:
+            summary = bifdiag.scan(bodies=(A, r), out=out, threads=0)
+            break
+        except bifdiag.InputError as error:
+            # The process of the command may take a moment to end.
+            if "another process" not in str(error):
+                raise
+            time.sleep(0.2)
+    assert summary["rows"] == 20_000 and not partial.exists()
+
+
+@pytest.mark.parametrize(
+    ("bodies", "message"),
+    [
+        ([[1, 2, 3]], "shape"),
+        ({"A1": [1]}, "A2"),
+        ([], "shape"),
+        ([[1, 1, 1, 1, np.nan, 0]], r"bodies\[0\]: r2 = nan"),
+        ([["x"] * 6], "could not convert"),
+    ],
+)
+def test_wrong_lists_of_bodies_are_told(bodies, message):
+    with pytest.raises(bifdiag.InputError, match=message):
+        bifdiag.scan(bodies=bodies)
+    with pytest.raises(bifdiag.InputError, match="give one of them"):
+        bifdiag.scan(bodies=bodies, family="general")
+
+
+def test_a_table_of_the_command_line_names_what_is_wrong(command, tmp_path):
+    table = tmp_path / "bodies.csv"
+    for text, message in [
+        ("A1,A2,A3,r1,r2\n1,1,1,1,0\n", "no column r3"),
+        ("A1,A2,A3,r1,r2,r3\n1,1,x,1,0,0\n", "line 2: A3"),
+        ("A1,A2,A3,r1,r2,r3\n", "no body"),
+    ]:
+        table.write_text(text)
+        assert message in command("scan", "--bodies", table, "--out", tmp_path / "x.csv", status=2)
+    table.write_text("r1,r2,r3,A1,A2,A3\n1,0,0,11/10,1,1\n")
+    told = command("scan", "--bodies", table, "--body", "paper", "--out", tmp_path / "x.csv", status=2)
+    assert "single body" in told
+    command("scan", "--bodies", table, "--out", tmp_path / "x.csv")
+    assert "1.1" in (tmp_path / "x.csv").read_text()
+
+
+def test_witnesses_have_numbers_and_exact_texts():
+    witness = bifdiag.find("M4")
+    assert isinstance(witness.h, float) and witness.h == float(witness.exact.h)
+    assert witness.body.classify(*witness.exact).components == witness.components
+    assert bifdiag.find("k0n1").exact is None

@@ -64,6 +64,11 @@ pub enum FamilyDocument {
         #[schemars(with = "[Number; 3]")]
         center: [String; 3],
     },
+    /// Bodies that were given one by one; `samples` is their number.
+    Listed {
+        /// SHA-256 of A1, A2, A3, r1, r2, r3 of each body, as doubles of eight bytes, the lowest byte first.
+        sha256: String,
+    },
 }
 
 /// A numbered list of bodies.
@@ -75,7 +80,7 @@ pub struct DesignDocument {
     /// What varies; on a grid the last one varies fastest.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub vary: Vec<RangeDocument>,
-    /// Number of points of the low-discrepancy sequence; absent for a grid.
+    /// Number of points of the low-discrepancy sequence, or of the bodies of a list; absent for a grid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub samples: Option<u64>,
     /// Where the sequence starts.

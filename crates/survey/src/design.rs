@@ -27,7 +27,44 @@ pub enum BodyFamily {
         /// r1, r2, r3 where not varied.
         center: [Number; 3],
     },
+    /// Bodies that are given one by one.
+    Listed(BodyList),
 }
+
+/// Bodies that are given one by one. Lists are equal if their digests are.
+#[derive(Clone, Debug)]
+pub struct BodyList {
+    digest: String,
+    bodies: Vec<[[f64; 3]; 2]>,
+}
+
+impl BodyList {
+    /// A and r of each body, with a digest of all of them; only with the digest where the bodies themselves are not at hand.
+    #[must_use]
+    pub fn new(digest: String, bodies: Vec<[[f64; 3]; 2]>) -> Self {
+        Self { digest, bodies }
+    }
+
+    /// The digest.
+    #[must_use]
+    pub fn digest(&self) -> &str {
+        &self.digest
+    }
+
+    /// A and r of body n: no numbers where it is not at hand.
+    fn values(&self, n: u64) -> [[f64; 3]; 2] {
+        let body = usize::try_from(n).ok().and_then(|n| self.bodies.get(n));
+        body.copied().unwrap_or([[f64::NAN; 3]; 2])
+    }
+}
+
+impl PartialEq for BodyList {
+    fn eq(&self, other: &Self) -> bool {
+        self.digest == other.digest
+    }
+}
+
+impl Eq for BodyList {}
 
 /// A numbered list of bodies.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -36,7 +73,7 @@ pub struct Design {
     pub family: BodyFamily,
     /// What varies; on a grid the last one varies fastest.
     pub vary: Vec<ParameterRange>,
-    /// Number of points of the low-discrepancy sequence; absent for a grid.
+    /// Number of points of the low-discrepancy sequence, or of the bodies of a list; absent for a grid.
     pub samples: Option<u64>,
     /// Where the sequence starts.
     pub seed: u64,
@@ -45,7 +82,7 @@ pub struct Design {
 /// Why there is no such scan.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum DesignError {
-    /// The families `general` and `positive` choose all parameters themselves.
+    /// A list and the families `general` and `positive` choose all parameters themselves.
     #[error("the family chooses every parameter itself; to vary some of them give a body or the family katok")]
     NothingToVary,
     /// A body, and nothing that varies.
@@ -105,7 +142,7 @@ impl Design {
         samples: Option<u64>,
         seed: u64,
     ) -> Result<Self, DesignError> {
-        let whole = matches!(family, BodyFamily::General | BodyFamily::Positive);
+        let whole = matches!(family, BodyFamily::General | BodyFamily::Positive | BodyFamily::Listed(_));
         if whole && !vary.is_empty() {
             return Err(DesignError::NothingToVary);
         }
@@ -178,6 +215,7 @@ impl Design {
                 let a = if self.family == BodyFamily::General { m.map(|m| 1.0 - m) } else { m };
                 return [a, on_octant(u[2], u[3])];
             }
+            BodyFamily::Listed(list) => return list.values(n),
             BodyFamily::Katok => ([1.0; 3], [1.0, 0.0, 0.0]),
             BodyFamily::Body { moments, center } => {
                 (moments.each_ref().map(Number::to_f64), center.each_ref().map(Number::to_f64))

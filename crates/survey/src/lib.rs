@@ -13,6 +13,6 @@ pub mod space;
 pub mod strata;
 pub mod subdivision;
 
-pub use design::{BodyFamily, Design, DesignError};
+pub use design::{BodyFamily, BodyList, Design, DesignError};
 pub use parameter::{BodyParameter, ParameterRange, ParseRangeError};
 pub use signature::{ComponentType, ParseComponentTypeError, Signature};

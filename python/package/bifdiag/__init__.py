@@ -14,9 +14,11 @@ Examples
 
 from ._core import __version__
 from .atlas import Atlas
-from .body import Body
+from .body import Body, bodies
+from .critical import Equilibria
 from .errors import BifdiagError, BodyError, BodyWarning, InputError, RangeError, VerifyError
 from .motion import Motion
+from .points import Classifications
 from .records import (
     Candidate,
     Cell,
@@ -38,7 +40,8 @@ from .records import (
     VerdictChange,
 )
 from .section import Section
-from .survey import Witness, find, merge, scan, verify
+from .survey import Scan, Witness, find, merge, scan, verify
+from .units import Units
 
 __all__ = [
     "Atlas",
@@ -49,9 +52,11 @@ __all__ = [
     "Candidate",
     "Cell",
     "Classification",
+    "Classifications",
     "Component",
     "Curve",
     "Enclosure",
+    "Equilibria",
     "Event",
     "Friction",
     "InputError",
@@ -63,14 +68,17 @@ __all__ = [
     "Region",
     "Resonances",
     "Sample",
+    "Scan",
     "Section",
     "StabilityChange",
     "StabilitySpan",
     "Tail",
+    "Units",
     "VerdictChange",
     "VerifyError",
     "Witness",
     "__version__",
+    "bodies",
     "find",
     "merge",
     "scan",

@@ -5,16 +5,18 @@ import os
 from collections.abc import Callable
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypeAlias, overload
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _core, exact, files, pictures
-from .behaviour import Document, sections
+from . import _core, arrays, exact, files, pictures
+from .behaviour import Document, infinite, sections
+from .collection import Changes, Curves, Events, Regions
 from .errors import InputError
 from .exact import Number
 from .explorer import Explorer
+from .points import Classifications
 from .records import Classification, Curve, Event, Region, StabilityChange, VerdictChange
 
 if TYPE_CHECKING:
@@ -55,7 +57,7 @@ class Atlas:
     # Makes the body of a document. The module of bodies, which makes atlases, sets it.
     _body_of: ClassVar[Callable[[Document], "Body"]]
 
-    def __init__(self, body: "Body", accuracy: str = "exact", *, certificate: bool = False) -> None:
+    def __init__(self, body: "Body", accuracy: Literal["exact", "fast"] = "exact", *, certificate: bool = False) -> None:
         self.body = body
         self.accuracy = accuracy
         self._certified = bool(certificate)
@@ -132,35 +134,45 @@ class Atlas:
         return tuple(np.array(outline, dtype=float).reshape(-1, 2) for outline in drawn["polygon"])
 
     @cached_property
-    def regions(self) -> tuple[Region, ...]:
-        """The regions, in the order of their ids: ``atlas.regions[4].id == "R5"``."""
-        regions, widths = json.loads(self._inner.regions()), self._inner.h_widths()
-        return tuple(Region._of(found, (width, self._outlines)) for found, width in zip(regions, widths, strict=True))
+    def regions(self) -> Regions[Region]:
+        """The regions, in the order of their ids: ``atlas.regions["R5"]`` is ``atlas.regions[4]``; also a table."""
+        drawn = self._width, self._outlines
+        return Regions(self._inner.regions(), lambda text: Region._of(json.loads(text), drawn))
 
     @cached_property
-    def events(self) -> tuple[Event, ...]:
-        """Cusps, pitchforks and crossings, by increasing l. `Event` explains the meaning of their floats."""
-        return tuple(Event._of(document) for document in json.loads(self._inner.events()))
+    def _widths(self) -> dict[str, float]:
+        return {region.id: infinite(width) for region, width in zip(self.regions, self._inner.h_widths(), strict=True)}
+
+    def _width(self, region: str) -> float:
+        return self._widths[region]
 
     @cached_property
-    def curves(self) -> tuple[Curve, ...]:
-        """Critical curves and pole lines, with their points; `polyline` gives finer ones."""
+    def events(self) -> Events[Event]:
+        """Cusps, pitchforks and crossings, by increasing l; also a table. `Event` explains the meaning of their floats."""
+        return Events(json.loads(self._inner.events()), Event._of)
+
+    @cached_property
+    def curves(self) -> Curves[Curve]:
+        """Critical curves and pole lines, ``atlas.curves["G1.2"]``, with their points; also a table.
+
+        `polyline` gives finer points.
+        """
         drawn = self._document.get("drawing", {"curves": {}})["curves"]
-        return tuple(Curve._of(document, drawn.get(document["id"])) for document in self._document["curves"])
+        return Curves(self._document["curves"], lambda document: Curve._of(document, drawn.get(document["id"])))
 
     @cached_property
-    def stability_changes(self) -> tuple[StabilityChange, ...]:
+    def stability_changes(self) -> Changes[StabilityChange]:
         """Points of curves at which the linear type of the relative equilibria changes."""
-        return tuple(StabilityChange._of(document) for document in self._document["stability_changes"])
+        return Changes(self._document["stability_changes"], StabilityChange._of)
 
     @cached_property
-    def verdict_changes(self) -> tuple[VerdictChange, ...] | None:
+    def verdict_changes(self) -> Changes[VerdictChange] | None:
         """Isolated points of curves at which a hypothesis of Arnold's theorem fails, by increasing l.
 
         None without a certificate, and where not all of them are known.
         """
         found = self._document.get("verdict_changes")
-        return None if found is None else tuple(VerdictChange._of(document) for document in found)
+        return None if found is None else Changes(found, VerdictChange._of)
 
     @property
     def complete(self) -> bool:
@@ -245,26 +257,37 @@ class Atlas:
         """Writes `to_json` to a file."""
         Path(path).write_text(self._text, encoding="utf-8", newline="\n")
 
-    def region(self, h: Any, l: Any, *, threads: int | None = None) -> Any:
+    @overload
+    def region(
+        self, h: Number, l: Number, *, threads: int | None = None, invalid: Literal["mark", "raise"] = "mark"
+    ) -> int: ...
+    @overload
+    def region(self, h: Any, l: Any, *, threads: int | None = None, invalid: Literal["mark", "raise"] = "mark") -> Any: ...
+    def region(self, h: Any, l: Any, *, threads: int | None = None, invalid: str = "mark") -> Any:
         """Indices of the regions of points.
 
         Parameters
         ----------
         h, l : number, or array of them
             Energies and vertical angular momenta, of shapes that broadcast. The floats of an array mean their shortest
-            decimals, as scalars do. Arrays of Fraction or str are exact. The sign of l does not matter.
+            decimals, as scalars do. Arrays of Fraction or str are exact. The sign of l does not matter. A
+            ``xarray.DataArray`` broadcasts by its dimensions, and a ``pandas.Series`` by its index.
         threads : int, optional
             None: one; 0: one per core. The result does not depend on it.
+        invalid : {"mark", "raise"}
+            What becomes of a point with a number that is NaN, masked, infinite, or beyond 1e±150: its code is −4, or an
+            error names it.
 
         Returns
         -------
-        int, or array of int
-            Indices into `regions`; −1 forbidden, −2 on a curve, −3 undecided (only with the accuracy ``"fast"``).
+        int, or array of int, or as h and l a DataArray or a Series
+            Indices into `regions`; −1 forbidden, −2 on a curve, −3 undecided (only with the accuracy ``"fast"``), −4
+            invalid.
 
         Raises
         ------
         InputError
-            If a value is not a finite number, or the shapes do not broadcast.
+            If a value is not a number, or the shapes do not broadcast; with ``invalid="raise"`` for an invalid number.
         RangeError
             If a point cannot be decided.
 
@@ -272,38 +295,97 @@ class Atlas:
         --------
         >>> import bifdiag
         >>> atlas = bifdiag.Body.preset("paper").atlas()
-        >>> atlas.region([0, 3.8], 3.25)
-        array([-1,  4])
+        >>> atlas.region([0, 3.8, float("nan")], 3.25)
+        array([-1,  4, -4])
         >>> atlas.regions[4]
         Region R5: S2+T2 at ...
         """
-        energies, momenta = exact.doubles(h, "h"), exact.doubles(l, "l")
-        if energies is None or momenta is None:
-            return self._exact_places(h, l)
-        try:
-            energies, momenta = np.broadcast_arrays(energies, momenta)
-        except ValueError as error:
-            raise InputError(f"h and l do not broadcast: {error}") from error
-        flat_h, flat_l = (np.ascontiguousarray(values).reshape(-1) for values in (energies, momenta))
-        places = self._inner.places(flat_h, flat_l, exact.threads(threads)).reshape(energies.shape)
-        return places if places.ndim else int(places)
+        given = arrays.points(h, l, invalid)
+        if isinstance(given.h, list):
+            pairs = zip(given.h, given.l, strict=True)
+            places = np.array([self._inner.place(*pair) for pair in pairs], dtype=np.int64)
+        else:
+            places = self._inner.places(given.h, given.l, exact.threads(threads))
+        return given.dress(given.spread(places, arrays.INVALID), "region")
 
-    def _exact_places(self, h: Any, l: Any) -> Any:
-        """One point after the other, from the texts of its numbers."""
+    @overload
+    def classify(self, h: Number, l: Number) -> Classification: ...
+    @overload
+    def classify(
+        self, h: Any, l: Any, *, threads: int | None = None, invalid: Literal["mark", "raise"] = "mark"
+    ) -> Any: ...
+    def classify(self, h: Any, l: Any, *, threads: int | None = None, invalid: str = "mark") -> Any:
+        """The type of U, E and P at one point, or at each of many.
 
-        def place(h: Any, l: Any) -> int:
-            return self._inner.place(exact.text(h, "h"), exact.text(l, "l"))
+        Parameters
+        ----------
+        h, l, threads, invalid
+            As of `region`.
 
-        try:
-            energies, momenta = np.broadcast_arrays(np.asarray(h, dtype=object), np.asarray(l, dtype=object))
-        except ValueError as error:
-            raise InputError(f"h and l do not broadcast: {error}") from error
-        found = [place(*point) for point in zip(energies.flat, momenta.flat, strict=True)]
-        return np.array(found, dtype=np.int64).reshape(energies.shape) if energies.ndim else found[0]
+        Returns
+        -------
+        Classification or Classifications
+            Of two scalars like `Body.classify`, but faster; of arrays a table with the codes of `region`, the components of
+            each code, and the distance to the nearest curve.
 
-    def classify(self, h: Number, l: Number) -> Classification:
-        """The type of U, E and P at one point, like `Body.classify` but faster for many points."""
-        return Classification._of(json.loads(self._inner.classify(exact.text(h, "h"), exact.text(l, "l"))))
+        Raises
+        ------
+        InputError
+            As of `region`, and for a single point that is invalid.
+        RangeError
+            If a point cannot be decided.
+
+        Examples
+        --------
+        >>> import bifdiag
+        >>> atlas = bifdiag.Body.preset("paper").atlas()
+        >>> found = atlas.classify([0, 3.8], 3.25)
+        >>> found.region, found.signature
+        (array([-1,  4]), array([None, 'S2+T2'], dtype=object))
+        >>> atlas.classify(3.8, 3.25).margin.nearest == found.nearest[1]
+        True
+        """
+        if _is_scalar(h) and _is_scalar(l):
+            return Classification._of(json.loads(self._inner.classify(exact.text(h, "h"), exact.text(l, "l"))))
+        given = arrays.points(h, l, invalid)
+        return Classifications._of(given, self._measured(given, threads), self.regions)
+
+    @overload
+    def margin(
+        self, h: Number, l: Number, *, threads: int | None = None, invalid: Literal["mark", "raise"] = "mark"
+    ) -> float: ...
+    @overload
+    def margin(self, h: Any, l: Any, *, threads: int | None = None, invalid: Literal["mark", "raise"] = "mark") -> Any: ...
+    def margin(self, h: Any, l: Any, *, threads: int | None = None, invalid: str = "mark") -> Any:
+        """Distances in h of points from the nearest critical curve or pole line at their l.
+
+        Parameters
+        ----------
+        h, l, threads, invalid
+            As of `region`.
+
+        Returns
+        -------
+        float, or array of float, or as h and l a DataArray or a Series
+            ``|h − h_c|``; NaN where the point is invalid. `classify` also names the curve, and bounds the error.
+
+        Raises
+        ------
+        InputError, RangeError
+            As of `region`.
+
+        Examples
+        --------
+        >>> import bifdiag
+        >>> atlas = bifdiag.Body.preset("paper").atlas()
+        >>> atlas.margin([3.8, 4], 3.25).round(4)
+        array([0.3153, 0.2319])
+        """
+        given = arrays.points(h, l, invalid)
+        return given.dress(given.spread(self._measured(given, threads)["margin"], np.nan), "margin")
+
+    def _measured(self, given: arrays.Points, threads: int | None) -> dict[str, Any]:
+        return self._inner.measured(given.h, given.l, exact.threads(threads))
 
     def plot(self, ax: "Axes | None" = None, **options: Any) -> "Axes":
         """Draws the bifurcation diagram with matplotlib; see `bifdiag.pictures.diagram` for the options."""
@@ -345,6 +427,10 @@ class Atlas:
     def _repr_svg_(self) -> str:
         return self.svg()
 
+    def _repr_html_(self) -> str:
+        regions = f"<details><summary>{len(self.regions)} regions</summary>{self.regions._repr_html_()}</details>"
+        return f"<div>{self.svg()}{regions}</div>"
+
     def _identity(self) -> tuple[Any, ...]:
         return self.body, self.accuracy, self._certified, self._ranges, self._drawing
 
@@ -367,7 +453,12 @@ class Atlas:
         return "\n".join(lines)
 
 
-def _made(body: "Body", accuracy: str, certificate: bool) -> Atlas:
+def _is_scalar(value: Any) -> bool:
+    """One number, and no array of any kind with one entry."""
+    return isinstance(value, str) or (np.ndim(value) == 0 and not hasattr(value, "dims"))
+
+
+def _made(body: "Body", accuracy: Literal["exact", "fast"], certificate: bool) -> Atlas:
     return Atlas(body, accuracy, certificate=certificate)
 
 

@@ -49,7 +49,8 @@ class Region:
     @property
     def h_width(self: Any) -> float:
         """The largest extent in h at one l; ``inf`` if unbounded."""
-        return infinite(self._drawn[0])
+        width: float = self._drawn[0](self.id)
+        return width
 
     @property
     def polygon(self: Any) -> tuple[np.ndarray, ...]:

@@ -4,7 +4,7 @@ import json
 import os
 import warnings
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -12,17 +12,26 @@ import numpy.typing as npt
 from . import _core, exact, pictures
 from .atlas import Atlas
 from .behaviour import table
-from .critical import equilibria
+from .command import command
+from .critical import Equilibria
 from .errors import BodyWarning, InputError
 from .exact import Number
 from .motion import Motion
 from .records import Classification
 from .section import Section
+from .units import Exact, Units
 
 UNPHYSICAL = (
     "no distribution of mass has these moments and this centre of mass "
     "(it needs Ai + Aj > Ak, or Ai + Aj = Ak with rk = 0); the answers are those of the equations"
 )
+
+
+Accuracy: TypeAlias = Literal["exact", "fast"]
+"""Levels of accuracy."""
+
+Axis: TypeAlias = Literal["x", "y", "z"] | Iterable[Number]
+"""An axis of a part."""
 
 
 class Body:
@@ -65,11 +74,16 @@ class Body:
     'S2+T2'
     """
 
-    __slots__ = ("_inner",)
+    __slots__ = ("_given", "_inner", "_source")
     _inner: _core.Body
+    # The options of the command line for a part, as it was given.
+    _given: tuple[str, ...]
+    # What made a part with ±, to make it again: a function of the compiled part, and its arguments.
+    _source: tuple[str, tuple[Any, ...]] | None
 
     def __init__(self, A: Iterable[Number], r: Iterable[Number]) -> None:
         self._inner = _core.Body(exact.triple(A, "A"), exact.triple(r, "r"))
+        self._given, self._source = (), None
         if not self.physical:
             warnings.warn(UNPHYSICAL, BodyWarning, stacklevel=2)
 
@@ -105,7 +119,7 @@ class Body:
         com: Iterable[Number],
         mass: Number,
         g: Number = "9.80665",
-        about: str = "fixed point",
+        about: Literal["fixed point", "centre of mass"] = "fixed point",
         *,
         units: str = "kg,m,s",
         unphysical: bool = False,
@@ -126,7 +140,8 @@ class Body:
         about : {"fixed point", "centre of mass"}
             The reference point of the tensor.
         units : str
-            Units of mass, length and time of all inputs and results, such as ``"g,mm,s"``.
+            Units of mass, length and time of all inputs and results, such as ``"g,mm,s"``. Any number may also be a text
+            with its own unit, ``"250 g"``, and with what it is known to, ``"1.2±0.01"``, ``"1.2+-1%"``: `critical_spin`.
         unphysical : bool
             Accept an unphysical part, which no distribution of mass can have.
 
@@ -152,7 +167,12 @@ class Body:
         if len(rows) != 3:
             raise InputError(f"tensor needs three rows, {len(rows)} given")
         place, weight, gravity = exact.triple(com, "com"), exact.text(mass, "mass"), exact.text(g, "g")
-        return cls._of(_core.body_of_tensor(rows, place, weight, gravity, about == "centre of mass", units, unphysical))
+        arguments = (rows, place, weight, gravity, about == "centre of mass", units, unphysical)
+        upper = [_told_entry(rows[i][k], rows[k][i]) for i, k in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
+        option = "--inertia-com" if about == "centre of mass" else "--inertia"
+        given = [f"{option}={','.join(upper)}", "--products=tensor", f"--com={','.join(place)}", f"--mass={weight}"]
+        given += [f"--g={gravity}", f"--units={units}", *(["--unphysical"] if unphysical else [])]
+        return cls._of_part(("body_of_tensor", arguments), tuple(given))
 
     @classmethod
     def from_part(
@@ -174,11 +194,11 @@ class Body:
         path : path
             A mesh (``.stl``, ``.obj``, ``.ply``) or an inertial block (``.urdf``, MJCF ``.xml``).
         density, mass : number, optional
-            One of the two for a mesh, in `units`.
+            One of the two for a mesh, in `units`, or with its own: ``"2.7 g/cm3"``.
         link : str, optional
             Which link of a ``.urdf`` or ``.xml``.
         pivot : three numbers
-            The fixed point, in the file's frame.
+            The fixed point, in the file's frame; ``"10±0.2 mm"`` is understood, too.
         g : number
             Acceleration of gravity, always in m/s².
         units : str, optional
@@ -197,13 +217,37 @@ class Body:
             None if value is None else exact.text(value, name) for name, value in (("density", density), ("mass", mass))
         ]
         place, gravity = exact.triple(pivot, "pivot"), exact.text(g, "g")
-        return cls._of(_core.body_of_file(path, weight, link, place, gravity, units, unphysical))
+        absolute = os.path.abspath(path)
+        arguments = (absolute, weight, link, place, gravity, units, unphysical)
+        named = [("density", weight[0]), ("mass", weight[1]), ("link", link), ("units", units)]
+        options = [f"--{name}={value}" for name, value in named if value is not None]
+        given = [f"--part={absolute}", *options, f"--pivot={','.join(place)}", f"--g={gravity}"]
+        return cls._of_part(("body_of_file", arguments), (*given, *(["--unphysical"] if unphysical else [])))
 
     @classmethod
     def _of(cls, inner: _core.Body) -> "Body":
         body = cls.__new__(cls)
-        body._inner = inner
+        body._inner, body._given, body._source = inner, (), None
         return body
+
+    @classmethod
+    def _of_part(cls, source: tuple[str, tuple[Any, ...]], given: tuple[str, ...]) -> "Body":
+        make, arguments = source
+        body = cls._of(getattr(_core, make)(*arguments))
+        body._given, body._source = given, source if body.measured else None
+        return body
+
+    def _exactly(self) -> _core.Body:
+        """The compiled body, unless its numbers are known to within so much only."""
+        if self._inner.measured():
+            raise InputError(
+                "this part has numbers with ±, for which only critical_spin answers; leave out ± and what follows it"
+            )
+        return self._inner
+
+    def _options(self) -> tuple[str, ...]:
+        """The body as options of the command line."""
+        return self._given or (f"--A={','.join(self.A)}", f"--r={','.join(self.r)}")
 
     @classmethod
     def _of_document(cls, document: dict[str, Any]) -> "Body":
@@ -231,18 +275,58 @@ class Body:
         return self._inner.physical()
 
     @property
+    def measured(self) -> bool:
+        """Whether some number of the part is known to within so much only, as ``"1.2±0.01"``.
+
+        `moments`, `com`, `part` are then those of the nominal numbers, and only `critical_spin` answers questions.
+        """
+        return self._inner.measured()
+
+    @property
+    def moments(self) -> npt.NDArray[np.float64]:
+        """The principal moments of inertia A as floats."""
+        return _floats(self.A)
+
+    @property
+    def com(self) -> npt.NDArray[np.float64]:
+        """The centre of mass from the fixed point in principal axes, as floats: r/`weight`.
+
+        Of a part in its unit of length; of any other body r itself.
+        """
+        return _floats(self.r) / self.weight if self.weight else _floats(self.r)
+
+    @property
+    def weight(self) -> float:
+        """M g of a part, in its units; of any other body 1, since r contains m g."""
+        part, units = self.part, self.units
+        if part is None or units is None:
+            return 1.0
+        return float(exact.value(part["mass"]) * exact.value(part["g"])) * units.time**2 / units.length
+
+    @property
+    def units(self) -> Units | None:
+        """The units of a part and of its results, as factors to SI units; None for other bodies, whose units are free."""
+        part, scales = self.part, self._inner.scales()
+        return None if part is None or scales is None else Units(part["units"], *scales)
+
+    @property
+    def exact(self) -> Exact:
+        """The texts of A and r, ``body.exact.A``: exact, but of a part rounded where ``part["exact"]`` is False."""
+        return Exact(self.A, self.r)
+
+    @property
     def A(self) -> tuple[str, str, str]:
-        """The principal moments as given."""
+        """The principal moments as given, exact texts; `moments` are floats."""
         first, second, third = self._inner.moments
         return first, second, third
 
     @property
     def r(self) -> tuple[str, str, str]:
-        """The centre of mass as given."""
+        """The centre of mass times m g as given, exact texts."""
         first, second, third = self._inner.center
         return first, second, third
 
-    def atlas(self, accuracy: str = "exact", *, certificate: bool = False) -> Atlas:
+    def atlas(self, accuracy: Accuracy = "exact", *, certificate: bool = False) -> Atlas:
         """Every region of the (h, l) plane, with its topology.
 
         Parameters
@@ -271,9 +355,10 @@ class Body:
         >>> len(atlas.regions)
         9
         """
+        self._exactly()
         return Atlas(self, accuracy, certificate=certificate)
 
-    def classify(self, h: Number, l: Number, accuracy: str = "exact") -> Classification:
+    def classify(self, h: Number, l: Number, accuracy: Accuracy = "exact") -> Classification:
         """The type of U, E and P at one point.
 
         Parameters
@@ -301,55 +386,31 @@ class Body:
         >>> bifdiag.Body.preset("kovalevskaya").classify(2, 2).status
         'critical'
         """
-        document = self._inner.classify(exact.text(h, "h"), exact.text(l, "l"), accuracy)
+        document = self._exactly().classify(exact.text(h, "h"), exact.text(l, "l"), accuracy)
         return Classification._of(json.loads(document))
 
-    def critical(self, l: Any) -> npt.NDArray[np.void]:
-        """All relative equilibria.
+    def critical(self, l: Any, *, threads: int | None = None) -> Equilibria:
+        """All relative equilibria, as a table.
 
         Parameters
         ----------
         l : number, or array of them
             Vertical angular momentum. At −l the same equilibria rotate in the opposite direction; at l = 0 the body is
             at rest, hanging or standing.
+        threads : int, optional
+            None: one; 0: one per core. The result does not depend on it.
 
         Returns
         -------
-        structured array
-            A row for each relative equilibrium, by increasing h. For an array of l the additional field ``l_index``
+        Equilibria
+            A row for each relative equilibrium, by increasing h: a structured array with named columns, which `Equilibria`
+            explains, and with `to_pandas`, `to_arrow` and `to_xarray`. For an array of l the additional column ``l_index``
             is the position in ``np.ravel(l)``. Angular velocities and eigenvalues are in radians per unit of time.
-
-            ========================= ====================================================================================
-            ``l``, ``h``              Momentum and energy.
-            ``gamma`` (3)             The downward vertical, in the body's axes; the body turns about it.
-            ``omega``                 The angular velocity l/⟨γ, A γ⟩, signed as l.
-            ``index``                 Negative eigenvalues of the Hessian of U_l: 0 minimum, 1 saddle, 2 maximum,
-                                      unless ``multiplicity`` is ``"2"``.
-            ``multiplicity``          ``"1"``; ``"2"``: degenerate, where two meet (a cusp) or three, or one and a
-                                      circle (a pitchfork); ``"circle"`` and ``"sphere"`` of them. Two that are
-                                      mirror images are two rows.
-            ``stability``             Linear type: ``"elliptic"`` (two imaginary pairs), ``"saddle-centre"`` (one
-                                      real, one imaginary), ``"saddle"`` (two real), ``"complex"`` (a quadruple),
-                                      ``"double-elliptic"``, ``"double-real"`` (a double pair), ``"zero"`` (an
-                                      eigenvalue 0). Across a circle of them there is one pair only: ``"elliptic"``
-                                      imaginary, ``"saddle"`` real, ``"zero"`` 0; along it the eigenvalues are 0.
-            ``stable``                Proved stable, at fixed l, up to rotation about the vertical.
-            ``stable_by``             Why: ``"energy"`` (a minimum), ``"integral"`` (a further integral),
-                                      ``"arnold"`` (Arnold's theorem); where it is not stable, ``"spectrum"`` (an
-                                      eigenvalue), ``"resonance 1:1"``, …, ``"degenerate"``.
-            ``verdict``               ``"stable"``, ``"unstable"`` or ``"open"``.
-            ``survives_friction``     It stays stable with a small friction that conserves l.
-            ``eigenvalues`` (2)       Of the pairs ±λ₁, ±λ₂ of the flow reduced by l, with re ≥ 0 and im ≥ 0; of a
-                                      circle its transverse pair, then 0. A quadruple gives the same one twice.
-            ``eigenvalue_error``      Bound on their error.
-            ``branch``                Id of the curve in the atlas; the page "Conventions" explains ids.
-            ``branch_name``           Where the branch begins, such as ``"from +r̂"``.
-            ========================= ====================================================================================
 
         Raises
         ------
         InputError
-            If an l is not a finite number.
+            If an l is not a finite number; the message names the first.
 
         Examples
         --------
@@ -357,8 +418,51 @@ class Body:
         >>> found = bifdiag.Body.preset("paper").critical("3.25")
         >>> found["index"]
         array([0, 0, 1, 1, 2, 2], dtype=int8)
+        >>> found[found["index"] == 2].stable_by.tolist()
+        ['arnold', 'arnold']
         """
-        return equilibria(self._inner, l)
+        return Equilibria._compute(self._exactly(), l, threads)
+
+    def critical_spin(self, axis: Axis | None = None, *, tolerance: str | None = None) -> dict[str, Any]:
+        """The spins at which the stability or the region of a steady rotation changes, like ``bifdiag critical-spin``.
+
+        It is the question for parts whose numbers are known to within so much only, as ``"1.2±0.01"``: bounds hold for
+        every part within them.
+
+        Parameters
+        ----------
+        axis : {"x", "y", "z"} or three numbers, optional
+            An axis in the frame of the part; None: all axes about which it can turn steadily.
+        tolerance : str, optional
+            Such as ``"1%"``: of the moments and the weight, in place of ± on single numbers.
+
+        Returns
+        -------
+        dict
+            The document of ``bifdiag critical-spin --json``; the page "Formats" of the program's documentation explains it.
+
+        Raises
+        ------
+        InputError
+            If the command line refuses an argument.
+
+        Examples
+        --------
+        >>> import bifdiag
+        >>> tensor = [["0.24±1%", 0, 0], [0, 0.24, 0], [0, 0, 0.17]]
+        >>> top = bifdiag.Body.from_inertia(tensor, com=[0, 0, "80±0.5 mm"], mass="2 kg", g=9.81)
+        >>> top.measured, top.com.tolist()
+        (True, [0.0, 0.0, 0.08])
+        >>> sorted(top.critical_spin("z"))[:3]
+        ['A', 'axis', 'changes']
+        """
+        arguments = ["critical-spin", "--json", *self._options()]
+        if axis is not None:
+            arguments.append(f"--axis={axis if isinstance(axis, str) else ','.join(exact.triple(axis, 'axis'))}")
+        if tolerance is not None:
+            arguments.append(f"--tolerance={tolerance}")
+        document: dict[str, Any] = json.loads(command(*arguments))
+        return document
 
     def section(
         self,
@@ -370,7 +474,7 @@ class Body:
         *,
         starts: Any = None,
         max_time: float | None = None,
-        condition: str = "height",
+        condition: Literal["height", "angular-momentum"] = "height",
         tolerance: float = 1e-15,
         chaos: bool = True,
         threads: int | None = None,
@@ -422,7 +526,7 @@ class Body:
         (44, 3)
         """
         return Section._compute(
-            self._inner, h, l, orbits, crossings, seed, starts, max_time, condition, tolerance, chaos, threads
+            self._exactly(), h, l, orbits, crossings, seed, starts, max_time, condition, tolerance, chaos, threads
         )
 
     def orbit(
@@ -473,7 +577,7 @@ class Body:
         >>> motion.quaternion.shape
         (3, 4)
         """
-        return Motion._compute(self._inner, gamma, l, omega, t, phi, tolerance)
+        return Motion._compute(self._exactly(), gamma, l, omega, t, phi, tolerance)
 
     def plot(self, ax: Any = None, **options: Any) -> Any:
         """Draws the body with matplotlib: its ellipsoid of inertia and its centre of mass; see `bifdiag.pictures.body`."""
@@ -483,14 +587,19 @@ class Body:
         """Draws U at one point (h, l) on the Poisson sphere with matplotlib; see `bifdiag.pictures.sphere`."""
         return pictures.sphere(self, h, l, ax, **options)
 
-    # Equal bodies have equal numbers, whatever their texts.
+    # Equal bodies have equal numbers, whatever their texts; with ± they are those that are given alike.
+    def _identity(self) -> tuple[Any, ...]:
+        return tuple(self._inner.values()), self._given if self.measured else ()
+
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Body) and self._inner.values() == other._inner.values()
+        return isinstance(other, Body) and self._identity() == other._identity()
 
     def __hash__(self) -> int:
-        return hash(tuple(self._inner.values()))
+        return hash(self._identity())
 
     def __reduce__(self) -> tuple[Any, ...]:
+        if self._source is not None:
+            return Body._of_part, (self._source, self._given)
         return Body._of_document, ({"A": self.A, "r": self.r, "part": self.part},)
 
     def _told(self) -> tuple[str, str]:
@@ -505,11 +614,40 @@ class Body:
         moments, center = self._told()
         if self.part is None:
             return f"Body(A=[{moments}], r=[{center}])"
+        if self.measured:
+            return (
+                f"Body of a part with ±, nominally in {self.part['units']}: A = [{moments}], r = [{center}] [critical_spin]"
+            )
         return f"Body of a part in {self.part['units']}: A = [{moments}], r = [{center}] [A, r, part have all digits]"
 
     def _repr_html_(self) -> str:
         moments, center = self._told()
         return table([("A", moments), ("r", center), *([("units", self.part["units"])] if self.part else [])])
+
+
+def bodies() -> dict[str, Body]:
+    """The named bodies, which `Body.preset` knows.
+
+    Returns
+    -------
+    dict of str to Body
+
+    Examples
+    --------
+    >>> import bifdiag
+    >>> bifdiag.bodies()["kovalevskaya"]
+    Body(A=[2, 2, 1], r=[1, 0, 0])
+    """
+    return {name: Body.preset(name) for name, _ in _core.Body.presets()}
+
+
+def _floats(texts: Iterable[str]) -> npt.NDArray[np.float64]:
+    return np.array([float(exact.value(text)) for text in texts])
+
+
+def _told_entry(above: str, below: str) -> str:
+    """Of two equal entries of a tensor that with ±."""
+    return below if any(sign in below for sign in ("±", "+-", "+/-")) else above
 
 
 Atlas._body_of = Body._of_document

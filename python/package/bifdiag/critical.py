@@ -1,61 +1,268 @@
-"""Relative equilibria as structured arrays."""
+"""Relative equilibria as a table."""
 
 import json
-from typing import Any
+from collections.abc import Callable, Iterator
+from typing import Any, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core, exact
+from .errors import RangeError
+from .tables import Table
 
-FIELDS = [
-    ("l", "f8"),
-    ("h", "f8"),
-    ("gamma", "f8", (3,)),
-    ("omega", "f8"),
-    ("index", "i1"),
-    ("multiplicity", "U6"),
-    ("stability", "U15"),
-    ("stable", "?"),
-    ("stable_by", "U13"),
-    ("verdict", "U8"),
-    ("survives_friction", "?"),
-    ("eigenvalues", "c16", (2,)),
-    ("eigenvalue_error", "f8"),
-    ("branch", "U16"),
-    ("branch_name", "U48"),
-]
+VERDICTS = ("stable", "stable_by", "verdict")
+"""Columns that are computed when they are first read."""
+
+LATER = -1
+"""In place of a verdict that was not asked for."""
+
+Columns = dict[str, npt.NDArray[Any]]
 
 
-def equilibria(body: _core.Body, l: Any) -> npt.NDArray[np.void]:
-    """The relative equilibria at one l, or at each of an array."""
-    momenta = np.asarray(l, dtype=object)
-    rows = [row for place, momentum in enumerate(momenta.flat) for row in _rows(body, place, momentum)]
-    if momenta.ndim == 0:
-        return np.array([row[1:] for row in rows], dtype=FIELDS)
-    return np.array(rows, dtype=[("l_index", "i8"), *FIELDS])
+class Equilibria(Table):
+    """Relative equilibria, a row for each; made by `Body.critical`.
+
+    Columns are attributes, or items as of a structured array: ``found.h`` is ``found["h"]``. An array of bools, a slice or
+    a list of numbers selects rows: ``found[found["index"] == 0]``; ``found[3]`` is one row, and ``numpy.asarray(found)``
+    the structured array of all of them. `to_pandas`, `to_arrow` and `to_xarray` hand them on.
+
+    Attributes
+    ----------
+    l_index : array (n,) of int
+        The place of the row's l in ``np.ravel(l)``; only of an array of l.
+    l, h : array (n,)
+        Momentum and energy.
+    gamma : array (n, 3)
+        The downward vertical, in the body's axes; the body turns about it.
+    omega : array (n,)
+        The angular velocity l/⟨γ, A γ⟩, signed as l.
+    index : array (n,) of int
+        Negative eigenvalues of the Hessian of U_l: 0 minimum, 1 saddle, 2 maximum, unless ``multiplicity`` is ``"2"``.
+    multiplicity : array (n,) of str
+        ``"1"``; ``"2"``: degenerate, where two meet (a cusp) or three, or one and a circle (a pitchfork); ``"circle"`` and
+        ``"sphere"`` of them. Two that are mirror images are two rows.
+    stability : array (n,) of str
+        Linear type: ``"elliptic"`` (two imaginary pairs), ``"saddle-centre"`` (one real, one imaginary), ``"saddle"`` (two
+        real), ``"complex"`` (a quadruple), ``"double-elliptic"``, ``"double-real"`` (a double pair), ``"zero"`` (an
+        eigenvalue 0). Across a circle of them there is one pair only: ``"elliptic"`` imaginary, ``"saddle"`` real,
+        ``"zero"`` 0; along it the eigenvalues are 0.
+    stable : masked array (n,) of bool
+        Stable at fixed l, up to rotation about the vertical; masked where that is open (pandas: NA; in a row: None).
+    stable_by : array (n,) of str
+        Why: ``"energy"`` (a minimum), ``"integral"`` (a further integral), ``"arnold"`` (Arnold's theorem); where it is not
+        stable, ``"spectrum"`` (an eigenvalue), ``"resonance 1:1"``, …, ``"degenerate"``.
+    verdict : array (n,) of str
+        ``"stable"``, ``"unstable"`` or ``"open"``.
+    survives_friction : array (n,) of bool
+        It stays stable with a small friction that conserves l.
+    eigenvalues : array (n, 2) of complex
+        Of the pairs ±λ₁, ±λ₂ of the flow reduced by l, with re ≥ 0 and im ≥ 0; of a circle its transverse pair, then 0. A
+        quadruple gives the same one twice.
+    eigenvalue_error : array (n,)
+        Bound on their error.
+    branch : array (n,) of str
+        Id of the curve in the atlas; the page "Conventions" explains ids.
+    branch_name : array (n,) of str
+        Where the branch begins, such as ``"from +r̂"``.
+    meta : dict
+        ``A``, ``r``, ``version``; ``error_bound`` of every h; ``complete``: False where it could not be decided whether
+        there are more.
+
+    Notes
+    -----
+    Where Arnold's theorem is needed, a verdict takes ten times as long as all the rest of its row. So ``stable``,
+    ``stable_by`` and ``verdict`` of many momenta are computed when one of them is first read, or when the table is handed
+    on.
+    """
+
+    _quick: Columns
+
+    def __init__(self, columns: Columns, meta: str, later: Callable[[], Columns] | None = None) -> None:
+        self._later = later
+        super().__init__(columns, meta)
+
+    @classmethod
+    def _compute(cls, body: _core.Body, l: Any, threads: int | None) -> "Equilibria":
+        momenta = exact.doubles(l, "l")
+        scalar = np.ndim(l) == 0
+        if momenta is None:
+            given = np.asarray(l, dtype=object)
+            asked: Any = [exact.text(value, "l") for value in given.flat]
+        else:
+            asked = np.ascontiguousarray(momenta).reshape(-1)
+        count = exact.threads(threads)
+        found = _core.critical(body, asked, scalar, count)
+        about = {"A": list(body.moments), "r": list(body.center), "version": _core.__version__}
+        meta = json.dumps(about | {name: found.pop(name) for name in ("error_bound", "complete")})
+        words = found.pop("words")
+        codes = found["branch"], found["verdict"], found["stable_by"]
+        verdicts = _worded(codes[1], codes[2], words)
+        later = None
+        if (codes[1] == LATER).any():
+            later = _deferred(body, asked, found["l_index"], words, codes, count)
+        return cls(_columns(found, words, None if later else verdicts, scalar), meta, later)
+
+    @property
+    def _columns(self) -> Columns:
+        if self._later is not None:
+            quick, later = self._quick, self._later()
+            before, after = list(quick)[: _place(quick)], list(quick)[_place(quick) :]
+            ordered = [*before, *VERDICTS, *after]
+            self._quick = {name: later[name] if name in VERDICTS else quick[name] for name in ordered}
+            self._later = None
+        return self._quick
+
+    @_columns.setter
+    def _columns(self, columns: Columns) -> None:
+        self._quick = columns
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The names of the columns."""
+        names = list(self._quick)
+        if self._later is not None:
+            names[_place(self._quick) : _place(self._quick)] = VERDICTS
+        return tuple(names)
+
+    @property
+    def dtype(self) -> np.dtype[np.void]:
+        """That of the structured array of all rows."""
+        fields = [_field(name, column) for name, column in self._columns.items()]
+        return np.dtype(fields)
+
+    @property
+    def size(self) -> int:
+        """The number of rows."""
+        return len(self)
+
+    @property
+    def shape(self) -> tuple[int]:
+        """The number of rows."""
+        return (len(self),)
+
+    @overload
+    def __getitem__(self, key: str) -> npt.NDArray[Any]: ...
+    @overload
+    def __getitem__(self, key: int) -> np.void: ...
+    @overload
+    def __getitem__(self, key: "slice | npt.NDArray[Any] | list[int] | list[bool]") -> "Equilibria": ...
+    def __getitem__(self, key: Any) -> Any:
+        if isinstance(key, str):
+            quick = self._quick
+            return quick[key] if key in quick else super().__getitem__(key)
+        if np.ndim(key) == 0 and not isinstance(key, slice):
+            return np.asarray(self)[key]
+        kept = np.asarray(key) if not isinstance(key, slice) else key
+        if isinstance(kept, np.ndarray) and kept.size == 0:
+            kept = kept.astype(bool if kept.dtype == bool else np.intp)
+        rows = {name: column[kept] for name, column in self._quick.items()}
+        later = None
+        if self._later is not None:
+            later = lambda: {name: self._columns[name][kept] for name in VERDICTS}  # noqa: E731
+        return Equilibria(rows, self._meta, later)
+
+    def __getattr__(self, name: str) -> npt.NDArray[Any]:
+        quick: Columns = self.__dict__.get("_quick", {})
+        if name in quick:
+            return quick[name]
+        if not quick or name not in self.columns:
+            columns = ", ".join(self.columns) if quick else "none yet"
+            raise AttributeError(f"Equilibria has no column {name!r}; it has {columns}")
+        return self._columns[name]
+
+    def __dir__(self) -> list[str]:
+        return [*object.__dir__(self), *self.columns]
+
+    def __len__(self) -> int:
+        return len(self._quick["h"])
+
+    def __iter__(self) -> Iterator[np.void]:
+        return iter(np.asarray(self))
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> npt.NDArray[Any]:
+        rows = np.empty(len(self), dtype=self.dtype)
+        for name, column in self._columns.items():
+            rows[name] = column.tolist() if isinstance(column, np.ma.MaskedArray) else column
+        return rows if dtype is None else rows.astype(dtype)
+
+    def _repr_html_(self) -> str:
+        shown = ("l", "h", "index", "stability", "stable", "stable_by", "branch")
+        heads = "".join(f"<th>{name}</th>" for name in shown)
+        few = self[:20]
+        rows = "".join("<tr>" + "".join(f"<td>{_cell(row[name])}</td>" for name in shown) + "</tr>" for row in few)
+        more = f"<p>and {len(self) - len(few)} more rows</p>" if len(self) > len(few) else ""
+        return f"<table><tr>{heads}</tr>{rows}</table>{more}"
+
+    def __repr__(self) -> str:
+        lines = [f"Equilibria: {len(self)} rows [{', '.join(self.columns)}, meta]"]
+        for row in self[:12]:
+            stable = {True: "stable", False: "unstable", None: "open"}[row["stable"]]
+            why = f"{stable} ({row['stable_by']})"
+            lines.append(f"  l = {row['l']:.6g}, h = {row['h']:.6g}: {row['branch']}, index {row['index']}, {why}")
+        return "\n".join([*lines, "  …"] if len(self) > 12 else lines)
 
 
-def _rows(body: _core.Body, place: int, momentum: Any) -> list[tuple[Any, ...]]:
-    text = exact.text(momentum, "l")
-    return [
-        (
-            place,
-            float(exact.value(text)),
-            found["h"],
-            found["gamma"],
-            found["omega"],
-            found["index"],
-            str(found["multiplicity"]),
-            found["stability"],
-            found["nonlinear"]["verdict"] == "stable",
-            found["nonlinear"]["why"],
-            found["nonlinear"]["verdict"],
-            found["friction"]["conserving_l"] == "survives",
-            [complex(*value) for value in found["eigenvalues"]],
-            found["eigenvalue_error"],
-            found["branch"],
-            found["branch_name"],
-        )
-        for found in json.loads(body.critical(text))["critical"]
-    ]
+def _cell(value: Any) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def _place(columns: Columns) -> int:
+    """Where the verdicts stand."""
+    return list(columns).index("stability") + 1
+
+
+def _field(name: str, column: npt.NDArray[Any]) -> tuple[Any, ...]:
+    if isinstance(column, np.ma.MaskedArray):
+        return name, "O"
+    return (name, column.dtype, column.shape[1:]) if column.ndim > 1 else (name, column.dtype)
+
+
+def _worded(verdict: npt.NDArray[Any], why: npt.NDArray[Any], words: dict[str, Any]) -> Columns:
+    told = np.array(words["verdict"])[verdict]
+    stable = np.ma.MaskedArray(told == "stable", mask=told == "open")
+    return {"stable": stable, "stable_by": np.array(words["stable_by"])[why], "verdict": told}
+
+
+def _columns(found: dict[str, Any], words: dict[str, Any], verdicts: Columns | None, scalar: bool) -> Columns:
+    """The columns in their order, without the verdicts where these come later."""
+    ids, names = ([branch[part] for branch in words["branches"]] or [""] for part in (0, 1))
+    pairs = found["eigenvalues"]
+    out = {} if scalar else {"l_index": found["l_index"]}
+    out |= {name: found[name] for name in ("l", "h", "gamma", "omega", "index")}
+    out |= {name: np.array(words[name])[found[name]] for name in ("multiplicity", "stability")}
+    out |= verdicts or {}
+    out["survives_friction"] = found["survives_friction"]
+    out["eigenvalues"] = pairs.view(np.complex128)
+    out["eigenvalue_error"] = found["eigenvalue_error"]
+    return out | {"branch": np.array(ids)[found["branch"]], "branch_name": np.array(names)[found["branch"]]}
+
+
+def _deferred(
+    body: _core.Body,
+    asked: Any,
+    l_index: npt.NDArray[np.int64],
+    words: dict[str, Any],
+    codes: tuple[npt.NDArray[Any], ...],
+    threads: int,
+) -> Callable[[], Columns]:
+    """Asks once more, with verdicts, for the momenta at which some are missing."""
+
+    def complete() -> Columns:
+        branch, verdict, why = codes
+        missing = np.zeros(len(asked), dtype=bool)
+        missing[l_index[verdict == LATER]] = True
+        places = np.flatnonzero(missing)
+        again = [asked[place] for place in places] if isinstance(asked, list) else asked[places]
+        found = _core.critical(body, again, True, threads)
+        rows = missing[l_index]
+        ids = {number: name for number, (name, _) in enumerate(words["branches"])}
+        theirs = {number: name for number, (name, _) in enumerate(found["words"]["branches"])}
+        ours = [ids[number] for number in branch[rows].tolist()]
+        if ours != [theirs[number] for number in found["branch"].tolist()]:
+            raise RangeError("the verdicts do not belong to these rows; ask for fewer l at a time")
+        verdict, why = verdict.copy(), why.copy()
+        verdict[rows], why[rows] = found["verdict"], found["stable_by"]
+        return _worded(verdict, why, words)
+
+    return complete

@@ -66,7 +66,7 @@ def value(text: str) -> Fraction:
 
 def triple(values: Any, name: str) -> tuple[str, str, str]:
     """The exact texts of three numbers."""
-    if isinstance(values, str) or not isinstance(values, Iterable):
+    if isinstance(values, (str, set, frozenset, dict)) or not isinstance(values, Iterable):
         raise InputError(f"{name} = {values!r}: three numbers are needed, such as [2, 1.1, 1]")
     texts = [text(value, f"{name}{place}") for place, value in enumerate(values, 1)]
     if len(texts) != 3:
@@ -74,14 +74,14 @@ def triple(values: Any, name: str) -> tuple[str, str, str]:
     return texts[0], texts[1], texts[2]
 
 
-def doubles(values: Any, name: str) -> np.ndarray | None:
+def doubles(values: Any, name: str, *, check: bool = True) -> np.ndarray | None:
     """An array of doubles each of which means the number that was given, by its shortest decimal; None if some number is
     no such double.
 
     Raises
     ------
     InputError
-        For what is no number, and for NaN and infinities.
+        For what is no number, and, if they are to be checked, for numbers that are not finite or out of range.
     """
     array = np.asarray(values)
     match array.dtype.kind:
@@ -100,12 +100,20 @@ def doubles(values: Any, name: str) -> np.ndarray | None:
             pass
         case _:
             raise InputError(f"{name} has the dtype {array.dtype}; numbers are needed")
-    if not np.isfinite(array).all():
-        raise InputError(f"{name} has entries that are not finite; finite numbers are needed")
-    sizes = np.abs(array[array != 0]) if array.ndim else np.abs(array.reshape(-1))
-    if sizes.size and (sizes.max() > LARGEST or sizes.min() < 1 / LARGEST) and sizes.any():
-        raise InputError(f"{name} has entries out of range; use units in which they lie between 1e-150 and 1e150")
+    if check and not usable(array).all():
+        where = tuple(int(place) for place in np.argwhere(~usable(array))[0])
+        entry = f"{name}[{', '.join(map(str, where))}]" if where else name
+        if not np.isfinite(array[where]):
+            raise InputError(f"{entry} = {array[where]} is not finite; finite numbers are needed")
+        raise InputError(f"{entry} = {array[where]} is out of range; use units in which it lies between 1e-150 and 1e150")
     return array
+
+
+def usable(array: np.ndarray) -> np.ndarray:
+    """Which doubles are finite and in range."""
+    size = np.abs(array)
+    found: np.ndarray = (size == 0) | ((size >= 1 / LARGEST) & (size <= LARGEST))
+    return found
 
 
 def threads(count: int | None) -> int:

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _core, exact
+from . import _core, exact, pictures
 from .errors import InputError
 from .tables import Table
 
@@ -70,6 +70,21 @@ class Motion(Table):
         meta = {name: columns.pop(name) for name in [name for name in columns if name not in cls.NAMES]}
         about = {"A": body.moments, "r": body.center, "version": _core.__version__, "tolerance": float(tolerance)}
         return cls(columns, json.dumps(about | meta))
+
+    @property
+    def energy(self) -> npt.NDArray[np.float64]:
+        """H = ½⟨l, ω⟩ − ⟨γ, r⟩ at each time; constant but for the error of the integrator."""
+        energy: npt.NDArray[np.float64] = (self.l * self.omega).sum(axis=1) / 2 - self.gamma @ self.center
+        return energy
+
+    @property
+    def center(self) -> npt.NDArray[np.float64]:
+        """The body's r as floats."""
+        return np.array([float(exact.value(text)) for text in self.meta["r"]])
+
+    def plot(self, ax: Any = None, *, figsize: "tuple[float, float] | None" = None, **line: Any) -> Any:
+        """Draws the path of the centre of mass in space with matplotlib; see `bifdiag.pictures.motion`."""
+        return pictures.motion(self, ax, figsize=figsize, **line)
 
     def attitude(self, *, scalar_first: bool = True) -> npt.NDArray[np.float64]:
         """The quaternions in either order; they take vectors from the body frame to space.

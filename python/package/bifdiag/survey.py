@@ -1,46 +1,104 @@
 """Many bodies: scans and searches; checking atlases."""
 
+import csv
 import json
 import os
-import subprocess
-import sys
+import tempfile
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any, Literal, overload
+
+import numpy as np
+import numpy.typing as npt
 
 from . import _core, exact, files
 from .atlas import Atlas
 from .behaviour import Document
-from .body import Body
-from .errors import BifdiagError, InputError
+from .body import Accuracy, Body
+from .command import command
+from .errors import InputError
 from .records import Component, Margin
+from .tables import Table
+from .units import ExactPoint
+
+COLUMNS = ("A1", "A2", "A3", "r1", "r2", "r3")
+"""The columns of a table of bodies."""
 
 
+class Scan(Table):
+    """The rows of a scan, one for each body, as arrays; the page "Files" describes the columns.
+
+    Attributes
+    ----------
+    meta : dict
+        The summary of the scan.
+    """
+
+    def __repr__(self) -> str:
+        return f"Scan of {len(self)} bodies [{', '.join(self.columns)}, meta]"
+
+
+@overload
 def scan(
-    family: str = "general",
+    family: "Literal['general', 'positive', 'katok'] | None" = None,
     samples: int | None = None,
-    out: str | os.PathLike[str] = "scan.parquet",
+    out: None = None,
     *,
+    bodies: Any = None,
     shard: tuple[int, int] | None = None,
     threads: int | None = None,
     seed: int = 0,
     vary: "str | Iterable[str]" = (),
     body: Body | None = None,
-) -> Document:
-    """Computes the diagrams of many bodies into a file, with the same bytes as the command line.
+    overwrite: bool = False,
+) -> Scan: ...
+@overload
+def scan(
+    family: "Literal['general', 'positive', 'katok'] | None" = None,
+    samples: int | None = None,
+    *,
+    out: str | os.PathLike[str],
+    bodies: Any = None,
+    shard: tuple[int, int] | None = None,
+    threads: int | None = None,
+    seed: int = 0,
+    vary: "str | Iterable[str]" = (),
+    body: Body | None = None,
+    overwrite: bool = False,
+) -> Document: ...
 
-    The package's command line does the work in a separate process; after an interrupt the same call resumes where
-    it stopped.
+
+def scan(
+    family: str | None = None,
+    samples: int | None = None,
+    out: str | os.PathLike[str] | None = None,
+    *,
+    bodies: Any = None,
+    shard: tuple[int, int] | None = None,
+    threads: int | None = None,
+    seed: int = 0,
+    vary: "str | Iterable[str]" = (),
+    body: Body | None = None,
+    overwrite: bool = False,
+) -> Document | Scan:
+    """Computes the diagrams of many bodies, into a file with the same bytes as the command line or into arrays.
+
+    The package's command line does the work in a separate process; after an interrupt the same call with `out` resumes
+    where it stopped, and if that very scan is finished already, its summary is returned.
 
     Parameters
     ----------
-    family : {"general", "positive", "katok"}
-        Which bodies: ``"general"`` physical ones, up to units; ``"positive"`` all with A_i > 0; ``"katok"`` with r along
-        the first axis.
+    family : {"general", "positive", "katok"}, optional
+        Which bodies: ``"general"`` (the default) physical ones, up to units; ``"positive"`` all with A_i > 0; ``"katok"``
+        with r along the first axis.
     samples : int, optional
         Their number; required unless `vary` defines a grid.
-    out : path
-        The file; its suffix selects the format: ``.parquet``, ``.csv`` or ``.jsonl``.
+    out : path, optional
+        The file; its suffix selects the format: ``.parquet``, ``.csv`` or ``.jsonl``. Without it no file is written.
+    bodies : table, array (n, 6), pair of arrays (n, 3) or list of Body, optional
+        Your own bodies, instead of a family: a DataFrame or dict with the columns ``A1``, ``A2``, ``A3``, ``r1``, ``r2``,
+        ``r3``, an array with these columns, A and r, or bodies. The numbers are taken as doubles.
     shard : (int, int), optional
         ``(i, n)``: only the i-th of n equal parts, i from 1.
     threads : int, optional
@@ -52,12 +110,14 @@ def scan(
         both ends included, ``"A2=1:2"`` is sampled. Of `body`, or of the family ``"katok"``.
     body : Body, optional
         The body whose parameters are varied, instead of a family.
+    overwrite : bool
+        Replace a file that another scan has finished; without it, that is refused.
 
     Returns
     -------
-    dict
-        The summary of the scan, which is also written to ``FILE.summary.json``. The page "Files" describes its fields
-        and the columns of the file.
+    dict or Scan
+        With `out` the summary of the scan, which is also written to ``FILE.summary.json``, else the rows as arrays. The
+        page "Files" describes the fields of the one and the columns of the other.
 
     Raises
     ------
@@ -77,12 +137,47 @@ def scan(
     ...         rows = list(csv.DictReader(file))
     >>> summary["rows"], [(row["A1"], row["regions"]) for row in rows]
     (3, [('1.0', '2'), ('1.5', '4'), ('2.0', '4')])
+    >>> found = bifdiag.scan(bodies=[[2, 1.5, 1, 1, 0, 0], [1, 1, 1, 0, 0, 1]])
+    >>> found.regions.tolist(), found.meta["rows"]
+    ([5, 2], 2)
     """
-    arguments = ["scan", "--json", "--out", os.fspath(out)]
-    if body is None:
-        arguments += ["--family", family]
-    else:
-        arguments += [f"--A={','.join(body.A)}", f"--r={','.join(body.r)}"]
+    given = {"family": family, "bodies": bodies, "body": body}
+    if sum(value is not None for value in given.values()) > 1:
+        raise InputError("family, bodies and body all say which bodies to scan; give one of them")
+    with tempfile.TemporaryDirectory(prefix="bifdiag-") as folder:
+        path = Path(folder) / "scan.csv" if out is None else Path(out)
+        arguments = ["scan", "--json", f"--out={path}", *([] if overwrite else ["--keep"])]
+        if bodies is not None:
+            table = Path(folder) / "bodies.csv"
+            with table.open("w", newline="", encoding="utf-8") as file:
+                csv.writer(file).writerows([COLUMNS, *map(_texts, _numbers(bodies))])
+            arguments += [f"--bodies={table}"]
+        elif body is not None:
+            arguments += [f"--A={','.join(body.A)}", f"--r={','.join(body.r)}"]
+        else:
+            arguments += ["--family", family or "general"]
+        arguments += _details(samples, shard, threads, seed, vary)
+        try:
+            summary = command(*arguments)
+        except InputError as error:
+            raise InputError(str(error).replace("leave out --keep", "give overwrite=True")) from None
+        if out is not None:
+            document: Document = json.loads(summary)
+            return document
+        with path.open(newline="", encoding="utf-8") as file:
+            names, *rows = csv.reader(file)
+    return Scan({name: _column(values) for name, values in zip(names, zip(*rows, strict=True), strict=True)}, summary)
+
+
+def _details(
+    samples: int | None,
+    shard: tuple[int, int] | None,
+    threads: int | None,
+    seed: int,
+    vary: "str | Iterable[str]",
+) -> list[str]:
+    """The options that every scan may have."""
+    arguments = []
     if samples is not None:
         arguments += ["--samples", str(exact.whole(samples, "samples", 1))]
     if shard is not None:
@@ -93,9 +188,48 @@ def scan(
     for values in [vary] if isinstance(vary, str) else vary:
         arguments += ["--vary", values]
     count = exact.threads(threads)
-    arguments += ["--threads", str(count or os.cpu_count() or 1)]
-    document: Document = json.loads(command(*arguments))
-    return document
+    return [*arguments, "--threads", str(count or os.cpu_count() or 1)]
+
+
+def _texts(numbers: npt.NDArray[np.float64]) -> list[str]:
+    return [repr(float(number)) for number in numbers]
+
+
+def _numbers(bodies: Any) -> npt.NDArray[np.float64]:
+    """A and r of each body: (n, 6)."""
+    if not hasattr(bodies, "dtype") and not hasattr(bodies, "columns") and not isinstance(bodies, dict):
+        bodies = list(bodies)
+        if bodies and all(isinstance(one, Body) for one in bodies):
+            bodies = [[float(exact.value(text)) for text in (*one.A, *one.r)] for one in bodies]
+    try:
+        if isinstance(bodies, dict) or hasattr(bodies, "columns") or getattr(bodies, "dtype", np.dtype(float)).names:
+            numbers = np.stack([np.asarray(bodies[name], dtype=np.float64) for name in COLUMNS], axis=-1)
+        else:
+            pair = len(bodies) == 2 and all(np.ndim(part) == 2 and np.shape(part)[1] == 3 for part in bodies)
+            joined = np.concatenate([np.asarray(part) for part in bodies], axis=1) if pair else bodies
+            numbers = np.asarray(joined, dtype=np.float64)
+    except (KeyError, TypeError, ValueError) as error:
+        raise InputError(f"bodies: {error}; give a table with the columns {', '.join(COLUMNS)}, or rows of six") from error
+    if numbers.ndim != 2 or numbers.shape[1] != 6 or not len(numbers):
+        raise InputError(f"bodies has the shape {numbers.shape}; rows of A1, A2, A3, r1, r2, r3 are needed")
+    if not np.isfinite(numbers).all():
+        row, column = np.argwhere(~np.isfinite(numbers))[0]
+        raise InputError(f"bodies[{row}]: {COLUMNS[column]} = {numbers[row, column]} is not finite")
+    # Without the sign of 0, which is none of the body's.
+    return numbers + 0.0
+
+
+def _column(values: tuple[str, ...]) -> npt.NDArray[Any]:
+    """A column of a table of texts: whole numbers, floats, bools or texts."""
+    for kind in (np.int64, np.float64):
+        try:
+            told = [value or "nan" for value in values] if kind is np.float64 else values
+            return np.array(told, dtype=object).astype(kind)
+        except ValueError:
+            continue
+    if set(values) <= {"true", "false"}:
+        return np.array([value == "true" for value in values])
+    return np.array([value or None for value in values], dtype=object)
 
 
 def merge(shards: Iterable[str | os.PathLike[str]], out: str | os.PathLike[str], *, threads: int | None = None) -> Document:
@@ -128,31 +262,6 @@ def merge(shards: Iterable[str | os.PathLike[str]], out: str | os.PathLike[str],
     return document
 
 
-def command(*arguments: str) -> str:
-    """Runs the package's command line in a separate process; returns its output.
-
-    Raises
-    ------
-    InputError
-        If its exit status is 2; carries its message.
-    BifdiagError
-        If its exit status is 1.
-    """
-    line = [sys.executable, "-m", "bifdiag", *arguments]
-    with subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8") as process:
-        try:
-            printed, told = process.communicate()
-        except BaseException:
-            process.terminate()
-            raise
-    message = told.partition("\n\nFor more information")[0].strip().removeprefix("error: ")
-    if process.returncode == 2:
-        raise InputError(message)
-    if process.returncode != 0:
-        raise BifdiagError(message)
-    return printed
-
-
 @dataclass(frozen=True, slots=True)
 class Witness:
     """The result of a search.
@@ -167,8 +276,10 @@ class Witness:
         The theorem.
     body : Body or None
         The body.
-    h, l : str or None
-        The point, exact.
+    h, l : float or None
+        The point, rounded.
+    exact : ExactPoint or None
+        The point as texts that have it exactly: ``witness.exact.h``.
     components : tuple of Component
         The components of U there.
     margin : Margin or None
@@ -183,8 +294,9 @@ class Witness:
     exists: bool | None
     why: str | None
     body: Body | None
-    h: str | None
-    l: str | None
+    h: float | None
+    l: float | None
+    exact: ExactPoint | None
     components: tuple[Component, ...]
     margin: Margin | None
     tried: int
@@ -199,8 +311,9 @@ class Witness:
             document.get("exists"),
             document.get("why"),
             Body._of_document(there) if found else None,
-            there["h"] if found else None,
-            there["l"] if found else None,
+            float(exact.value(there["h"])) if found else None,
+            float(exact.value(there["l"])) if found else None,
+            ExactPoint(there["h"], there["l"]) if found else None,
             tuple(map(Component._of, there["components"])) if found else (),
             Margin._of(there["margin"]) if found else None,
             document["tried"],
@@ -221,7 +334,7 @@ def find(
     physical: bool = False,
     samples: int = 20_000,
     seed: int | None = None,
-    accuracy: str = "exact",
+    accuracy: Accuracy = "exact",
     threads: int | None = None,
 ) -> Witness:
     """Searches for a body and a point with a given property.
@@ -261,7 +374,7 @@ def find(
     --------
     >>> import bifdiag
     >>> witness = bifdiag.find("M4")
-    >>> witness.body.classify(witness.h, witness.l).status
+    >>> witness.body.classify(*witness.exact).status
     'regular'
     >>> bifdiag.find("k0n1").exists
     False

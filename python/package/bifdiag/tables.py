@@ -1,4 +1,4 @@
-"""Columns of equal length: what sections and motions have in common."""
+"""Columns of equal length: what sections, motions and other tables have in common."""
 
 import io
 import json
@@ -16,6 +16,7 @@ from .optional import needed
 
 if TYPE_CHECKING:
     import pandas
+    import pyarrow
     import xarray
 
 
@@ -40,6 +41,12 @@ class Table:
         self._columns = columns
         self._meta = meta
         self.meta = json.loads(meta)
+
+    def __getitem__(self, name: str) -> npt.NDArray[Any]:
+        """The same column as the attribute of this name."""
+        if name not in self._columns:
+            raise KeyError(f"there is no column {name!r}; the columns are {', '.join(self._columns)}")
+        return self._columns[name]
 
     def __getattr__(self, name: str) -> npt.NDArray[Any]:
         columns = self.__dict__.get("_columns", {})
@@ -93,47 +100,91 @@ class Table:
         return cls(arrays, str(arrays.pop("meta")))
 
     def flat(self) -> dict[str, npt.NDArray[Any]]:
-        """The columns, with vectors split: ``gamma_1``, ``gamma_2``, ``gamma_3``."""
+        """The columns, with vectors and complex numbers split: ``gamma_1``, ``gamma_2``, ``gamma_3``."""
         out: dict[str, npt.NDArray[Any]] = {}
         for name, column in self._columns.items():
             if column.ndim == 1:
                 out[name] = column
             else:
                 parts = "wxyz" if column.shape[1] == 4 else "123"
-                out |= {f"{name}_{part}": column[:, place] for place, part in enumerate(parts)}
+                split = zip(parts, column.T, strict=False)
+                for part, values in split:
+                    out |= _split(f"{name}_{part}", values)
         return out
 
     def to_pandas(self) -> "pandas.DataFrame":
         """A DataFrame with the columns of `flat`, and `meta` as its ``attrs``; ``bifdiag[tables]`` installs pandas."""
-        frame: pandas.DataFrame = needed("pandas", "tables").DataFrame(self.flat())
+        frame: pandas.DataFrame = frame_of(self.flat())
         frame.attrs.update(self.meta)
         return frame
 
+    def to_arrow(self) -> "pyarrow.Table":
+        """An Arrow table with the columns of `flat`; ``bifdiag[tables]`` installs pyarrow."""
+        return arrow_of(self.flat())
+
     def to_xarray(self) -> "xarray.Dataset":
         """A Dataset with the columns over ``row`` (and ``axis`` for vectors); ``bifdiag[tables]`` installs xarray."""
-        axes = {1: ("row",), 2: ("row", "axis")}
         variables = {}
         for name, column in self._columns.items():
-            dimensions = ("row", "component") if column.ndim == 2 and column.shape[1] == 4 else axes[column.ndim]
-            variables[name] = (dimensions, column)
+            second = {4: "component", 2: "pair"}.get(column.shape[-1], "axis") if column.ndim == 2 else "axis"
+            variables[name] = (("row", second)[: column.ndim], _with_nan(column))
         data: xarray.Dataset = needed("xarray", "tables").Dataset(variables, attrs={"meta": self._meta})
         return data
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
         """The columns as a stream of Arrow, for polars, duckdb and their like; ``bifdiag[tables]`` brings pyarrow."""
-        columns = {name: np.ascontiguousarray(column) for name, column in self.flat().items()}
-        stream: object = needed("pyarrow", "tables").table(columns).__arrow_c_stream__(requested_schema)
+        stream: object = self.to_arrow().__arrow_c_stream__(requested_schema)
         return stream
 
     def __eq__(self, other: object) -> bool:
         if type(self) is not type(other) or not isinstance(other, Table):
             return NotImplemented
         same = self.columns == other.columns and self._meta == other._meta
-        return same and all(
-            np.array_equal(column, other._columns[name], equal_nan=True) for name, column in self._columns.items()
-        )
+        return same and all(_equal(column, other._columns[name]) for name, column in self._columns.items())
 
     __hash__ = None  # type: ignore[assignment]
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self._columns, self._meta)
+
+
+def _split(name: str, values: npt.NDArray[Any]) -> dict[str, npt.NDArray[Any]]:
+    """A column, or the real and imaginary parts of one."""
+    return {f"{name}_re": np.real(values), f"{name}_im": np.imag(values)} if values.dtype.kind == "c" else {name: values}
+
+
+def _with_nan(column: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """A masked column of bools as 1, 0 and NaN, which every format can store."""
+    return np.ma.filled(column.astype(np.float64), np.nan) if isinstance(column, np.ma.MaskedArray) else column
+
+
+def frame_of(columns: dict[str, npt.NDArray[Any]], index: Any = None) -> "pandas.DataFrame":
+    """A DataFrame; masked values are ``pandas.NA``."""
+    pd = needed("pandas", "tables")
+
+    def series(column: npt.NDArray[Any]) -> Any:
+        if isinstance(column, np.ma.MaskedArray):
+            return pd.arrays.BooleanArray(column.data.copy(), np.ma.getmaskarray(column).copy())
+        return column
+
+    frame: pandas.DataFrame = pd.DataFrame({name: series(column) for name, column in columns.items()}, index=index)
+    return frame
+
+
+def arrow_of(columns: dict[str, npt.NDArray[Any]]) -> "pyarrow.Table":
+    """An Arrow table; masked values are null."""
+    pa = needed("pyarrow", "tables")
+
+    def array(column: npt.NDArray[Any]) -> Any:
+        if isinstance(column, np.ma.MaskedArray):
+            return pa.array(column.data, mask=np.ma.getmaskarray(column))
+        return pa.array(column.tolist() if column.dtype.kind in "OU" else np.ascontiguousarray(column))
+
+    table: pyarrow.Table = pa.table({name: array(column) for name, column in columns.items()})
+    return table
+
+
+def _equal(one: npt.NDArray[Any], other: npt.NDArray[Any]) -> bool:
+    masks = np.array_equal(np.ma.getmaskarray(one), np.ma.getmaskarray(other))
+    floats = one.dtype.kind in "fc" and other.dtype.kind in "fc"
+    return masks and np.array_equal(np.asarray(one), np.asarray(other), equal_nan=floats)

@@ -92,6 +92,9 @@ pub struct SampleArguments {
     /// The bodies to choose from; without it, the body of --A and --r with --vary
     #[arg(long, value_parser = named(&FAMILIES), help_heading = "Bodies")]
     pub family: Option<BodyFamily>,
+    /// A table (CSV) with the columns A1, A2, A3, r1, r2, r3: each row is a body
+    #[arg(long, value_name = "FILE", help_heading = "Bodies", conflicts_with_all = ["family", "vary", "samples", "seed"])]
+    pub bodies: Option<PathBuf>,
     /// A parameter (A1, A2, A3, r1, r2, r3) and its range; with N: a grid of N values
     #[arg(long, value_name = "A2=FROM:TO[:N]", value_delimiter = ',', help_heading = "Bodies")]
     pub vary: Vec<ParameterRange>,
@@ -110,6 +113,9 @@ pub struct SampleArguments {
     /// Begin anew, although FILE.partial holds the beginning of a scan
     #[arg(long, help_heading = "Work", hide_short_help = true)]
     pub restart: bool,
+    /// Leave a FILE alone that another scan has finished, or that is none
+    #[arg(long, help_heading = "Output", hide_short_help = true)]
+    pub keep: bool,
     /// Write the rows to FILE (.parquet, .csv, .jsonl; -: stdout) and the summary to FILE.summary.json
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub out: Option<PathBuf>,

@@ -115,6 +115,24 @@ pub fn identity(rows: &Path, summary: ScanSummaryDocument) -> Result<Identity, F
     Ok(Identity { program, accuracy, design, range })
 }
 
+/// The summary of a file, if this very scan has finished it; refuses any other file.
+pub fn finished(out: &Path, wanted: &Identity) -> Result<ScanSummaryDocument, Failure> {
+    let difference = match checked_summary(out).and_then(|document| Ok((document.clone(), identity(out, document)?))) {
+        Ok((document, found)) if found == *wanted => return Ok(document),
+        Ok((_, found)) => found.difference(wanted).unwrap_or("the shard"),
+        Err(_no_scan) => {
+            return Err(Failure::input(format!(
+                "{} is there and is no finished scan; choose another --out, or leave out --keep to replace it",
+                out.display()
+            )));
+        }
+    };
+    Err(Failure::input(format!(
+        "{} holds another finished scan ({difference} differs); choose another --out, or leave out --keep to replace it",
+        out.display()
+    )))
+}
+
 fn no_summary(rows: &Path, reason: &impl ToString) -> Failure {
     let (path, summary, reason) = (rows.display(), summary_path(rows), reason.to_string());
     let summary = summary.display();
@@ -182,7 +200,7 @@ pub fn report(document: &ScanSummaryDocument, out: &Path) -> String {
 }
 
 /// A finished digest in 64 hexadecimal digits.
-fn hexadecimal(digest: Sha256) -> String {
+pub fn hexadecimal(digest: Sha256) -> String {
     base16ct::lower::encode_string(&digest.finalize())
 }
 

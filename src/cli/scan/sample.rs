@@ -6,8 +6,9 @@ use std::path::Path;
 use bifdiag_documents::words::counted;
 use bifdiag_schema::RowDocument;
 use bifdiag_survey::scan::ScanRow;
-use bifdiag_survey::{BodyFamily, Design, DesignError};
+use bifdiag_survey::{BodyFamily, BodyList, Design, DesignError};
 use rayon::prelude::*;
+use sha2::{Digest, Sha256};
 
 use super::arguments::SampleArguments;
 use super::journal::{Identity, Rows};
@@ -15,8 +16,11 @@ use super::output;
 use super::table::Format;
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
+use crate::cli::input::values;
 use crate::cli::terminal::{Progress, print, say};
 
+/// The columns of a table of bodies.
+const COLUMNS: [&str; 6] = ["A1", "A2", "A3", "r1", "r2", "r3"];
 /// Bodies between two entries of the journal: what a killed scan loses at most.
 const BLOCK: u64 = 256;
 
@@ -30,6 +34,10 @@ pub fn run(arguments: &SampleArguments, quiet: bool) -> Result<(), Failure> {
         return to_stdout(arguments, &identity, quiet);
     }
     let format = output::format_of(out, arguments.format)?;
+    if arguments.keep && out.exists() {
+        let document = output::finished(out, &identity)?;
+        return answer(arguments.json, &document, || output::report(&document, out));
+    }
     let mut journal = Rows::open(out, &identity, arguments.restart)?;
     if journal.count() > 0 && !quiet {
         say(&format!("going on behind {} done before", counted(journal.count(), "body", "bodies")));
@@ -92,6 +100,14 @@ fn to_stdout(arguments: &SampleArguments, identity: &Identity, quiet: bool) -> R
 /// What the options describe.
 fn design(arguments: &SampleArguments) -> Result<Design, Failure> {
     let subject = arguments.body.optional_subject()?;
+    if let Some(path) = &arguments.bodies {
+        return match subject {
+            None => listed(path),
+            Some(_) => {
+                Err(Failure::input("--bodies and a single body both say which bodies to scan; give one of them"))
+            }
+        };
+    }
     let family = match (&arguments.family, subject) {
         (Some(_), Some(_)) => {
             let option = if arguments.body.body.is_some() { "--body" } else { "--A, --r" };
@@ -115,4 +131,39 @@ fn design(arguments: &SampleArguments) -> Result<Design, Failure> {
         DesignError::GridAndSamples => Failure::input(format!("--samples: {error}")),
         error => Failure::input(format!("--vary: {error}")),
     })
+}
+
+/// The bodies of a table.
+fn listed(path: &Path) -> Result<Design, Failure> {
+    let wrong = |what: String| Failure::input(format!("--bodies {}: {what}", path.display()));
+    let unread = |error: csv::Error| wrong(format!("{error}; give a table with the columns {}", COLUMNS.join(", ")));
+    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_path(path).map_err(unread)?;
+    let headings = reader.headers().map_err(unread)?.clone();
+    let mut places = [0; 6];
+    for (place, name) in places.iter_mut().zip(COLUMNS) {
+        *place = headings
+            .iter()
+            .position(|heading| heading == name)
+            .ok_or_else(|| wrong(format!("it has no column {name}; the columns are {}", COLUMNS.join(", "))))?;
+    }
+    let (mut bodies, mut digest) = (Vec::new(), Sha256::new());
+    for (line, record) in (2..).zip(reader.records()) {
+        let record = record.map_err(unread)?;
+        let mut values = [0.0; 6];
+        for (value, (place, name)) in values.iter_mut().zip(places.iter().zip(COLUMNS)) {
+            let number =
+                values::float(&record[*place]).map_err(|error| wrong(format!("line {line}: {name}: {error}")))?;
+            // Without the sign of 0.
+            *value = number + 0.0;
+            digest.update(value.to_le_bytes());
+        }
+        let [a1, a2, a3, r1, r2, r3] = values;
+        bodies.push([[a1, a2, a3], [r1, r2, r3]]);
+    }
+    let count = bodies.len() as u64;
+    if count == 0 {
+        return Err(wrong("there is no body in it".to_owned()));
+    }
+    let list = BodyList::new(output::hexadecimal(digest), bodies);
+    Design::new(BodyFamily::Listed(list), Vec::new(), Some(count), 0).map_err(Failure::input)
 }

@@ -3,7 +3,7 @@
 use bifdiag_numbers::Number;
 use bifdiag_schema::{DesignDocument, FamilyDocument, ParameterName, RangeDocument};
 use bifdiag_survey::scan::Shard;
-use bifdiag_survey::{BodyFamily, BodyParameter, Design, ParameterRange};
+use bifdiag_survey::{BodyFamily, BodyList, BodyParameter, Design, ParameterRange};
 
 use super::error::ReadScanError;
 use crate::body::texts;
@@ -48,6 +48,7 @@ pub fn design(design: &Design) -> DesignDocument {
         BodyFamily::Positive => FamilyDocument::Positive,
         BodyFamily::Katok => FamilyDocument::Katok,
         BodyFamily::Body { moments, center } => FamilyDocument::Body { moments: texts(moments), center: texts(center) },
+        BodyFamily::Listed(list) => FamilyDocument::Listed { sha256: list.digest().to_owned() },
     };
     let vary = design.vary.iter().map(range).collect();
     DesignDocument { family, vary, samples: design.samples, seed: design.seed }
@@ -67,6 +68,7 @@ pub fn read_design(document: &DesignDocument) -> Result<Design, ReadScanError> {
         FamilyDocument::Body { moments, center } => {
             BodyFamily::Body { moments: numbers(moments)?, center: numbers(center)? }
         }
+        FamilyDocument::Listed { sha256 } => BodyFamily::Listed(BodyList::new(sha256.clone(), Vec::new())),
     };
     let read_range = |range: &RangeDocument| -> Result<ParameterRange, ReadScanError> {
         let (parameter, steps) = (read_parameter(range.parameter), range.steps);
@@ -85,13 +87,16 @@ pub fn command(design: &DesignDocument, range: [u64; 2]) -> CommandLine {
         FamilyDocument::Positive => line.option("family", "positive"),
         FamilyDocument::Katok => line.option("family", "katok"),
         FamilyDocument::Body { moments, center } => line.option("A", moments.join(",")).option("r", center.join(",")),
+        // The file that it came from is not remembered.
+        FamilyDocument::Listed { .. } => line.option("bodies", "bodies.csv"),
     };
     for range in &design.vary {
         let steps = range.steps.map_or_else(String::new, |steps| format!(":{steps}"));
         let name = read_parameter(range.parameter);
         line = line.option("vary", format!("{name}={}:{}{steps}", range.from, range.to));
     }
-    line.option_if("samples", design.samples)
+    let is_list = matches!(design.family, FamilyDocument::Listed { .. });
+    line.option_if("samples", if is_list { None } else { design.samples })
         .option_if("seed", (design.seed != 0).then_some(design.seed))
         .option_if("shard", shard(design, range))
 }
@@ -118,6 +123,7 @@ mod tests {
             Design::new(BodyFamily::General, Vec::new(), Some(7), 3).unwrap(),
             Design::new(BodyFamily::Positive, Vec::new(), Some(1), 0).unwrap(),
             Design::new(BodyFamily::Katok, Vec::new(), Some(9), 0).unwrap(),
+            Design::new(BodyFamily::Listed(BodyList::new("00ff".into(), Vec::new())), Vec::new(), Some(3), 0).unwrap(),
             Design::new(paper.clone(), ranges(&["A2=1/3:2:9", "r3=-0.50:0.5:2"]), None, 0).unwrap(),
             Design::new(paper, ranges(&["r1=0:1e-2"]), Some(5), 1).unwrap(),
         ] {

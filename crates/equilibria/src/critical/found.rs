@@ -38,9 +38,16 @@ impl RelativeEquilibria<'_> {
         let kind = if is_set(site.orbit) { reduced.transverse_type() } else { reduced.linear_type() };
         let Some(kind) = kind else { return false };
         let judged = nonlinear::Question { c, state: &state, reduced: &reduced, kind, setting: site.setting };
-        let Some(nonlinear) = judged.verdict([None; 2]) else { return false };
+        let Some(nonlinear) = self.deferred(kind, site.setting).or_else(|| judged.verdict([None; 2])) else {
+            return false;
+        };
         self.push(found, question, &site, &reduced, (kind, nonlinear));
         true
+    }
+
+    /// No verdict, where one would need a normal form and none is wanted.
+    fn deferred(&self, kind: LinearType, setting: Setting) -> Option<Nonlinear> {
+        (self.defers && setting.verdict(kind).is_none()).then(Nonlinear::deferred)
     }
 
     /// The point of a curve over x, enclosed.
@@ -91,7 +98,8 @@ impl RelativeEquilibria<'_> {
                 Fixed::Spin(_) => abscissa_of(&exact.state),
             };
             let site = self.site(exact, question, x)?;
-            let nonlinear = beyond::verdict(self.profile()?, question.branch, exact, site.setting)?;
+            let judged = || beyond::verdict(self.profile()?, question.branch, exact, site.setting);
+            let nonlinear = self.deferred(exact.kind, site.setting).or_else(judged)?;
             self.push(found, question, &site, &exact.reduced, (exact.kind, nonlinear));
         }
         Some(())

@@ -119,6 +119,8 @@ pub struct RelativeEquilibria<'a> {
     profile: OnceLock<Option<StabilityProfile>>,
     /// Each branch in words.
     words: Vec<(Branch, Arc<str>)>,
+    /// Verdicts that need a normal form are left for later.
+    defers: bool,
 }
 
 /// A branch at one l or spin.
@@ -173,7 +175,14 @@ impl<'a> RelativeEquilibria<'a> {
         for curve in set.curves.iter().filter(|curve| curve.piece == 1 && curve.is_critical()) {
             words.push((curve.branch, branch_words(&set, curve.branch).into()));
         }
-        Ok(Self { body, constants, profile: OnceLock::new(), words, set })
+        Ok(Self { body, constants, profile: OnceLock::new(), words, set, defers: false })
+    }
+
+    /// Without the verdicts that only a normal form decides, which takes ten times as long as all the rest:
+    /// [`Nonlinear::is_deferred`] tells where one is missing.
+    #[must_use]
+    pub fn without_normal_forms(self) -> Self {
+        Self { defers: true, ..self }
     }
 
     fn words(&self, branch: Branch) -> Arc<str> {

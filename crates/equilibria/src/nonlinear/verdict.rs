@@ -70,4 +70,15 @@ impl Nonlinear {
     pub fn of((verdict, why): (NonlinearVerdict, Reason)) -> Self {
         Self { verdict, why, arnold: None, near: None, proved: true }
     }
+
+    /// None so far: a normal form would decide, and was not asked for.
+    pub(crate) fn deferred() -> Self {
+        Self { proved: false, ..Self::of((NonlinearVerdict::Open, Reason::Degenerate)) }
+    }
+
+    /// No verdict was asked for. (One that was not reached has its distances from the resonances.)
+    #[must_use]
+    pub fn is_deferred(&self) -> bool {
+        !self.proved && self.near.is_none()
+    }
 }

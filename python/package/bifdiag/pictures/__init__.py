@@ -3,6 +3,6 @@
 from .diagram import diagram, pretty, tint
 from .plane import plane
 from .section import VERDICTS, section
-from .space import body, sphere
+from .space import body, motion, sphere
 
-__all__ = ["VERDICTS", "body", "diagram", "plane", "pretty", "section", "sphere", "tint"]
+__all__ = ["VERDICTS", "body", "diagram", "motion", "plane", "pretty", "section", "sphere", "tint"]

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from ..errors import InputError
 from ..optional import needed
 
 if TYPE_CHECKING:
@@ -18,9 +19,34 @@ def pyplot() -> Any:
     return needed("matplotlib.pyplot", "plot")
 
 
-def axes(ax: "Axes | None") -> "Axes":
-    """The axes that are given, or those of a new figure."""
+Size = tuple[float, float]
+"""Width and height of a figure in inches."""
+
+
+def axes(ax: "Axes | None", figsize: Size | None = None) -> "Axes":
+    """The axes that are given, or those of a new figure.
+
+    Raises
+    ------
+    InputError
+        If a size is given for a figure that is there already.
+    """
     if ax is not None:
+        refuse_size(figsize)
         return ax
-    made: Axes = pyplot().subplots(layout="constrained")[1]
+    made: Axes = pyplot().subplots(layout="constrained", figsize=figsize)[1]
     return made
+
+
+def space(ax: Any, figsize: Size | None = None) -> Any:
+    """Likewise axes of three dimensions."""
+    if ax is not None:
+        refuse_size(figsize)
+        return ax
+    return pyplot().figure(layout="constrained", figsize=figsize).add_subplot(projection="3d")
+
+
+def refuse_size(figsize: Size | None) -> None:
+    """No size for axes that are given."""
+    if figsize is not None:
+        raise InputError("figsize is the size of a new figure; with ax leave it out, and set it where the figure is made")

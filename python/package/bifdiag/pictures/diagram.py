@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from ..exact import span
 from ..optional import needed
-from .axes import Array, axes
+from .axes import Array, Size, axes
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -53,6 +53,7 @@ def diagram(
     atlas: "Atlas",
     ax: "Axes | None" = None,
     *,
+    figsize: Size | None = None,
     h: tuple[float, float] | None = None,
     l: tuple[float, float] | None = None,
     regions: bool = True,
@@ -71,6 +72,8 @@ def diagram(
         The atlas.
     ax : Axes, optional
         Where; None makes a new figure.
+    figsize : pair of float, optional
+        Width and height of a new figure in inches.
     h, l : pair of float, optional
         Ranges of the axes; by default those of the picture of the command line.
     regions, labels : bool
@@ -91,7 +94,7 @@ def diagram(
     """
     window = atlas._view()["main"]
     h, l = span(h or window["h"], "h"), span(l or window["l"], "l")
-    ax = axes(ax)
+    ax = axes(ax, figsize)
     # The grounds of regions are pale whatever the style sheet says.
     ink = "black" if regions else needed("matplotlib", "plot").rcParams["text.color"]
     for region, outlines in zip(atlas.regions, atlas.outlines(h, l), strict=True) if regions else ():
@@ -127,7 +130,7 @@ def _name(atlas: "Atlas", ax: "Axes", h: tuple[float, float], l: tuple[float, fl
     columns, rows = CELLS
     energies = h[0] + (np.arange(columns) + 0.5) / columns * (h[1] - h[0])
     momenta = l[0] + (np.arange(rows) + 0.5) / rows * (l[1] - l[0])
-    found = atlas.region(energies[:, None], momenta)
+    found: Any = atlas.region(energies[:, None], momenta)
     points = np.asarray(ax.get_window_extent().size) / ax.figure.dpi * 72
     size = FontProperties(size="small").get_size_in_points()
     for number, region in enumerate(atlas.regions):

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ..errors import BodyWarning, RangeError
-from .axes import axes
+from .axes import Size, axes
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -23,6 +23,7 @@ def plane(
     y: npt.ArrayLike,
     ax: "Axes | None" = None,
     *,
+    figsize: Size | None = None,
     value: Callable[["Atlas"], float | str] = lambda atlas: len(atlas.regions),
     **mesh: Any,
 ) -> "Axes":
@@ -37,6 +38,8 @@ def plane(
         The places.
     ax : Axes, optional
         Where; None makes a new figure.
+    figsize : pair of float, optional
+        Width and height of a new figure in inches.
     value : function of an Atlas
         What the colour tells: a number, or a text such as a list of signatures.
     **mesh
@@ -54,7 +57,7 @@ def plane(
     >>> ax.collections[0].get_array().tolist()
     [[6.0, 5.0], [5.0, 4.0]]
     """
-    ax = axes(ax)
+    ax = axes(ax, figsize)
     across, up = np.asarray(x, dtype=float), np.asarray(y, dtype=float)
 
     def found(place: float, height: float) -> float | str | None:

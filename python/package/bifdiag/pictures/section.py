@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from ..errors import InputError
 from ..optional import needed
-from .axes import Array, pyplot
+from .axes import Array, Size, pyplot, refuse_size
 
 if TYPE_CHECKING:
     from ..section import Section
@@ -21,6 +21,7 @@ def section(
     ax: Any = None,
     projection: str = "torus",
     *,
+    figsize: Size | None = None,
     color: Any = None,
     sheet: int | None = None,
     **points: Any,
@@ -33,6 +34,8 @@ def section(
         The section.
     ax : pair of Axes, optional
         Where, first T⁺, then T⁻; None makes a new figure. With `sheet` a single one.
+    figsize : pair of float, optional
+        Width and height of a new figure in inches.
     projection : {"torus", "sphere"}
         The angles (ϑ′, ψ′) of the PP-torus, or γ on the Poisson sphere seen from +r̂ in equal areas: r̂ is the centre, −r̂ the
         rim.
@@ -61,8 +64,10 @@ def section(
         raise InputError(f"sheet = {sheet!r}: the sheets are 1 and -1")
     sheets = (1, -1) if sheet is None else (sheet,)
     values, style = _colors(found, color)
-    if ax is None:
-        size = (4.5 * len(sheets), 4.5)
+    if ax is not None:
+        refuse_size(figsize)
+    else:
+        size = figsize or (4.5 * len(sheets), 4.5)
         ax = pyplot().subplots(1, len(sheets), layout="constrained", figsize=size, sharex=True, sharey=True)[1]
     panels = np.atleast_1d(np.asarray(ax, dtype=object)).reshape(-1)
     if len(panels) != len(sheets):

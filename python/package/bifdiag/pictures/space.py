@@ -7,16 +7,17 @@ import numpy as np
 from .. import exact
 from ..errors import InputError
 from ..exact import Number
-from .axes import Array, pyplot
+from .axes import Array, Size, space
 
 if TYPE_CHECKING:
     from ..body import Body
+    from ..motion import Motion
 
 POINTS = 200
 """Points of the sphere's picture along each side."""
 
 
-def sphere(given: "Body", h: Number, l: Number, ax: Any = None, **surface: Any) -> Any:
+def sphere(given: "Body", h: Number, l: Number, ax: Any = None, *, figsize: Size | None = None, **surface: Any) -> Any:
     """The accessible region U on the Poisson sphere: γ with l²/(2⟨γ, A γ⟩) − ⟨γ, r⟩ ≤ h, blue.
 
     Parameters
@@ -27,6 +28,8 @@ def sphere(given: "Body", h: Number, l: Number, ax: Any = None, **surface: Any) 
         The point.
     ax : Axes3D, optional
         Where; None makes a new figure.
+    figsize : pair of float, optional
+        Width and height of a new figure in inches.
     **surface
         Whatever ``Axes3D.plot_surface`` knows.
 
@@ -45,10 +48,10 @@ def sphere(given: "Body", h: Number, l: Number, ax: Any = None, **surface: Any) 
     if given.classify(h, l).status == "forbidden":
         raise InputError(f"(h, l) = ({h}, {l}) is forbidden: h is below the minimum of the potential, so that U is empty")
     energy, momentum = (float(exact.value(exact.text(number, name))) for number, name in ((h, "h"), (l, "l")))
-    ax = _space(ax)
+    ax = space(ax, figsize)
     gamma = _directions()
-    moments, center = _numbers(given)
-    potential = momentum**2 / 2 / (gamma**2 @ moments) - gamma @ center
+    moments, center = given.moments, given.com
+    potential = momentum**2 / 2 / (gamma**2 @ moments) - given.weight * gamma @ center
     accessible = potential <= energy
     colours = np.where(accessible[..., None], [0.35, 0.6, 0.9, 1.0], [0.92, 0.92, 0.92, 0.6])
     style = {"rcount": POINTS, "ccount": POINTS, "linewidth": 0, "antialiased": False, "shade": True} | surface
@@ -62,7 +65,7 @@ def sphere(given: "Body", h: Number, l: Number, ax: Any = None, **surface: Any) 
     return ax
 
 
-def body(given: "Body", ax: Any = None, **surface: Any) -> Any:
+def body(given: "Body", ax: Any = None, *, figsize: Size | None = None, **surface: Any) -> Any:
     """A body: its ellipsoid of inertia ⟨x, A x⟩ = 1 about the fixed point, its principal axes and its centre of mass.
 
     Parameters
@@ -71,6 +74,8 @@ def body(given: "Body", ax: Any = None, **surface: Any) -> Any:
         The body.
     ax : Axes3D, optional
         Where; None makes a new figure.
+    figsize : pair of float, optional
+        Width and height of a new figure in inches.
     **surface
         Whatever ``Axes3D.plot_surface`` knows.
 
@@ -79,8 +84,8 @@ def body(given: "Body", ax: Any = None, **surface: Any) -> Any:
     Axes3D
         Lengths are those of the ellipsoid; of r only the direction is drawn.
     """
-    ax = _space(ax)
-    moments, center = _numbers(given)
+    ax = space(ax, figsize)
+    moments, center = given.moments, given.com
     half = moments**-0.5
     style = {"color": (0.35, 0.6, 0.9, 0.35), "linewidth": 0, "rcount": 60, "ccount": 60} | surface
     ax.plot_surface(*np.moveaxis(_directions() * half, -1, 0), **style)
@@ -95,20 +100,41 @@ def body(given: "Body", ax: Any = None, **surface: Any) -> Any:
     return ax
 
 
-def _space(ax: Any) -> Any:
-    """Axes of three dimensions."""
-    if ax is not None:
-        return ax
-    return pyplot().figure(layout="constrained").add_subplot(projection="3d")
-
-
 def _directions() -> Array:
     """Unit vectors over a grid of angles."""
     polar, azimuth = np.meshgrid(np.linspace(0, np.pi, POINTS), np.linspace(0, 2 * np.pi, 2 * POINTS), indexing="ij")
     return np.stack([np.sin(polar) * np.cos(azimuth), np.sin(polar) * np.sin(azimuth), np.cos(polar)], axis=-1)
 
 
-def _numbers(given: "Body") -> tuple[Array, Array]:
-    """A and r as doubles."""
-    moments, center = (np.array([float(exact.value(text)) for text in texts]) for texts in (given.A, given.r))
-    return moments, center
+def motion(given: "Motion", ax: Any = None, *, figsize: Size | None = None, **line: Any) -> Any:
+    """The path of the centre of mass in space, on the unit sphere about the fixed point, with up as the third axis.
+
+    Parameters
+    ----------
+    given : Motion
+        The motion.
+    ax : Axes3D, optional
+        Where; None makes a new figure.
+    figsize : pair of float, optional
+        Width and height of a new figure in inches.
+    **line
+        Whatever ``Axes3D.plot`` knows.
+
+    Returns
+    -------
+    Axes3D
+        Without weight the path is that of the body's third axis. The dot is the first time.
+    """
+    ax = space(ax, figsize)
+    center = given.center
+    length = float(np.linalg.norm(center))
+    pointer = center / length if length > 0 else np.array([0.0, 0.0, 1.0])
+    # Space is turned about its first axis, so that the third one points up.
+    x, y, z = (given.axes() @ pointer).T * np.array([[1], [-1], [-1]])
+    style = {"linewidth": 1.0} | line
+    (drawn,) = ax.plot(x, y, z, **style)
+    ax.plot(x[:1], y[:1], z[:1], "o", color=drawn.get_color())
+    ax.plot([0, 0], [0, 0], [-1, 1], color="0.6", linewidth=0.8)
+    ax.set(xlim=(-1, 1), ylim=(-1, 1), zlim=(-1, 1), xlabel="$x$", ylabel="$y$", zlabel="up")
+    ax.set_box_aspect((1, 1, 1))
+    return ax

@@ -1,0 +1,142 @@
+"""Arrays of points in, arrays of answers out, in whatever form they came."""
+
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import exact
+from .errors import InputError
+
+INVALID = -4
+"""The place of a point with a number that is missing, infinite or out of range."""
+
+POLICIES = ("mark", "raise")
+"""What becomes of such a point."""
+
+
+@dataclass(frozen=True)
+class Points:
+    """Points (h, l), broadcast against each other.
+
+    Attributes
+    ----------
+    h, l : array (n,) of float, or list of str
+        The numbers of the valid points: doubles that mean their shortest decimals, or exact texts.
+    valid : array of bool
+        Which points they are, in the shape of the answer.
+    dress : function
+        An array of answers in the form of the input: of xarray, of pandas, of numpy, or a scalar.
+    index : pandas.Index or None
+        The labels, if the input was of pandas.
+    template : xarray.DataArray or None
+        Dimensions and coordinates, if the input was of xarray.
+    """
+
+    h: Any
+    l: Any
+    valid: npt.NDArray[np.bool_]
+    dress: Callable[[npt.NDArray[Any], str], Any]
+    index: Any = None
+    template: Any = None
+
+    def spread(self, answers: npt.NDArray[Any], fill: Any) -> npt.NDArray[Any]:
+        """Answers for the valid points in the shape of the input."""
+        out = np.full(self.valid.shape, fill, dtype=answers.dtype)
+        out[self.valid] = answers
+        return out
+
+
+def points(h: Any, l: Any, invalid: str) -> Points:
+    """Points of what the caller gave.
+
+    Raises
+    ------
+    InputError
+        For what is no number, and shapes that do not broadcast; with ``invalid="raise"`` also for NaN, masked, infinite and
+        out-of-range entries: the message names the first.
+    """
+    if invalid not in POLICIES:
+        raise InputError(f'invalid = {invalid!r}: "mark" gives such points the code -4, "raise" refuses them')
+    h, l, dress, index, template = _undressed(h, l)
+    (h_values, h_valid), (l_values, l_valid) = _numbers(h, "h"), _numbers(l, "l")
+    try:
+        valid = np.logical_and(h_valid, l_valid)
+        h_values, l_values = np.broadcast_to(h_values, valid.shape), np.broadcast_to(l_values, valid.shape)
+    except ValueError as error:
+        raise InputError(f"h and l do not broadcast: {error}") from error
+    if invalid == "raise" and not valid.all():
+        where = tuple(int(place) for place in np.argwhere(~valid)[0])
+        name, values = ("l", l_values) if np.broadcast_to(h_valid, valid.shape)[where] else ("h", h_values)
+        place = f"{name}[{', '.join(map(str, where))}]" if where else name
+        raise InputError(f'{place} = {values[where]} is no finite number in range; leave it out, or give invalid="mark"')
+    both = [(h_values[valid], "h"), (l_values[valid], "l")]
+    if h_values.dtype == object or l_values.dtype == object:
+        first, second = ([exact.text(value, name) for value in values.tolist()] for values, name in both)
+        return Points(first, second, valid, dress, index, template)
+    return Points(both[0][0], both[1][0], valid, dress, index, template)
+
+
+def _numbers(given: Any, name: str) -> tuple[npt.NDArray[Any], npt.NDArray[np.bool_]]:
+    """Numbers as doubles, or as objects where doubles do not have them exactly; and which of them can be used."""
+    mask = np.ma.getmaskarray(given) if isinstance(given, np.ma.MaskedArray) else None
+    array = np.asarray(np.ma.getdata(given) if mask is not None else given)
+    if array.dtype.kind in "OUT":
+        values = array.astype(object)
+        valid = np.array([not _missing(value) for value in values.flat], dtype=bool).reshape(values.shape)
+    else:
+        found = exact.doubles(array, name, check=False)
+        if found is None:
+            values, valid = array.astype(object), np.ones(array.shape, dtype=bool)
+        else:
+            values, valid = found, exact.usable(found)
+    return values, valid if mask is None else valid & ~mask
+
+
+def _missing(value: Any) -> bool:
+    """None of pandas, and what is not equal to itself."""
+    if value is None or isinstance(value, str):
+        return False
+    if type(value).__name__ in ("NAType", "NaTType"):
+        return True
+    return bool(isinstance(value, float | np.floating) and not np.isfinite(value))
+
+
+def _undressed(h: Any, l: Any) -> tuple[Any, Any, Callable[[npt.NDArray[Any], str], Any], Any, Any]:
+    """Plain arrays of h and l, and how answers are given their form."""
+    xr, pd = sys.modules.get("xarray"), sys.modules.get("pandas")
+    if xr is not None and any(isinstance(value, xr.DataArray) for value in (h, l)):
+        arrays = [value if isinstance(value, xr.DataArray) else _labelled(xr, value) for value in (h, l)]
+        first, second = xr.broadcast(*arrays)
+        return first.to_numpy(), second.to_numpy(), lambda out, name: first.copy(data=out).rename(name), None, first
+    if pd is not None and any(isinstance(value, pd.Series) for value in (h, l)):
+        if isinstance(h, pd.Series) and isinstance(l, pd.Series) and not h.index.equals(l.index):
+            h, l = h.align(l)
+        index = h.index if isinstance(h, pd.Series) else l.index
+        h, l = (_unpacked(value) if isinstance(value, pd.Series) else value for value in (h, l))
+
+        def series(out: npt.NDArray[Any], name: str) -> Any:
+            return pd.Series(out, index=index, name=name) if out.shape == (len(index),) else out
+
+        return h, l, series, index, None
+    return h, l, lambda out, name: out if out.ndim else out.item(), None, None
+
+
+def _labelled(xr: Any, value: Any) -> Any:
+    """A scalar beside an array with dimensions."""
+    if np.ndim(value):
+        raise InputError(
+            "one of h and l is an xarray.DataArray, and the other an array without dimensions; give both with theirs"
+        )
+    return xr.DataArray(value)
+
+
+def _unpacked(series: Any) -> npt.NDArray[Any]:
+    """The values of a Series; of a nullable one with NaN for NA."""
+    if series.dtype.kind in "fiu" and not isinstance(series.dtype, np.dtype):
+        found: npt.NDArray[Any] = series.to_numpy(dtype=np.float64, na_value=np.nan)
+        return found
+    return np.asarray(series.to_numpy())

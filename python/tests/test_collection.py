@@ -1,0 +1,46 @@
+"""Regions, events and curves by their ids, and as tables."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import bifdiag
+
+
+def test_records_have_names_and_places(atlas):
+    assert atlas.regions["R5"] is atlas.regions[4] and atlas.curves["G1.2"].id == "G1.2"
+    assert atlas.regions[-1].id == "R9" and atlas.regions[1:3] == (atlas.regions[1], atlas.regions[2])
+    assert atlas.regions.ids == tuple(f"R{n}" for n in range(1, 10))
+    with pytest.raises(bifdiag.InputError, match="'R12'; the ids are R1, R2"):
+        atlas.regions["R12"]
+    with pytest.raises(bifdiag.InputError, match="no ids"):
+        atlas.events["cusp"]
+    again = pickle.loads(pickle.dumps(atlas.regions))
+    assert again == atlas.regions and again["R5"] == atlas.regions["R5"]
+
+
+def test_a_list_is_printed_a_line_a_record(atlas):
+    assert len(repr(atlas.regions).splitlines()) == 10 and max(map(len, repr(atlas.regions).splitlines())) < 60
+    assert "<td>S2+T2</td>" in atlas.regions._repr_html_() and "5 events" in repr(atlas.events)
+    assert "<svg" in atlas._repr_html_() and "9 regions" in atlas._repr_html_()
+
+
+@pytest.mark.parametrize("name", ["regions", "events", "curves", "stability_changes"])
+@pytest.mark.parametrize("body", ["paper", "euler"])
+def test_lists_are_tables(name, body):
+    pd, xr, pa = (pytest.importorskip(module) for module in ("pandas", "xarray", "pyarrow"))
+    records = getattr(bifdiag.Body.preset(body).atlas(), name)
+    frame = records.to_pandas()
+    assert isinstance(frame, pd.DataFrame) and len(frame) == len(records) and frame.columns.tolist() == [*records.flat()]
+    assert pa.table(records).num_rows == records.to_arrow().num_rows == len(records)
+    assert isinstance(records.to_xarray(), xr.Dataset)
+
+
+def test_tables_say_what_the_records_say(atlas):
+    table = atlas.regions.flat()
+    assert table["signature"].tolist() == [region.signature for region in atlas.regions]
+    assert table["bounded"].dtype == bool and np.isinf(table["h_width"]).any()
+    assert (atlas.region(table["h"], table["l"]) == np.arange(9)).all()
+    curves = atlas.curves.flat()
+    assert np.isnan(curves["index"][-1]) and "stable" in curves["verdict"][0]

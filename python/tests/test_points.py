@@ -1,0 +1,102 @@
+"""Many points: margins, types, and arrays with labels."""
+
+import pickle
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+import bifdiag
+
+
+@pytest.fixture
+def points():
+    rng = np.random.default_rng(3)
+    return rng.uniform(-2, 9, 200).round(3), rng.uniform(-6, 6, 200).round(3)
+
+
+def test_margins_and_types_are_those_of_single_points(atlas, points):
+    h, l = points
+    found = atlas.classify(h, l)
+    assert (found.region == atlas.region(h, l)).all() and (found.margin == atlas.margin(h, l)).all()
+    for place, (x, y) in enumerate(zip(h, l, strict=True)):
+        one = atlas.classify(x, y)
+        assert (found.margin[place], found.error_bound[place]) == (one.margin.h, one.margin.error_bound)
+        assert (found.nearest[place], found.status[place]) == (one.margin.nearest, one.status)
+        assert (found.id[place], found.signature[place]) == (one.region, one.signature or None)
+        if one.status == "regular":
+            assert found.components[found.region[place]] == one.components
+        assert atlas.margin(x, y) == one.margin.h
+    again = pickle.loads(pickle.dumps(found))
+    assert (again.region == found.region).all() and again.components == found.components
+    assert (atlas.classify(h, l, threads=2).margin == found.margin).all()
+    with pytest.raises(AttributeError, match="margin"):
+        found.margins  # noqa: B018
+
+
+def test_types_broadcast(atlas):
+    found = atlas.classify(np.linspace(0, 5, 6)[:, None], [1, 3.25])
+    assert found.shape == (6, 2) == found.status.shape and atlas.margin([[]], 1).shape == (1, 0)
+    assert "regular" in repr(found) and isinstance(atlas.margin(3.8, 3.25), float)
+    exact = atlas.margin(np.array([Fraction(19, 5), "3.8"], dtype=object), "3.25")
+    assert exact.tolist() == [atlas.margin(3.8, 3.25)] * 2
+
+
+def test_points_on_curves_are_critical():
+    kovalevskaya = bifdiag.Body.preset("kovalevskaya").atlas()
+    found = kovalevskaya.classify(np.array([-0.99, 9.0]), np.array([0.2, 0.2]))
+    assert found.region.tolist()[0] == -2 and found.status[0] == "critical" and found.signature[0] is None
+    assert found.margin[0] < 1e-12
+
+
+def test_what_is_missing_is_marked_and_the_rest_is_answered(atlas):
+    h = np.array([0, np.nan, 3.8, np.inf, 1e200, 1e-200])
+    assert atlas.region(h, 3.25).tolist() == [-1, -4, 4, -4, -4, -4]
+    assert np.isnan(atlas.margin(h, 3.25)).tolist() == [False, True, False, True, True, True]
+    masked = np.ma.array([3.8, 3.8, 0], mask=[1, 0, 0])
+    assert atlas.region(masked, 3.25).tolist() == [-4, 4, -1]
+    objects = np.array([Fraction(19, 5), np.nan, "0"], dtype=object)
+    assert atlas.region(objects, 3.25).tolist() == [4, -4, -1]
+    found = atlas.classify(h, 3.25)
+    assert found.status.tolist() == ["forbidden", "invalid", "regular", "invalid", "invalid", "invalid"]
+    assert found.nearest[1] is None and np.isnan(found.h[1])
+    assert atlas.region(float("nan"), 1) == -4
+    with pytest.raises(bifdiag.InputError, match="invalid"):
+        atlas.region(h, 1, invalid="drop")
+    with pytest.raises(bifdiag.InputError, match="h = nan"):
+        atlas.classify(float("nan"), 1)
+
+
+def test_dimensions_of_xarray_are_kept(atlas):
+    xr = pytest.importorskip("xarray")
+    h = xr.DataArray([0, 3.8, 5], dims="h", coords={"h": [0, 3.8, 5]})
+    l = xr.DataArray([3.25, 1, 2], dims="l", coords={"l": [3.25, 1, 2]})
+    plain = atlas.region(h.to_numpy()[:, None], l.to_numpy())
+    found = atlas.region(h, l)
+    assert found.dims == ("h", "l") and (found.to_numpy() == plain).all() and found.name == "region"
+    assert found.sel(h=3.8, l=3.25).item() == 4 and atlas.margin(h, 3.25).dims == ("h",)
+    data = atlas.classify(h, l).to_xarray()
+    assert data["margin"].dims == ("h", "l") and data["l"].to_numpy().tolist() == [3.25, 1, 2]
+    with pytest.raises(bifdiag.InputError, match="both with theirs"):
+        atlas.region(h, [1, 2, 3])
+
+
+def test_the_index_of_pandas_is_kept(atlas):
+    pd = pytest.importorskip("pandas")
+    h = pd.Series([0, 3.8, None], index=list("abc"))
+    assert atlas.region(h, 3.25).to_dict() == {"a": -1, "b": 4, "c": -4}
+    assert atlas.margin(h, pd.Series([3.25, 3.25], index=list("ba"))).isna().to_dict() == {
+        "a": False,
+        "b": False,
+        "c": True,
+    }
+    nullable = pd.Series([0, 3.8, pd.NA], dtype="Float64")
+    assert atlas.region(nullable, 3.25).tolist() == [-1, 4, -4]
+    frame = atlas.classify(h, 3.25).to_pandas()
+    assert frame.index.tolist() == list("abc") and frame.loc["b", "signature"] == "S2+T2"
+
+
+def test_types_are_handed_to_arrow(atlas, points):
+    pa = pytest.importorskip("pyarrow")
+    table = pa.table(atlas.classify(*points))
+    assert table.num_rows == 200 and table["region"].null_count == (atlas.region(*points) < 0).sum()
