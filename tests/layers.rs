@@ -14,7 +14,7 @@ const ORDER: [(&str, &str); 12] = [
     ),
     (
         "crates/schema/src",
-        "shown number head integrable part certificate classification nonlinear critical atlas point_proof checksum find grid listing section motion spin spin_down steady scan border comparison classes",
+        "shown number json head integrable part certificate classification nonlinear critical atlas point_proof checksum find grid listing section motion spin spin_down steady scan border comparison classes",
     ),
     ("crates/body/src", "axis rigid_body frame principal presets integrable part"),
     ("crates/equilibria/src", "curves stability nonlinear critical permanent"),

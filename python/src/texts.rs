@@ -13,7 +13,7 @@ pub fn number(text: &str) -> PyResult<Number> {
 
 /// A document on one line.
 pub fn json(document: &impl serde::Serialize) -> PyResult<String> {
-    serde_json::to_string(document).map_err(|error| errors::range(&error))
+    bifdiag::schema::json(document).map_err(|error| errors::range(&error))
 }
 
 /// Numbers that were given: an array of doubles, each meaning its shortest decimal, or a list of exact texts.

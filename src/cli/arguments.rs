@@ -118,6 +118,11 @@ macro_rules! commands {
                 main
             }
 
+            /// The name of each command, and what it does.
+            pub fn abouts() -> Vec<(String, String)> {
+                vec![$(($name.to_owned(), $about.trim_start().to_owned())),+]
+            }
+
             /// The command with this name.
             fn named(name: &str, matches: &mut clap::ArgMatches) -> Result<Option<Self>, clap::Error> {
                 Ok(match name {

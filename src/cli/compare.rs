@@ -9,7 +9,7 @@ use bifdiag_documents::{Compared, DocumentOptions, Drawn};
 use bifdiag_exact::Accuracy;
 use bifdiag_schema::{AtlasDocument, ComparedRegionsDocument, ComparisonDocument, EventKind, SCHEMA_VERSION};
 use bifdiag_survey::border::BorderOptions;
-use bifdiag_survey::path::{borders_between, in_standard_axes};
+use bifdiag_survey::path::{Oriented, borders_between, in_near_axes};
 use clap::Args;
 
 use super::export::answer;
@@ -25,7 +25,8 @@ Examples:
 
 A body is a named one (`bifdiag bodies`), A=A1,A2,A3;r=r1,r2,r3 (& may stand for ;), or an atlas.json (-: stdin). Branches are named in \
 axes by rising moments, since those of the two bodies are compared. The path is straight in A and r, with A1 ≤ A2 ≤ A3, the sum \
-of A = 2, r_i ≥ 0 and the largest r_i = 1.";
+of A = 2, r_i ≥ 0 and the largest r_i = 1; where moments are equal, r is turned as near to that of the other body as an exchange \
+of their axes brings it.";
 
 /// `bifdiag compare`.
 #[derive(Debug, Args)]
@@ -46,34 +47,36 @@ struct Diagram<'a> {
     name: &'a str,
     atlas: AtlasDocument,
     class: Option<Class>,
-    standard: Body,
+    standard: Oriented,
     standard_atlas: AtlasDocument,
 }
 
 pub fn run(arguments: &CompareArguments, timings: &Timings) -> Result<(), Failure> {
-    let [first, second] = timings
-        .stage("atlases", || Ok::<_, Failure>([Diagram::of(&arguments.first)?, Diagram::of(&arguments.second)?]))?;
-    let borders =
-        timings.stage("path", || borders_between(&first.standard, &second.standard, &BorderOptions::default()));
+    let names = [&arguments.first, &arguments.second];
+    let [first, second] = [body(names[0])?, body(names[1])?];
+    let [standard, other] = in_near_axes(&first, &second);
+    let [first, second] = timings.stage("atlases", || {
+        Ok::<_, Failure>([Diagram::of(names[0], &first, standard)?, Diagram::of(names[1], &second, other)?])
+    })?;
+    let borders = timings
+        .stage("path", || borders_between(&first.standard.body, &second.standard.body, &BorderOptions::default()));
     let document = bifdiag_documents::comparison([first.compared(), second.compared()], &borders);
     answer(arguments.json, &document, || report(&document))
 }
 
 impl<'a> Diagram<'a> {
-    fn of(name: &'a str) -> Result<Self, Failure> {
-        let body = body(name)?;
-        let standard = in_standard_axes(&body);
+    fn of(name: &'a str, body: &Body, standard: Oriented) -> Result<Self, Failure> {
         let atlas = |body: &Body| {
             let failed = failed(format!("{name}: the atlas could not be made"));
             bifdiag_exact::atlas(body, Accuracy::Exact).map_err(failed)
         };
         let options = DocumentOptions { drawing: Drawn::Nothing, ..DocumentOptions::default() };
-        let given = atlas(&body)?;
+        let given = atlas(body)?;
         Ok(Self {
             name,
             class: Class::of(&given).ok(),
             atlas: bifdiag_documents::atlas::document(&given, &options),
-            standard_atlas: bifdiag_documents::atlas::document(&atlas(&standard)?, &options),
+            standard_atlas: bifdiag_documents::atlas::document(&atlas(&standard.body)?, &options),
             standard,
         })
     }
@@ -170,7 +173,7 @@ fn add_events(report: &mut Report, document: &ComparisonDocument) {
             EventKind::Crossing => "crossing",
         };
         let [first, second] = event.counts.map(|count| count.to_string());
-        table.row([format!("{kind} of {}", event.branches.join(" and ")), first, second]);
+        table.row([format!("{kind}: {}", event.branches.join(", ")), first, second]);
     }
     add_differing(report, &table, differing.count(), document.events.len(), "kinds of events");
 }
@@ -222,4 +225,9 @@ fn add_path(report: &mut Report, document: &ComparisonDocument) {
         "the path goes on beyond the last of them: further borders were not found"
     });
     report.line("branches and components of r in axes by rising moments");
+    for (number, _) in ["1", "2"].into_iter().zip(path.turned).filter(|(_, turned)| *turned) {
+        report.line(format!(
+            "{number} has equal moments: its r is turned about the axis of symmetry, to be near that of the other"
+        ));
+    }
 }

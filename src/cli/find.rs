@@ -189,7 +189,7 @@ fn report(document: &FindDocument) -> String {
         ));
     }
     if let Some(count) = witness.critical_points {
-        report.line(format!("  {count} relative equilibria at this l"));
+        report.line(format!("  {} at this l", counted(count, "relative equilibrium", "relative equilibria")));
     }
     report.line(format!(
         "distance in h to the nearest curve ({}): {}",

@@ -4,8 +4,8 @@ use bifdiag_diagram::arrangement::RegionId;
 use bifdiag_documents::{DocumentOptions, Drawn, words};
 use bifdiag_exact::Accuracy;
 use bifdiag_schema::{
-    AtlasDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument, EventKind, NonlinearDocument,
-    RegionDocument,
+    AtlasDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument, EventKind, Failing, NonlinearDocument,
+    Reason, RegionDocument,
 };
 use clap::Args;
 
@@ -210,10 +210,7 @@ fn show_curve(report: &mut Report, document: &AtlasDocument, curve: &CurveDocume
             words::with_friction(&span.friction)
         ));
     }
-    for change in document.verdict_changes.iter().flatten().filter(|change| change.curve == curve.id) {
-        let at = NonlinearDocument::along(change.verdict, change.why, change.proved);
-        report.line(format!("  at l = {}: {}", significant(change.l, DIGITS), words::verdict(&at)));
-    }
+    isolated(report, document, curve);
     report.line("");
     let parts = |region: &RegionDocument| region.neighbours.iter().any(|neighbour| neighbour.curve == curve.id);
     if !document.regions.iter().any(parts) {
@@ -237,6 +234,25 @@ fn show_curve(report: &mut Report, document: &AtlasDocument, curve: &CurveDocume
             let change = words::crossing(curve, from_components, &above.components, true);
             report.line(format!("  from {from} to {}: {change}", above.id));
         }
+    }
+}
+
+/// The points of a curve at which a hypothesis of Arnold's theorem fails: the verdict beside them is not theirs.
+fn isolated(report: &mut Report, document: &AtlasDocument, curve: &CurveDocument) {
+    for change in document.verdict_changes.iter().flatten().filter(|change| change.curve == curve.id) {
+        let (what, why) = match change.kind {
+            Failing::Resonance11 => ("1:1 resonance", Reason::Resonance11),
+            Failing::Resonance12 => ("1:2 resonance", Reason::Resonance12),
+            Failing::Resonance13 => ("1:3 resonance", Reason::Resonance13),
+            Failing::Determinant => ("D4 = 0", Reason::Degenerate),
+        };
+        let at = NonlinearDocument::along(change.verdict, change.why, change.proved);
+        let verdict = if change.why == why { change.verdict.word().to_owned() } else { words::verdict(&at) };
+        report.line(format!("  at l = {} alone ({what}): {verdict}", significant(change.l, DIGITS)));
+    }
+    let by_arnold = curve.stability.iter().any(|span| span.nonlinear.why == Reason::Arnold);
+    if by_arnold && document.verdict_changes.is_none() {
+        report.line("  Arnold's theorem: but for isolated l, which were not found");
     }
 }
 

@@ -9,7 +9,7 @@ use clap::Args;
 
 use super::failure::{Failure, failed};
 use super::input::read;
-use super::terminal::{Report, Timings, print};
+use super::terminal::{Report, Timings, counted, print};
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -58,7 +58,12 @@ pub fn run(arguments: &VerifyArguments, timings: &Timings) -> Result<(), Failure
         let place = point.region.as_ref().map_or("is forbidden".to_owned(), |region| format!("lies in {region}"));
         lines.line(format!("verified: (h, l) = ({}, {}) {place}", point.h, point.l));
     }
-    lines.line(format!("verified: {regions} regions, {events} events, {pairs} pairs of curves{drawing}"));
+    lines.line(format!(
+        "verified: {}, {}, {}{drawing}",
+        counted(regions, "region", "regions"),
+        counted(events, "event", "events"),
+        counted(pairs, "pair of curves", "pairs of curves")
+    ));
     if !report.unproved.is_empty() {
         lines.line(format!(
             "not checked (\"proved\": false): verdicts by Arnold's theorem on {}",

@@ -85,15 +85,17 @@ fn entries(order: &[(&Shows, usize, u32)], bodies: usize) -> Vec<MapEntry> {
         percent => format!("{percent:.1}%"),
     };
     // The regions of a class that none of the bodies has were not counted.
-    let counted = |regions: u32| if regions == 0 { String::new() } else { format!("{regions} regions, ") };
+    let regions_of = |regions: u32| {
+        if regions == 0 { String::new() } else { format!("{}, ", counted(regions, "region", "regions")) }
+    };
     let has_classes = order.iter().any(|(shown, _, _)| matches!(shown, Shows::Class(_)));
     let known = if has_classes { known_classes() } else { BTreeMap::new() };
     let entry = |(number, (shown, bodies, regions)): (usize, &(&Shows, usize, u32))| match shown {
         Shows::Class(class) => MapEntry {
             name: class.to_string(),
             note: match known.get(class) {
-                Some(preset) => format!("{}{}; {}", counted(*regions), share(*bodies), preset.name()),
-                None => format!("{}{}", counted(*regions), share(*bodies)),
+                Some(preset) => format!("{}{}; {}", regions_of(*regions), share(*bodies), preset.name()),
+                None => format!("{}{}", regions_of(*regions), share(*bodies)),
             },
             mark: (number + 1).to_string(),
             color: number,

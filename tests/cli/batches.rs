@@ -98,11 +98,7 @@ fn an_empty_batch_has_no_answers() {
 #[test]
 fn unphysical_bodies_are_counted_unless_quiet() {
     let batch = "{\"A\":[9,1,1],\"r\":[1,0,0],\"l\":1}\n{\"A\":[2,1.5,1],\"r\":[1,0,0],\"l\":1}\n";
-    bifdiag("critical --batch -")
-        .reading(batch)
-        .succeeds()
-        .telling("warning: 1 of 2 lines")
-        .telling("bodies that do not exist");
+    bifdiag("critical --batch -").reading(batch).succeeds().telling("warning: bodies of 1 of 2 lines do not exist");
     bifdiag("critical -q --batch -").reading(batch).succeeds().telling_nothing();
 }
 
@@ -122,14 +118,14 @@ fn the_first_and_the_later_points_of_a_body_have_the_same_answers() {
 #[test]
 fn right_questions_without_an_answer_count_apart() {
     let lines = "{\"A\":[1e-30,1,1],\"r\":[1,1,1],\"h\":1,\"l\":1}\n{\"A\":[2,1,0]}\n";
-    let message = "1 of 2 lines of the batch have no answer";
+    let message = "without an answer are 1 of 2 lines of the batch";
     let done = bifdiag("classify --batch -")
         .reading(lines)
         .fails()
         .telling(message)
-        .telling("1 of 2 lines of the batch are wrong");
+        .telling("wrong are 1 of 2 lines of the batch");
     assert_eq!(done.json_lines().len(), 2);
-    bifdiag("classify --batch - --strict").reading(lines).refused().telling("1 of 2 lines of the batch are wrong");
+    bifdiag("classify --batch - --strict").reading(lines).refused().telling("wrong are 1 of 2 lines of the batch");
 }
 
 /// A key that means nothing here is no secret; a spin would be another question.

@@ -16,6 +16,7 @@ mod regions;
 mod scan;
 mod schemas;
 mod sections;
+mod sentences;
 mod spins;
 mod streams;
 mod thresholds;

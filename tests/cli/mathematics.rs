@@ -181,7 +181,7 @@ fn the_proof_of_a_point_is_verified() {
         let line = format!("classify {body} --h={h} --l={l}");
         let proof = bifdiag(&format!("{line} --certificate")).succeeds();
         std::fs::write(&file, proof.stdout()).unwrap();
-        bifdiag("verify").and(&file).succeeds().telling_nothing().printing(told).printing("pairs of curves");
+        bifdiag("verify").and(&file).succeeds().telling_nothing().printing(told).printing("of curves");
         let (proof, plain) = (proof.json(), bifdiag(&format!("{line} --json")).succeeds().json());
         assert_eq!((&proof["region"], &proof["status"]), (&plain["region"], &plain["status"]));
         assert_eq!(proof["components"], plain["components"]);
@@ -194,7 +194,9 @@ fn the_proof_of_a_point_is_verified() {
     bifdiag("verify").and(&file).fails().telling("status is not what this check finds");
     std::fs::write(&file, text.replace(": ", ":  ")).unwrap();
     bifdiag("verify").and(&file).fails().telling("its bytes are not those");
-    bifdiag("classify --body paper --h 3.8 --l 0 --certificate").fails().telling("no proof for l = 0");
+    bifdiag("classify --body paper --h 3.8 --l 0 --certificate")
+        .fails()
+        .telling("l = 0 is the border of what an atlas proves");
     bifdiag("classify --body lagrange --h 1 --l 2 --certificate --batch -").refused().telling("leave --batch out");
     bifdiag("classify --body paper --h 1 --l 2 --certificate --accuracy fast").refused().telling("--accuracy fast");
     bifdiag("classify --body kovalevskaya --h 0 --l 1 --certificate").succeeds();

@@ -444,7 +444,7 @@ fn the_spins_of_campbells_diagram_are_checked() {
     run("-10 rpm").telling("the largest spin must be greater than 0");
     run("1e149 rad/s").telling("leave the range of numbers");
     let other = bifdiag("campbell --A 1,2,3 --r 0,1,0 --axis 0,1,0.1 --to").and("1 Hz").refused();
-    other.telling("the nearest axis that has them is 0, 1, 0, 5.71° away");
+    other.telling("the nearest axis that has them is (0, 1, 0), 5.71° away");
 }
 
 /// What is said of all parts within a tolerance was decided.

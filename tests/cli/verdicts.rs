@@ -266,5 +266,5 @@ fn a_range_of_spins_admits_its_isolated_exceptions() {
         .filter(|stretch| stretch["nonlinear"]["why"] == json!("arnold"))
         .collect();
     assert!(!by_arnold.is_empty() && by_arnold.iter().all(|stretch| stretch["nonlinear"]["proved"] == json!(false)));
-    bifdiag("show L-.1 --A 1.71,2.63,2.11 --r 0,0,1").succeeds().printing("open (degenerate)");
+    bifdiag("show L-.1 --A 1.71,2.63,2.11 --r 0,0,1").succeeds().printing("alone (D4 = 0): open");
 }

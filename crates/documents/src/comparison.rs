@@ -1,12 +1,12 @@
 //! Two bodies compared, as a document.
 
-use bifdiag_body::Body;
 use bifdiag_diagram::class::Class;
 use bifdiag_schema::{
     AtlasDocument, ComparedBodyDocument, ComparedEventDocument, ComparedRegionsDocument, ComparedStabilityDocument,
-    ComparisonDocument, CrossedBorderDocument, EventKind, PathDocument,
+    ComparisonDocument, CrossedBorderDocument, CurveKind, EventKind, PathDocument,
 };
 use bifdiag_survey::border::Border;
+use bifdiag_survey::path::Oriented;
 
 use crate::body::given;
 use crate::border::event;
@@ -21,7 +21,7 @@ pub struct Compared<'a> {
     /// Its class, if that is decided.
     pub class: Option<&'a Class>,
     /// The body in standard axes.
-    pub standard: &'a Body,
+    pub standard: &'a Oriented,
     /// The atlas of that.
     pub standard_atlas: &'a AtlasDocument,
 }
@@ -46,7 +46,8 @@ pub fn comparison(bodies: [Compared<'_>; 2], borders: &[Border]) -> ComparisonDo
         events: events(&bodies),
         stability_changes: stability_changes(&bodies),
         path: PathDocument {
-            ends: bodies.each_ref().map(|body| given(body.standard)),
+            ends: bodies.each_ref().map(|body| given(&body.standard.body)),
+            turned: bodies.each_ref().map(|body| body.standard.is_turned),
             borders: borders.iter().map(crossed).collect(),
             complete: same_class == Some(true) || last.is_some_and(|last| Some(last) == classes[1]),
         },
@@ -89,16 +90,31 @@ fn regions(bodies: &[Compared<'_>; 2]) -> Vec<ComparedRegionsDocument> {
     kinds
 }
 
-/// The name of the branch of a curve: all before the number of the piece.
-fn branch(id: &str) -> String {
-    id.split_once('.').map_or(id, |(branch, _)| branch).to_owned()
+/// The branch of a curve in words that bodies with other strata share: branches are numbered by the moments between which
+/// they lie, of which there are fewer where moments are equal or components of r are 0.
+fn branch(atlas: &AtlasDocument, id: &str) -> String {
+    let Some(curve) = atlas.curves.iter().find(|curve| curve.id == id) else { return id.to_owned() };
+    match &curve.branch_name {
+        // Beside equal moments the branch goes on to the nearest one of the others.
+        name if curve.kind == CurveKind::Generic && name.starts_with("between ") => {
+            let axes = |words: &str| -> Vec<String> {
+                words.split(' ').filter(|word| word.parse::<u8>().is_ok()).map(str::to_owned).collect()
+            };
+            let (below, above) = name.rsplit_once(" and ax").unwrap_or((name, ""));
+            match (axes(below).last(), axes(above).first()) {
+                (Some(below), Some(above)) => format!("between axes {below} and {above}"),
+                _ => name.clone(),
+            }
+        }
+        name => name.clone(),
+    }
 }
 
 fn events(bodies: &[Compared<'_>; 2]) -> Vec<ComparedEventDocument> {
     let mut kinds: Vec<ComparedEventDocument> = Vec::new();
     for (which, body) in bodies.iter().enumerate() {
         for event in &body.standard_atlas.events {
-            let mut branches: Vec<String> = event.curves.iter().map(|id| branch(id)).collect();
+            let mut branches: Vec<String> = event.curves.iter().map(|id| branch(body.standard_atlas, id)).collect();
             branches.sort_unstable();
             if event.kind != EventKind::Crossing {
                 branches.dedup();
@@ -122,7 +138,7 @@ fn stability_changes(bodies: &[Compared<'_>; 2]) -> Vec<ComparedStabilityDocumen
         for change in &body.standard_atlas.stability_changes {
             let found = ComparedStabilityDocument {
                 kind: change.kind,
-                branch: branch(&change.curve),
+                branch: branch(body.standard_atlas, &change.curve),
                 from: change.from,
                 to: change.to,
                 counts: std::array::from_fn(|of| usize::from(of == which)),

@@ -49,7 +49,7 @@ pub fn steady_axes(subject: &Subject, spin: &Spin, found: &Equilibria) -> Steady
     SteadyAxesDocument {
         head: head(subject.command("critical").option("spin", spin).json()),
         body: given(&subject.body),
-        spin: crate::spin::spin(spin.rad_per_s()),
+        spin: crate::spin::asked_spin(spin),
         axes: found.list.iter().map(axis).collect(),
         error_bound: found.error_bound,
         complete: found.complete,

@@ -13,7 +13,7 @@ const WIDTH: usize = 110;
 /// # Errors
 /// When the document cannot be written as JSON.
 pub fn text(document: &impl Serialize) -> Result<String, serde_json::Error> {
-    let compact = serde_json::to_string(document)?;
+    let compact = bifdiag_schema::json(document)?;
     let mut outline = Outline { text: &compact, at: 0, nodes: Vec::with_capacity(compact.len() / 8) };
     outline.value(0..0);
     let mut page = Page {

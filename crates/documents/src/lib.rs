@@ -38,7 +38,7 @@ pub use grid::{GridAxis, grid};
 pub use integrals::{further_integrals, integrable, integrable_words};
 pub use section::{chaos, drift, integrator, section, sections, tolerance_option};
 pub use spin::{
-    changes_beside, measured_command, measured_tolerance, spin, spin_changes, spin_stretches, tolerance,
+    asked_spin, changes_beside, measured_command, measured_tolerance, spin, spin_changes, spin_stretches, tolerance,
     tolerance_beside, type_name,
 };
 pub use spin_down::spin_down;

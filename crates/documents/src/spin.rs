@@ -27,6 +27,12 @@ pub fn spin(rad_per_s: f64) -> SpinDocument {
     SpinDocument { rpm: Spin::rpm(rad_per_s), rad_per_s }
 }
 
+/// A rate of turning as it was asked for.
+#[must_use]
+pub fn asked_spin(spin: &Spin) -> SpinDocument {
+    SpinDocument { rpm: spin.in_rpm(), rad_per_s: spin.rad_per_s() }
+}
+
 /// The name of a type that a rotation has between its changes: with C = 2A = 2B, and of a free plate about its normal,
 /// both pairs agree at every spin.
 #[must_use]

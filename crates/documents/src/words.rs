@@ -1,21 +1,14 @@
 //! Topology and motions in words.
 
-use std::fmt::Display;
-
 use bifdiag_diagram::arrangement::RegionId;
 use bifdiag_diagram::atlas::{Atlas, Passage};
 use bifdiag_equilibria::curves::CurveName;
+pub use bifdiag_numbers::decimal::counted;
 use bifdiag_numbers::table::Id;
 use bifdiag_schema::{
     AtlasDocument, ComponentDocument, CurveDocument, CurveKind, Damped, EventDocument, FrictionDocument,
     NonlinearDocument, Reason, RegionDocument,
 };
-
-/// A number with the word for one of them or for several.
-pub fn counted<N: Copy + Display + PartialEq + From<u8>>(number: N, one: &str, several: &str) -> String {
-    let word = if number == N::from(1) { one } else { several };
-    format!("{number} {word}")
-}
 
 /// What lies over one component of U.
 #[must_use]

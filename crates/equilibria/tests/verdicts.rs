@@ -7,6 +7,7 @@ use bifdiag_body::{Body, Preset};
 use bifdiag_equilibria::critical::{Equilibrium, RelativeEquilibria};
 use bifdiag_equilibria::curves::{CriticalSet, CurveName};
 use bifdiag_equilibria::nonlinear::{Failing, NonlinearVerdict, Reason, VerdictChange, Verdicts};
+use bifdiag_equilibria::stability::LinearType;
 use bifdiag_numbers::Number;
 use bifdiag_numbers::vector::{cross, dot};
 use support::bodies::{Stratum, random_body};
@@ -258,5 +259,30 @@ fn motions_at_the_resonances_1_2_and_1_3_do_as_said() {
         let point = at_change(&paper, kind, verdict);
         let [soon, late] = [5_000, 500_000].map(|steps| departure(&paper, &point, 0.005, steps, 1.0));
         assert!(late < 1.5 * soon, "{kind:?}: {soon} {late}");
+    }
+}
+
+/// At μ = A₂ this body has a cusp of the curve that its pair leaves: the Hessian vanishes there, and beside it on one side in l
+/// are a minimum, a maximum and two saddles, on the other nothing. So it is no minimum, and f64 cuts the branch otherwise than the
+/// exact roots: pieces have other numbers.
+#[test]
+fn a_pitchfork_exactly_at_a_cusp_is_judged_by_both() {
+    let body = Body::parse(&["2178/175", "2353/175", "2528/175"], &["16/5", "0", "12/5"]).unwrap();
+    let prepared = RelativeEquilibria::new(&body).unwrap();
+    let at = prepared.at(&"4608/175".parse().unwrap()).unwrap();
+    let flat: Vec<_> = at.list.iter().filter(|found| found.stability == LinearType::Zero).collect();
+    let [flat] = flat[..] else { panic!("{:?}", at.list) };
+    assert!((flat.omega - 2.0).abs() < 1e-12);
+    assert_eq!((flat.index, flat.friction.survives), (0, Some(false)));
+    assert_eq!((flat.nonlinear.verdict, flat.nonlinear.why), (NonlinearVerdict::Open, Reason::Degenerate));
+    for omega in ["1.9", "2", "2.01", "2.1", "3"] {
+        let omega: Number = omega.parse().unwrap();
+        for found in prepared.at_spin(omega.value()).unwrap().list {
+            let is_even = matches!(found.stability, LinearType::Elliptic | LinearType::Saddle | LinearType::Complex);
+            let is_odd = found.stability == LinearType::SaddleCentre;
+            assert!(found.stability == LinearType::Zero || is_even != is_odd);
+            assert!(!is_even || found.index != 1, "{found:?}");
+            assert!(!is_odd || found.index == 1, "{found:?}");
+        }
     }
 }

@@ -1,5 +1,7 @@
 //! Exact numbers as decimals.
 
+use std::fmt::Display;
+
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
@@ -113,6 +115,12 @@ pub fn significant(x: f64, digits: usize) -> String {
         return trim_zeros(&plain);
     }
     format!("{}e{exponent}", trim_zeros(mantissa))
+}
+
+/// A number with the word for one of them or for several.
+pub fn counted<N: Copy + Display + PartialEq + From<u8>>(number: N, one: &str, several: &str) -> String {
+    let word = if number == N::from(1) { one } else { several };
+    format!("{number} {word}")
 }
 
 /// A bound x ≥ 0 as [`significant`] writes it, but rounded up.

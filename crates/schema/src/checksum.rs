@@ -2,7 +2,7 @@
 
 use sha2::{Digest, Sha256};
 
-use super::AtlasDocument;
+use super::{AtlasDocument, json};
 
 /// SHA-256 of an atlas whose checksum is left empty, in hexadecimal.
 ///
@@ -13,5 +13,5 @@ pub fn checksum(document: &AtlasDocument) -> Result<String, serde_json::Error> {
     if let Some(certificate) = &mut bare.certificate {
         certificate.checksum.clear();
     }
-    Ok(base16ct::lower::encode_string(&Sha256::digest(serde_json::to_vec(&bare)?)))
+    Ok(base16ct::lower::encode_string(&Sha256::digest(json(&bare)?)))
 }

@@ -39,7 +39,7 @@ pub struct ComparedRegionsDocument {
 pub struct ComparedEventDocument {
     /// What happens.
     pub kind: EventKind,
-    /// The branches that meet, in axes by rising moments.
+    /// The branches that meet, in words, in axes by rising moments.
     pub branches: Vec<String>,
     /// How many each body has.
     pub counts: [usize; 2],
@@ -50,7 +50,7 @@ pub struct ComparedEventDocument {
 pub struct ComparedStabilityDocument {
     /// What happens.
     pub kind: StabilityChangeKind,
-    /// The branch, in axes by rising moments.
+    /// The branch in words, in axes by rising moments.
     pub branch: String,
     /// The type before: at smaller l or, at a cusp or pitchfork, on the first of the two curves.
     pub from: Stability,
@@ -77,8 +77,11 @@ pub struct CrossedBorderDocument {
 /// The path between two bodies: straight in A and r, both brought to A1 ≤ A2 ≤ A3 with the sum 2 and to r_i ≥ 0, the largest of which is 1.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct PathDocument {
-    /// The two ends, in these axes and units.
+    /// The two ends, in these axes and units. Where moments are equal the axes are those in which r is nearest to that of the
+    /// other body.
     pub ends: [GivenBody; 2],
+    /// For each end: r is turned by 90° about an axis of symmetry, or reflected there, which changes no diagram.
+    pub turned: [bool; 2],
     /// The borders that were found, in their order. Bisection may pass over a class that the path enters and leaves again.
     pub borders: Vec<CrossedBorderDocument>,
     /// True when these borders lead from the class of the first body to that of the second.

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 
 use super::failure::{Exit, Failure, failed};
 use super::input::stdin;
-use super::terminal::{Progress, print, say};
+use super::terminal::{Progress, counted, print, say};
 use bifdiag_documents::Subject;
 use lines::{Chunk, LineReader};
 
@@ -111,7 +111,7 @@ impl Batch<'_> {
                 break;
             }
             print(self.answers(&chunk, &mut tally, &mut answer)?)?;
-            progress.message(format!("{} lines", tally.lines));
+            progress.message(counted(tally.lines, "line", "lines"));
             progress.set(tally.bytes);
         }
         progress.finish();
@@ -160,7 +160,7 @@ impl Batch<'_> {
                     let wrong = failure.exit() == Exit::WrongInput;
                     tally.bad += usize::from(wrong);
                     tally.unanswered += usize::from(!wrong);
-                    serde_json::to_writer(
+                    bifdiag_schema::write_json(
                         &mut out,
                         &BatchErrorDocument { error: failure.to_string(), line: tally.lines },
                     )?;
@@ -175,7 +175,8 @@ impl Batch<'_> {
         let &Tally { lines, bad, unanswered, unphysical, ref ignored, .. } = tally;
         if unphysical > 0 {
             tracing::warn!(
-                "{unphysical} of {lines} lines have bodies that do not exist: not Ai + Aj > Ak, nor Ai + Aj = Ak with rk = 0"
+                "bodies of {unphysical} of {} do not exist: not Ai + Aj > Ak, nor Ai + Aj = Ak with rk = 0",
+                counted(lines, "line", "lines")
             );
         }
         if !ignored.is_empty() {
@@ -183,20 +184,22 @@ impl Batch<'_> {
             let keys: Vec<String> = ignored.iter().map(count).collect();
             tracing::warn!("these keys mean nothing here and were ignored (on so many lines): {}", keys.join(", "));
         }
+        let of_batch = |what: &str, count: usize| {
+            format!(
+                "{what} are {count} of {} of the batch; see the lines with \"error\"",
+                counted(lines, "line", "lines")
+            )
+        };
         if bad > 0 && self.strict {
-            return Err(Failure::input(format!(
-                "--strict: {bad} of {lines} lines of the batch are wrong; see the lines with \"error\""
-            )));
+            return Err(Failure::input(format!("--strict: {}", of_batch("wrong", bad))));
         }
         if bad > 0 && !self.quiet {
-            say(&format!("{bad} of {lines} lines of the batch are wrong; see the lines with \"error\""));
+            say(&of_batch("wrong", bad));
         }
         if unanswered == 0 {
             return Ok(());
         }
-        Err(Failure::work(format!(
-            "{unanswered} of {lines} lines of the batch have no answer; see the lines with \"error\""
-        )))
+        Err(Failure::work(of_batch("without an answer", unanswered)))
     }
 }
 

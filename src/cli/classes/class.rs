@@ -13,7 +13,7 @@ use clap::Args;
 use crate::Curves;
 use crate::cli::export::{FileSet, PictureArguments, answer, directory};
 use crate::cli::failure::{Failure, failed};
-use crate::cli::terminal::{Report, Table, Timings, significant};
+use crate::cli::terminal::{Report, Table, Timings, counted, significant};
 
 pub const CLASS_EXAMPLES: &str = "\
 Examples:
@@ -117,7 +117,7 @@ fn report(class: &ClassDocument, document: &AtlasDocument, written: &[PathBuf]) 
     } else {
         ("a class that no body that exists is known to have", "bodies with A > 0")
     };
-    report.line(format!("class {}: {} regions; {whose}", class.name, class.regions));
+    report.line(format!("class {}: {}; {whose}", class.name, counted(class.regions, "region", "regions")));
     let among = match &class.stratum {
         Some(stratum) => {
             report.line(format!("special bodies: {stratum} (axes by rising moments)"));

@@ -12,7 +12,7 @@ use clap::Args;
 use super::export::answer;
 use super::failure::Failure;
 use super::input::{PlainBodyArguments, head};
-use super::terminal::{Report, Table, significant};
+use super::terminal::{Report, Table, counted, significant};
 use class::share;
 
 pub use class::{CLASS_EXAMPLES, ClassArguments, run as class};
@@ -94,7 +94,7 @@ fn table(ClassesDocument { classes, others, .. }: &ClassesDocument) -> String {
     let mut report = Report::default();
     report.line(table.text());
     let existing = classes.iter().filter(|class| class.physical).count();
-    report.line(format!("{} classes, {existing} of them of bodies that exist", classes.len()));
+    report.line(format!("{}, {existing} of them of bodies that exist", counted(classes.len(), "class", "classes")));
     let special = others.iter().filter(|class| class.stratum.is_some()).count();
     report.line(format!(
         "and apart from these {special} of special bodies, {} known only of bodies that do not exist (--json lists them)",

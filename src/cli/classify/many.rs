@@ -17,7 +17,7 @@ use crate::cli::batch::Query;
 use crate::cli::export::{Archive, FileSet};
 use crate::cli::failure::Failure;
 use crate::cli::input::values::Grid;
-use crate::cli::terminal::{Report, Timings, print};
+use crate::cli::terminal::{Report, Timings, counted, print};
 
 /// The file of a grid, whose extension tells the format: true for a picture.
 pub fn target(out: Option<&Path>) -> Result<(bool, &Path), Failure> {
@@ -72,7 +72,7 @@ pub fn grid(
         bifdiag_plot::draw_codes(h.len(), &codes, &kinds)?
     } else {
         let ids: Vec<String> = atlas.regions().ids().map(|region| region.to_string()).collect();
-        let meta = serde_json::to_string(&bifdiag_documents::grid(subject, &asked.h, &asked.l, accuracy))?;
+        let meta = bifdiag_schema::json(&bifdiag_documents::grid(subject, &asked.h, &asked.l, accuracy))?;
         archive(&h, &l, &codes, &ids, &meta)?
     };
     let mut files = FileSet::new(Path::new("."));
@@ -80,7 +80,10 @@ pub fn grid(
     print(Report::of_written(&timings.stage("files", || files.write())?).text())?;
     let undecided = codes.iter().filter(|code| **code == -3).count();
     if undecided > 0 && accuracy == Accuracy::Exact {
-        return Err(Failure::work(format!("{undecided} points of the grid could not be answered; they are -3")));
+        return Err(Failure::work(format!(
+            "{} of the grid could not be answered: -3 in the table",
+            counted(undecided, "point", "points")
+        )));
     }
     Ok(())
 }
@@ -154,7 +157,7 @@ impl Preparation {
                 let found = job.answer(&h).map_err(|error| line_unanswered(&error))?;
                 let prepared = regions.then_some(&*job.prepared);
                 let mut text = Vec::with_capacity(LINE);
-                serde_json::to_writer(
+                bifdiag_schema::write_json(
                     &mut text,
                     &bifdiag_documents::classification(subject, &h, l, &found, accuracy, prepared),
                 )?;

@@ -27,9 +27,13 @@ pub fn run(subject: &Subject, h: &Number, l: &Number, timings: &Timings) -> Resu
     let mut atlas = timings.stage("certificate", || certified_atlas_of(subject, &proved, &drawn, &options))?;
     leave_out_drawing(&mut atlas, subject)?;
     let document = proved_point(subject, [h, l], region, &proved, atlas).ok_or_else(|| {
-        Failure::work(
-            "there is no proof for l = 0, nor so close to an event of the diagram that l is not told apart from it",
-        )
+        Failure::work(if l.value().is_zero() {
+            "--certificate: l = 0 is the border of what an atlas proves, l > 0; without --certificate the point is classified, \
+             exactly as well"
+        } else {
+            "--certificate: l is nearer to an event of the diagram than the bounds that the certificate gives it; \
+             without --certificate the point is classified, exactly as well"
+        })
     })?;
     // A document that is refused is none.
     timings.stage("verify", || verify_point(&document)).map_err(failed("the proof is not confirmed"))?;

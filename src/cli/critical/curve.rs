@@ -13,7 +13,7 @@ use super::spins::spin_at;
 use super::table::{NOT_FOUND, from_center};
 use crate::cli::export::{FileSet, PictureFormat};
 use crate::cli::failure::{Failure, failed};
-use crate::cli::terminal::{Report, Timings, print};
+use crate::cli::terminal::{Report, Timings, counted, print};
 
 /// Draws every steady axis at the spins of a range: its angle from the centre of mass.
 pub fn draw(
@@ -34,7 +34,7 @@ pub fn draw(
     files.add_at(path, format.bytes(&picture)?);
     let written = timings.stage("files", || files.write())?;
     let mut report = Report::default();
-    report.line(format!("{} families of steady axes", scene.curves.len()));
+    report.line(format!("{} of steady axes", counted(scene.curves.len(), "family", "families")));
     report.written(&written);
     print(report.text())
 }
@@ -46,7 +46,7 @@ fn scene(subject: &Subject, ends: [&Spin; 2], count: u32) -> Result<SteadyScene,
     let families = prepared.families().ok_or_else(|| Failure::work(NOT_FOUND))?;
     let angle = |gamma: [f64; 3]| from_center(body, gamma.map(|x| 0.0 - x));
     let rpm = |omega: f64| Spin::rpm(omega * subject.second());
-    let [from, to] = ends.map(|end| Spin::rpm(end.rad_per_s()));
+    let [from, to] = ends.map(Spin::in_rpm);
     let start = |family: &SteadyFamily| -> Vec<(f64, f64)> {
         let place = family.stretches.first().and_then(|first| first.from);
         let at_start = |place: Place| (rpm(place.omega), angle(place.gamma));
@@ -62,7 +62,7 @@ fn scene(subject: &Subject, ends: [&Spin; 2], count: u32) -> Result<SteadyScene,
         let found = prepared.at_spin(&omega).map_err(failed(NOT_FOUND))?;
         for (family, points) in families.iter().zip(&mut points) {
             if let Some(axis) = found.list.iter().find(|axis| family.holds(body, axis)) {
-                points.push((Spin::rpm(spin.rad_per_s()), angle(axis.gamma)));
+                points.push((spin.in_rpm(), angle(axis.gamma)));
             }
         }
     }

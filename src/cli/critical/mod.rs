@@ -178,7 +178,7 @@ fn spin_lines(subject: &Subject, ends: [&Spin; 2], count: u32) -> Result<(), Fai
         let omega = spin.exact_rad_per_s() * subject.unit_of_time();
         let found = prepared.at_spin(&omega).map_err(failed(NOT_FOUND))?;
         let mut line = Vec::with_capacity(LINE);
-        serde_json::to_writer(&mut line, &bifdiag_documents::steady_axes(subject, &spin, &found))?;
+        bifdiag_schema::write_json(&mut line, &bifdiag_documents::steady_axes(subject, &spin, &found))?;
         line.push(b'\n');
         print(line)?;
     }
@@ -219,7 +219,7 @@ fn of_one_body(queries: &[Query]) -> Vec<Result<Vec<u8>, Failure>> {
 fn line(subject: &Subject, prepared: &RelativeEquilibria<'_>, l: &Number) -> Result<Vec<u8>, Failure> {
     let found = prepared.at(l).map_err(|error| unanswered(&error))?;
     let mut text = Vec::with_capacity(LINE);
-    serde_json::to_writer(&mut text, &bifdiag_documents::critical(subject, l, &found))?;
+    bifdiag_schema::write_json(&mut text, &bifdiag_documents::critical(subject, l, &found))?;
     Ok(text)
 }
 

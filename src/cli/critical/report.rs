@@ -170,7 +170,10 @@ fn with_friction(points: &[&RelativeEquilibriumDocument]) -> String {
 /// What was written of a table.
 pub fn written(rows: usize, files: &[PathBuf]) -> String {
     let mut report = Report::default();
-    report.line(format!("{rows} relative equilibria (a circle or sphere of them is one row)"));
+    report.line(format!(
+        "{} (a circle or sphere of them is one row)",
+        counted(rows, "relative equilibrium", "relative equilibria")
+    ));
     for path in files {
         report.line(format!("written: {}", path.display()));
     }

@@ -99,7 +99,7 @@ pub fn at_spins(subject: &Subject, ends: [&Spin; 2], count: u32) -> Result<Colum
         let spin = spin_at(ends, count, k);
         let found = prepared.at_spin(&(spin.exact_rad_per_s() * subject.unit_of_time())).map_err(failed(NOT_FOUND))?;
         for point in &found.list {
-            rpm.push(Spin::rpm(spin.rad_per_s()));
+            rpm.push(spin.in_rpm());
             let up = point.gamma.map(|x| 0.0 - x);
             axes.push(subject.to_given(up));
             angles.push(from_center(body, up));
@@ -118,7 +118,16 @@ pub fn at_spins(subject: &Subject, ends: [&Spin; 2], count: u32) -> Result<Colum
 /// The angle in degrees from the centre of mass to the end of an axis that points up, in principal axes: 0 for a body that
 /// stands, 180 for one that hangs; NaN without weight.
 pub fn from_center(body: &Body, up: [f64; 3]) -> f64 {
-    if body.is_euler() { f64::NAN } else { angle_between(body.center_f64(), up).to_degrees() }
+    /// Coordinates of γ are rounded: a smaller angle, in radians, is none.
+    const ROUNDING: f64 = 4.0 * f64::EPSILON;
+    if body.is_euler() {
+        return f64::NAN;
+    }
+    match angle_between(body.center_f64(), up) {
+        angle if angle < ROUNDING => 0.0,
+        angle if std::f64::consts::PI - angle < ROUNDING => 180.0,
+        angle => angle.to_degrees(),
+    }
 }
 
 impl Rows {
@@ -189,7 +198,7 @@ impl Rows {
             complete: !self.incomplete,
         };
         let ids: Vec<&str> = meta.branches.iter().map(|(id, _)| id.as_str()).collect();
-        let eigenvalues = Values::Float { parts: &["1_re", "1_im", "2_re", "2_im"], values: self.eigenvalues };
+        let eigenvalues = Values::of_parts(&["1_re", "1_im", "2_re", "2_im"], self.eigenvalues.into_iter());
         let common = [
             ("l", Values::floats(self.l.into_iter())),
             ("h", Values::floats(self.h.into_iter())),

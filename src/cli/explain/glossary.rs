@@ -105,7 +105,7 @@ fn parts(cell: &'static str) -> Vec<&'static str> {
 }
 
 /// A word without what spellings differ in: capitals, blanks, hyphens inside, apostrophes, accents, raised digits.
-fn folded(word: &str) -> String {
+pub fn folded(word: &str) -> String {
     let mut out = String::new();
     let mut rest = word.trim().chars().peekable();
     while let Some(c) = rest.next() {

@@ -20,7 +20,7 @@ Examples:
   bifdiag explain                     all terms
 
 The entries are those of docs/glossary.md. Capitals, hyphens, plurals and other spellings do not matter; R5, G2.1 or S2-3D2 mean \
-their kind.";
+their kind. Names of commands are explained, too.";
 
 /// `bifdiag explain`.
 #[derive(Debug, Args)]
@@ -33,15 +33,36 @@ pub struct ExplainArguments {
     pub json: bool,
 }
 
-pub fn run(arguments: &ExplainArguments) -> Result<(), Failure> {
+/// Explains a word; `commands` are the names of all commands with what each does.
+pub fn run(arguments: &ExplainArguments, commands: &[(String, String)]) -> Result<(), Failure> {
     let glossary = Glossary::new();
     if arguments.words.is_empty() {
         let all: Vec<&Entry> = glossary.entries.iter().collect();
         return answer(arguments.json, &document("", &all), || list(&glossary));
     }
     let word = arguments.words.join(" ");
-    let document = explain(&glossary, &word)?;
+    let command = commands.iter().find(|(name, _)| glossary::folded(name) == glossary::folded(&word));
+    let document = match (explain(&glossary, &word), command) {
+        (Ok(mut document), Some(command)) => {
+            document.entries.push(of_command(command));
+            document
+        }
+        (Err(_), Some(command)) => {
+            ExplanationDocument { entries: vec![of_command(command)], ..self::document(&word, &[]) }
+        }
+        (explained, None) => explained?,
+    };
     answer(arguments.json, &document, || text(&document))
+}
+
+/// The entry of a command.
+fn of_command((name, about): &(String, String)) -> ExplainedTermDocument {
+    ExplainedTermDocument {
+        terms: vec![name.clone()],
+        meaning: format!("{about}. `bifdiag {name} --help` tells all of its options, with examples."),
+        also_called: Vec::new(),
+        section: "Commands".to_owned(),
+    }
 }
 
 /// What a word means, as text.

@@ -29,17 +29,22 @@ pub enum Values {
 impl Values {
     /// Measures.
     pub fn floats(values: impl Iterator<Item = f64>) -> Self {
-        Self::Float { parts: &[""], values: values.collect() }
+        Self::of_parts(&[""], values)
     }
 
     /// Vectors of ℝ³.
     pub fn vectors(values: impl Iterator<Item = [f64; 3]>) -> Self {
-        Self::Float { parts: &["1", "2", "3"], values: values.flatten().collect() }
+        Self::of_parts(&["1", "2", "3"], values.flatten())
     }
 
     /// Quaternions w + x i + y j + z k.
     pub fn quaternions(values: impl Iterator<Item = [f64; 4]>) -> Self {
-        Self::Float { parts: &["_w", "_x", "_y", "_z"], values: values.flatten().collect() }
+        Self::of_parts(&["_w", "_x", "_y", "_z"], values.flatten())
+    }
+
+    /// Rows of as many numbers as there are parts. Zero has no sign.
+    pub fn of_parts(parts: &'static [&'static str], values: impl Iterator<Item = f64>) -> Self {
+        Self::Float { parts, values: values.map(|x| x + 0.0).collect() }
     }
 
     /// Words, as they are in JSON, and the place of each row's among them.
@@ -147,8 +152,8 @@ impl Values {
                 Some(Value::String(word)) => word.clone(),
                 word => word.unwrap_or(&Value::Null).to_string(),
             },
-            // The shortest text that reads back as the same double.
-            Self::Float { parts, values } => format!("{:?}", values[row * parts.len() + k]),
+            // The shortest text that reads back as the same double; zero has no sign.
+            Self::Float { parts, values } => format!("{:?}", values[row * parts.len() + k] + 0.0),
         }
     }
 }
@@ -178,7 +183,7 @@ impl Columns {
         document: &impl Serialize,
     ) -> Result<Self, serde_json::Error> {
         let columns = columns.into_iter().map(|(name, values)| Column { name, values }).collect();
-        Ok(Self { columns, meta: serde_json::to_string(document)? })
+        Ok(Self { columns, meta: bifdiag_schema::json(document)? })
     }
 
     /// Number of rows.

@@ -7,6 +7,7 @@ use bifdiag_body::part::{Measured, Quantity, Units};
 use bifdiag_body::{Body, Number, Preset};
 use bifdiag_documents::GridAxis;
 use bifdiag_dynamics::integrator::check_tolerance;
+use bifdiag_numbers::decimal::counted;
 use bifdiag_numbers::vector::dot;
 use bifdiag_schema::{Accuracy, WindowDocument};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -100,7 +101,9 @@ fn entries<T, const N: usize>(
             numbers.push(read(part).map_err(|error| Failure::input(format!("{name}: {error}")))?);
         }
     }
-    numbers.try_into().map_err(|_| Failure::input(format!("{} numbers given; {right}", parts.len())))
+    numbers
+        .try_into()
+        .map_err(|_| Failure::input(format!("{} given; {right}", counted(parts.len(), "number", "numbers"))))
 }
 
 pub fn units(text: &str) -> Result<Units, Failure> {

@@ -14,7 +14,7 @@ use bifdiag_dynamics::motion::Motion;
 use super::export::{DataFormat, DataTarget, FileSet, answer};
 use super::failure::Failure;
 use super::terminal::interrupt::stoppable;
-use super::terminal::{Timings, print};
+use super::terminal::{Timings, counted, print};
 use arguments::Problem;
 
 pub use arguments::{EXAMPLES, OrbitArguments};
@@ -28,7 +28,8 @@ pub fn run(arguments: &OrbitArguments, timings: &Timings) -> Result<(), Failure>
     let interrupted = !work.over();
     output(&problem, &motion, interrupted, timings)?;
     drop(work);
-    let computed = format!("{} of {} samples were computed", motion.samples.len(), problem.times.len());
+    let computed =
+        format!("computed are {} of {}", motion.samples.len(), counted(problem.times.len(), "sample", "samples"));
     match motion.report.failure {
         Some(cause) => Err(Failure::work(computed).because(cause)),
         None if interrupted => Err(Failure::work(format!("interrupted: {computed}; no file was written"))),

@@ -92,7 +92,7 @@ impl Rows {
     pub fn append(&mut self, rows: &[RowDocument]) -> Result<(), Failure> {
         let mut block = Vec::with_capacity(512 * rows.len());
         for row in rows {
-            serde_json::to_writer(&mut block, row)?;
+            bifdiag_schema::write_json(&mut block, row)?;
             block.push(b'\n');
         }
         self.count += rows.len() as u64;

@@ -172,7 +172,11 @@ pub fn report(document: &ScanSummaryDocument, out: &Path) -> String {
     let classes = counted(document.classes.len(), "class", "classes");
     report.line(format!("{classes}, {single} of them met once"));
     if let Some((most, record)) = document.critical_points.last_key_value() {
-        report.line(format!("at most {most} relative equilibria at one l (body {})", record.first.index));
+        report.line(format!(
+            "at most {} at one l (body {})",
+            counted(*most, "relative equilibrium", "relative equilibria"),
+            record.first.index
+        ));
     }
     report.line("");
     let mut table = Table::new(&["class", "bodies", "share", "regions", "cusps", "pitchforks", "crossings", "first"]);

@@ -102,7 +102,7 @@ impl<W: Write + Send> Sink<W> {
         match self {
             Self::Csv(writer) => Ok(writer.serialize(row)?),
             Self::Jsonl(out) => {
-                let mut line = serde_json::to_vec(row)?;
+                let mut line = bifdiag_schema::json(row)?.into_bytes();
                 line.push(b'\n');
                 out.write_all(&line).map_err(failed("a row could not be written"))
             }

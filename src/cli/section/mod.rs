@@ -17,7 +17,7 @@ use bifdiag_dynamics::section::Monitor;
 
 use super::failure::Failure;
 use super::terminal::interrupt::stoppable;
-use super::terminal::{Progress, Timings};
+use super::terminal::{Progress, Timings, counted};
 use plan::Plan;
 
 pub use arguments::{EXAMPLES, SectionArguments};
@@ -41,7 +41,7 @@ pub fn run(arguments: &SectionArguments, timings: &Timings, quiet: bool) -> Resu
     if complete {
         return Ok(());
     }
-    let interrupted = format!("interrupted: {finished} of {wanted} orbits are complete");
+    let interrupted = format!("interrupted: complete are {finished} of {}", counted(wanted, "orbit", "orbits"));
     Err(Failure::work(match journal {
         Some(journal) => {
             let journal = journal.display();

@@ -4,7 +4,7 @@ use bifdiag_schema::{ChaosDocument, ConditionName, EndName, SectionDocument, Ver
 
 use super::table as data;
 use crate::cli::input::add_integrals;
-use crate::cli::terminal::{Report, Table, significant};
+use crate::cli::terminal::{Report, Table, counted, significant};
 
 /// Orbits that are listed; the others are in the data.
 const LISTED: usize = 48;
@@ -82,7 +82,11 @@ fn orbits(document: &SectionDocument) -> Table {
 /// How far the orbits were followed, how well, and what they turned out to be.
 fn add_summary(report: &mut Report, document: &SectionDocument) {
     let summary = &document.summary;
-    report.line(format!("{} crossings of {} orbits", summary.crossings, summary.orbits));
+    report.line(format!(
+        "{} of {}",
+        counted(summary.crossings, "crossing", "crossings"),
+        counted(summary.orbits, "orbit", "orbits")
+    ));
     report.line(format!(
         "largest deviations: {} of H, {} of <gamma,l>, {} of <gamma,gamma>; |S| <= {}",
         significant(summary.drift.h, 2),

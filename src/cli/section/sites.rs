@@ -12,6 +12,7 @@ use bifdiag_documents::Subject;
 use bifdiag_dynamics::poincare::PoincareError;
 use bifdiag_dynamics::section::TorusPoint;
 use bifdiag_exact::Accuracy;
+use bifdiag_numbers::decimal::counted;
 use bifdiag_schema::SCHEMA_VERSION;
 
 use super::arguments::SectionArguments;
@@ -175,7 +176,7 @@ fn parse(text: &str) -> Result<Vec<Seed>, (usize, String)> {
 fn seed(text: &str, wanted: usize, places: [usize; 3]) -> Result<TorusPoint, String> {
     let values: Vec<&str> = text.split(',').map(str::trim).collect();
     if values.len() != wanted {
-        return Err(format!("{} values, but the heading has {wanted}", values.len()));
+        return Err(format!("{}, but the heading has {wanted}", counted(values.len(), "value", "values")));
     }
     let [theta, psi, sheet] = places.map(|place| values[place]);
     let angle = |name: &str, value: &str| {

@@ -3,7 +3,7 @@
 use bifdiag_documents::Subject;
 use bifdiag_equilibria::critical::{Multiplicity, Place, SteadyFamily, SteadyStretch};
 use bifdiag_equilibria::permanent::{NearestAxis, PermanentAxis, angle_between, nearest_permanent, permanent_axis};
-use bifdiag_numbers::vector::dot;
+use bifdiag_numbers::vector::{dot, norm};
 use bifdiag_schema::NearestAxisDocument;
 use dashu_ratio::RBig;
 
@@ -126,6 +126,24 @@ pub fn followed_text(nearest: &NearestAxisDocument) -> String {
     let [x, y, z] = nearest.axis.map(|x| significant(x, 6));
     let angle = significant(nearest.angle_deg, 3);
     format!("the nearest permanent axis, ({x}, {y}, {z}), {angle}° from the one given, is followed")
+}
+
+/// Without weight: the permanent axes at an angle in degrees from a direction, of each circle of them the one nearest to it.
+pub fn principal_at(subject: &Subject, given: [f64; 3], angle_deg: f64) -> Vec<[f64; 3]> {
+    /// Angles that differ by less, in degrees, are the same.
+    const TIE: f64 = 1e-9;
+    let (direction, moments) = (subject.to_principal(given), subject.body.moments());
+    let firsts = (0..3).filter(|&i| moments.iter().position(|moment| moment == &moments[i]) == Some(i));
+    let nearest = firsts.filter_map(|i| {
+        let part: [f64; 3] = std::array::from_fn(|k| if moments[k] == moments[i] { direction[k] } else { 0.0 });
+        let length = norm(part);
+        (length > 0.0).then(|| subject.to_given(part.map(|x| x / length)))
+    });
+    let angle = |axis: &[f64; 3]| {
+        let angle = angle_between(*axis, given).to_degrees();
+        angle.min(180.0 - angle)
+    };
+    nearest.filter(|axis| (angle(axis) - angle_deg).abs() < TIE).collect()
 }
 
 /// The family whose axis is nearest to a direction that points up, at fast spins; of a symmetric pair the one on that side.

@@ -11,9 +11,9 @@ use bifdiag_numbers::Sign;
 use bifdiag_plot::{Campbell, Known, draw_campbell};
 use bifdiag_schema::NearestAxisDocument;
 use clap::Args;
-use dashu_ratio::RBig;
 
-use super::axis::{Axis, AxisArgument, axis, fastest_along, followed_text};
+use super::axis::{Axis, AxisArgument, axis, fastest_along, followed_text, principal_at};
+use super::permanent::one_of;
 use crate::cli::export::{Column, Columns, DataFormat, FileSet, PictureFormat, Values};
 use crate::cli::failure::{Failure, failed};
 use crate::cli::input::BodyArguments;
@@ -56,14 +56,13 @@ const STEPS: u32 = 400;
 
 pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
-    let largest = arguments.to.rad_per_s();
-    if largest <= 0.0 {
+    if arguments.to.rad_per_s() <= 0.0 {
         let right = "the largest spin must be greater than 0, such as \"6000 rpm\"";
         return Err(Failure::input(format!("--to {}: {right}", arguments.to)));
     }
     let followed = match Axis::followed(&subject, arguments.axis.direction) {
-        Axis::Permanent { axis, nearest } => permanent(&subject, axis, &nearest, largest)?,
-        _ => moving(&subject, arguments.axis.direction, largest)?,
+        Axis::Permanent { axis, nearest } => permanent(&subject, axis, &nearest, &arguments.to)?,
+        _ => moving(&subject, arguments.axis.direction, &arguments.to)?,
     };
     let Followed { rows, changes, told } = followed;
     if rows.iter().any(|row| row.frequencies.into_iter().chain([row.growth]).any(f64::is_infinite)) {
@@ -72,7 +71,7 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
     }
     let mut files = FileSet::new(&arguments.out);
     files.add("campbell.csv", DataFormat::Csv.bytes(&columns(&rows))?);
-    let top = Spin::rpm(largest);
+    let top = arguments.to.in_rpm();
     let (changes, beyond): (Vec<_>, Vec<_>) = changes.into_iter().partition(|(rpm, ..)| *rpm <= top);
     if !arguments.no_plot {
         let scene = Campbell {
@@ -113,21 +112,21 @@ fn permanent(
     subject: &Subject,
     axis: PermanentAxis,
     nearest: &NearestAxisDocument,
-    largest: f64,
+    largest: &Spin,
 ) -> Result<Followed, Failure> {
     // γ points down.
     let rotation = AxisRotation::about(&subject.body, axis, Sign::Negative).ok_or_else(no_permanent_axis)?;
     let second = subject.second();
     let changes = bifdiag_documents::spin_changes(&rotation, "+axis", None, second);
     Ok(Followed {
-        rows: rows(&rotation, largest, second),
+        rows: rows(&rotation, largest, subject),
         changes: changes.into_iter().map(|change| (change.spin.rpm, change.from, change.to)).collect(),
         told: if nearest.angle_deg > TOLD { vec![followed_text(nearest)] } else { Vec::new() },
     })
 }
 
 /// The steady rotation that moves with the spin and tends to the principal axis nearest to the given one at fast spins.
-fn moving(subject: &Subject, given: [f64; 3], largest: f64) -> Result<Followed, Failure> {
+fn moving(subject: &Subject, given: [f64; 3], largest: &Spin) -> Result<Followed, Failure> {
     let prepared = RelativeEquilibria::new(&subject.body).map_err(failed(NOT_FOUND))?;
     let families = prepared.families().ok_or_else(|| Failure::work(NOT_FOUND))?;
     let family = fastest_along(&families, subject.to_principal(given)).filter(|family| !family.is_permanent);
@@ -135,13 +134,13 @@ fn moving(subject: &Subject, given: [f64; 3], largest: f64) -> Result<Followed, 
     let second = subject.second();
     let mut rows = Vec::new();
     for k in 1..=STEPS {
-        let spin = largest * f64::from(k) / f64::from(STEPS);
-        let omega = RBig::try_from(spin / second).unwrap_or_default();
+        let spin = largest.part(k, STEPS);
+        let omega = spin.exact_rad_per_s() * subject.unit_of_time();
         let found = prepared.at_spin(&omega).map_err(failed(NOT_FOUND))?;
         let Some(point) = found.list.iter().find(|point| family.holds(&subject.body, point)) else { continue };
         let [[growth, p], [other, q]] = point.eigenvalues.pairs;
         rows.push(Row {
-            rpm: Spin::rpm(spin),
+            rpm: spin.in_rpm(),
             frequencies: frequencies([p, q], second),
             growth: if point.stability.is_unstable() { growth.max(other) * second } else { 0.0 },
             known: known(point.nonlinear.verdict, point.friction.survives),
@@ -171,14 +170,38 @@ fn not_permanent(subject: &Subject, given: [f64; 3]) -> Failure {
     match permanent_axis(&subject.body, subject.to_principal(given)) {
         Some(nearest) => {
             let axis = subject.to_given(nearest.direction);
-            let angle = significant(angle_between(axis, given).to_degrees(), 3);
-            let axis = axis.map(|x| significant(x, 6)).join(", ");
+            let angle = angle_between(axis, given).to_degrees();
+            let mut near = if subject.body.is_euler() { principal_at(subject, given, angle) } else { Vec::new() };
+            if near.is_empty() {
+                near.push(axis);
+            }
+            let listed: Vec<String> = near
+                .iter()
+                .map(|axis| {
+                    let circle = one_of(subject, *axis).map_or("", |_| ", one of a circle of such axes");
+                    format!("({}){circle}", axis.map(|x| significant(x, 6)).join(", "))
+                })
+                .collect();
+            let are = if listed.len() > 1 { "axes that have them are" } else { "axis that has them is" };
             Failure::input(format!(
-                "--axis: rotation about it is not permanent at every spin, so that it has no frequencies over the spin; the \
-                 nearest axis that has them is {axis}, {angle}° away"
+                "--axis: rotation about it is steady at {}, so that it has no frequencies over the spin; the nearest {are} {}, \
+                 {}° away",
+                steady_at(subject, given),
+                listed.join(" and "),
+                significant(angle, 3)
             ))
         }
         None => no_permanent_axis(),
+    }
+}
+
+/// At how many spins rotation about an axis is steady that is not permanent.
+fn steady_at(subject: &Subject, given: [f64; 3]) -> &'static str {
+    match Axis::of(subject, given) {
+        Axis::AtOneSpin { axis, .. } if axis.squared_spin != Some(0.0) => "one spin only",
+        Axis::AtOneSpin { .. } | Axis::Principal | Axis::Other { .. } => "no spin",
+        // Which of both was not found.
+        Axis::Permanent { .. } | Axis::Unknown => "one spin at most",
     }
 }
 
@@ -199,16 +222,17 @@ struct Row {
     known: Known,
 }
 
-fn rows(rotation: &AxisRotation, largest: f64, second: f64) -> Vec<Row> {
+fn rows(rotation: &AxisRotation, largest: &Spin, subject: &Subject) -> Vec<Row> {
+    let second = subject.second();
     let row = |k: u32| {
-        let spin = largest * f64::from(k) / f64::from(STEPS);
-        let omega = RBig::try_from(spin / second).unwrap_or_default();
+        let spin = largest.part(k, STEPS);
+        let omega = spin.exact_rad_per_s() * subject.unit_of_time();
         let (frequencies, growth) = rotation.frequencies_and_growth(&omega);
         let judged = rotation.stability_at_spin(&omega);
         let known = judged.map_or(Known::Open, |judged| known(judged.nonlinear.verdict, judged.friction.survives));
         let grows = judged.is_none_or(|judged| judged.kind.is_unstable());
         Row {
-            rpm: Spin::rpm(spin),
+            rpm: spin.in_rpm(),
             frequencies: self::frequencies(frequencies, second),
             growth: if grows { growth * second } else { 0.0 },
             known,

@@ -3,7 +3,7 @@
 use bifdiag_body::part::{MeasuredPart, Part};
 use bifdiag_documents::{CommandLine, Subject, words};
 use bifdiag_equilibria::critical::RelativeEquilibria;
-use bifdiag_equilibria::permanent::{Near, NearestAxis, angle_between, exact_spin, nearest_steady};
+use bifdiag_equilibria::permanent::{Near, NearestAxis, exact_spin, nearest_steady};
 use bifdiag_exact::{Accuracy, Solver};
 use bifdiag_numbers::Number;
 use bifdiag_numbers::vector::dot;
@@ -12,7 +12,7 @@ use clap::Args;
 use dashu_ratio::RBig;
 
 use super::all;
-use super::axis::{Axis, AxisArgument, MEANT, axis, end_up, fastest_along, followed_text};
+use super::axis::{Axis, AxisArgument, MEANT, axis, end_up, fastest_along, followed_text, principal_at};
 use super::permanent::{AxisChanges, changes_about, one_of, table_of_changes};
 use super::tolerance::{self, ToleranceArgument};
 use crate::cli::export::answer;
@@ -327,15 +327,16 @@ fn as_near(report: &mut Report, subject: &Subject, document: &CriticalSpinDocume
     if !subject.body.is_euler() {
         return;
     }
-    let principal = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| subject.to_given(axis));
-    let angle = |axis: [f64; 3]| {
-        let angle = angle_between(axis, document.axis).to_degrees();
-        angle.min(180.0 - angle)
-    };
-    let near = principal.into_iter().filter(|&axis| (angle(axis) - angle_deg).abs() < 1e-9);
-    let listed: Vec<String> = near.map(|axis| format!("({})", axis.map(|x| significant(x, 6)).join(", "))).collect();
+    let near = principal_at(subject, document.axis, angle_deg);
+    let listed: Vec<String> =
+        near.iter().map(|axis| format!("({})", axis.map(|x| significant(x, 6)).join(", "))).collect();
     if listed.len() > 1 {
         report.line(format!("at this angle are {}", listed.join(", ")));
+    }
+    for (axis, listed) in near.iter().zip(&listed) {
+        if one_of(subject, *axis).is_some() {
+            report.line(format!("{listed} is one of a circle of permanent axes"));
+        }
     }
 }
 

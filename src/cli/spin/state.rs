@@ -113,10 +113,7 @@ impl<'a> State<'a> {
     /// |ω| in rad/s, exact where it is rational.
     fn spin(&self) -> RBig {
         match self.turning {
-            Turning::About { spin, .. } => {
-                let spin = spin.exact_rad_per_s();
-                if spin < RBig::ZERO { -spin } else { spin }
-            }
+            Turning::About { spin, .. } => spin.absolute().exact_rad_per_s(),
             Turning::Omega(omega) => {
                 let omega = omega.values();
                 Real::root_of(&symmetric::dot(&omega, &omega), DIGITS).lo
@@ -150,7 +147,10 @@ impl<'a> State<'a> {
             body: bifdiag_documents::given(&subject.body),
             omega: self.omega,
             vertical,
-            spin: bifdiag_documents::spin(spin.to_f64().value()),
+            spin: match self.turning {
+                Turning::About { spin, .. } => bifdiag_documents::asked_spin(&spin.absolute()),
+                Turning::Omega(_) => bifdiag_documents::spin(spin.to_f64().value()),
+            },
             h,
             l,
             steady: None,

@@ -179,5 +179,5 @@ fn options(crossings: u32) -> SweepOptions {
 }
 
 fn json(value: &impl Serialize) -> Result<String, Refused> {
-    serde_json::to_string(value).map_err(|error| Refused::Json(error.to_string()))
+    bifdiag::schema::json(value).map_err(|error| Refused::Json(error.to_string()))
 }

@@ -209,23 +209,23 @@ impl SpinUnit {
             Self::DegPerSecond => Some(RBig::from_parts(1.into(), 180u8.into())),
         }
     }
-
-    /// rad/s in one unit.
-    fn factor(self) -> f64 {
-        match self {
-            Self::Rpm => TAU / 60.0,
-            Self::Hertz => TAU,
-            Self::RadPerSecond => 1.0,
-            Self::DegPerSecond => PI / 180.0,
-        }
-    }
 }
 
 impl Spin {
-    /// In rad/s, within three roundings.
+    /// In rad/s, rounded once.
     #[must_use]
     pub fn rad_per_s(&self) -> f64 {
-        self.value.to_f64() * self.unit.factor()
+        self.exact_rad_per_s().to_f64().value()
+    }
+
+    /// In rpm, rounded once: a rate that was given in rpm is the number that was given.
+    #[must_use]
+    pub fn in_rpm(&self) -> f64 {
+        let rpm = match self.unit.half_turns() {
+            Some(half_turns) => self.value.value() * half_turns * RBig::from(30),
+            None => self.value.value() * RBig::from(30) / half_turn(),
+        };
+        rpm.to_f64().value()
     }
 
     /// In rad/s: exact if it was given in rad/s, else with 60 digits of π, so that it is none of the simple numbers near it.
@@ -234,6 +234,23 @@ impl Spin {
         match self.unit.half_turns() {
             Some(half_turns) => self.value.value() * half_turns * half_turn(),
             None => self.value.value().clone(),
+        }
+    }
+
+    /// The part of this rate that part/parts is; `parts` is not 0.
+    #[must_use]
+    pub fn part(&self, part: u32, parts: u32) -> Self {
+        let value = self.value.value() * RBig::from_parts(part.into(), parts.into());
+        Self { value: Number::from_rational(value), unit: self.unit }
+    }
+
+    /// The same rate without its sign.
+    #[must_use]
+    pub fn absolute(&self) -> Self {
+        if self.value.value() < &RBig::ZERO {
+            Self { value: Number::from_rational(-self.value.value()), unit: self.unit }
+        } else {
+            self.clone()
         }
     }
 

@@ -108,16 +108,31 @@ impl RelativeEquilibria<'_> {
     fn site(&self, exact: &ExactPoint, question: &Question<'_>, x: f64) -> Option<Site> {
         let frame = &self.set.frame;
         let last = exact.piece + usize::from(exact.touch.is_some());
-        let here = |id: &CurveId| (exact.piece..=last).contains(&self.set.curves[*id].piece);
+        let is_alike = self.profile()?.is_cut_alike(question.branch, question.ids().count());
+        let here = |id: &CurveId| {
+            let curve = &self.set.curves[*id];
+            let [from, to] = curve.x();
+            let near = 64.0 * UNIT_ROUNDOFF * x;
+            if is_alike {
+                (exact.piece..=last).contains(&curve.piece)
+            } else {
+                // Where f64 cut the branch otherwise, as at a pitchfork in a cusp, pieces have other numbers.
+                from - near <= x && x <= to + near && (exact.index.is_none() || curve.index == exact.index)
+            }
+        };
         // Where two curves meet, the one of smaller index.
         let carrier = question.ids().filter(here).min_by_key(|&id| self.set.curves[id].index);
         let curve = carrier.map(|id| &self.set.curves[id]);
-        let index = curve.and_then(|curve| curve.index).or(exact.index)?;
+        let is_flat = matches!(exact.touch, Some(Touch::Both { .. }));
+        let index = if is_flat { 0 } else { curve.and_then(|curve| curve.index).or(exact.index)? };
         let minimum = match exact.touch {
             _ if exact.state.tau[2].sign() == Some(Sign::Positive) => Some(true),
             // Two points vanish into one another: the degree of the gradient is 0, and 1 at a minimum.
             Some(Touch::Cusp) => Some(false),
             // The degree is that on the side without the pair, and of the pair.
+            // On the side without the pair the curve has both a cusp's branches or none: the degree is even.
+            Some(Touch::Both { is_cusp: true }) => Some(false),
+            Some(Touch::Both { is_cusp: false }) => None,
             Some(Touch::Pitchfork(axis)) => carrier.and_then(|id| self.pair_at(axis, id)).map(|index| index == 0),
             None => None,
         };
@@ -279,7 +294,8 @@ impl RelativeEquilibria<'_> {
         } else {
             (NonlinearVerdict::Unstable, Reason::Spectrum)
         };
-        let gamma = frame.r_hat().map(|c| side * c);
+        // Zero has no sign.
+        let gamma = frame.r_hat().map(|c| side * c + 0.0);
         let starts = |c: &CurveId| {
             let curve = &self.set.curves[*c];
             curve.is_critical() && curve.x()[0] == 0.0 && (curve.index == Some(0)) == (index == 0)

@@ -1,5 +1,6 @@
 //! Triangles over shared corners, and why they may enclose no part.
 
+use bifdiag_numbers::decimal::counted;
 use thiserror::Error;
 
 /// Triangles over shared corners, counter-clockwise as seen from outside.
@@ -71,8 +72,9 @@ pub enum MeshError {
     },
     /// Edges with one triangle only.
     #[error(
-        "the mesh is open: {edges} edges belong to one triangle only, such as that from {from:?} to {to:?}; export a closed \
-         solid (watertight, all faces, fine enough that corners of neighbours agree)"
+        "the mesh is open: of one triangle only are {}, such as that from {from:?} to {to:?}; export a closed \
+         solid (watertight, all faces, fine enough that corners of neighbours agree)",
+        counted(*edges, "edge", "edges")
     )]
     Open {
         /// How many.
@@ -84,8 +86,9 @@ pub enum MeshError {
     },
     /// Neighbours that disagree about inside and outside.
     #[error(
-        "the mesh has mixed orientation: across {edges} edges, such as that from {from:?} to {to:?}, neighbouring triangles \
-         do not agree on which side is outside; make the normals consistent in the program that wrote it"
+        "the mesh has mixed orientation: across {}, such as that from {from:?} to {to:?}, neighbouring triangles \
+         do not agree on which side is outside; make the normals consistent in the program that wrote it",
+        counted(*edges, "edge", "edges")
     )]
     Mixed {
         /// How many.
@@ -97,8 +100,9 @@ pub enum MeshError {
     },
     /// More than two triangles at an edge.
     #[error(
-        "the mesh is no surface: at {edges} edges, such as that from {from:?} to {to:?}, more than two triangles meet between \
-         which space would be counted twice or not at all; unite the bodies or remove faces inside"
+        "the mesh is no surface: at {}, such as that from {from:?} to {to:?}, more than two triangles meet between \
+         which space would be counted twice or not at all; unite the bodies or remove faces inside",
+        counted(*edges, "edge", "edges")
     )]
     Branched {
         /// How many.
@@ -110,8 +114,9 @@ pub enum MeshError {
     },
     /// Triangles that pass through one another.
     #[error(
-        "the mesh cuts itself: {pairs} pairs of triangles pass through each other, such as at the edge from {from:?} to \
-         {to:?}; space inside would be counted twice or not at all: unite the bodies in the program that wrote it"
+        "the mesh cuts itself: {} of triangles that pass through each other, such as at the edge from {from:?} to \
+         {to:?}; space inside would be counted twice or not at all: unite the bodies in the program that wrote it",
+        counted(*pairs, "pair", "pairs")
     )]
     Crossing {
         /// How many.

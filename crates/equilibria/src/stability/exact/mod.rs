@@ -120,6 +120,12 @@ impl StabilityProfile {
         list
     }
 
+    /// Whether `f64` cut a branch into as many curves.
+    #[must_use]
+    pub fn is_cut_alike(&self, branch: Branch, curves: usize) -> bool {
+        self.on(branch).is_some_and(|(chart, profile)| profile.pieces(chart.is_reversed).len() == curves)
+    }
+
     /// The family of a branch.
     fn on(&self, branch: Branch) -> Option<&(FamilyChart, Profile)> {
         let family = family(branch)?;

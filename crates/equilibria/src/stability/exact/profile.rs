@@ -212,6 +212,12 @@ pub enum Touch {
     Cusp,
     /// The pair over this axis leaves.
     Pitchfork(Axis),
+    /// A pair leaves where c has another zero, so that the Hessian vanishes: at a cusp, where c changes its sign once more, or
+    /// where it touches 0.
+    Both {
+        /// It is a cusp.
+        is_cusp: bool,
+    },
 }
 
 /// Bits of the first attempt; they are multiplied by four until every sign is decided.
@@ -235,7 +241,7 @@ impl ExactPoint {
                     Ordering::Greater => below += 1,
                     Ordering::Equal => {
                         touch = Some(match kind {
-                            StationKind::Pitchfork(axis) => Touch::Pitchfork(*axis),
+                            StationKind::Pitchfork(axis) => pitchfork(chart, &mut root, *axis)?,
                             _ => Touch::Cusp,
                         });
                         break;
@@ -284,6 +290,16 @@ impl ExactPoint {
     pub(super) fn is_root_of(&self, polynomial: &Polynomial) -> bool {
         polynomial.is_zero() || self.root.is_root_of(polynomial)
     }
+}
+
+/// A pitchfork, and whether the curve that is left is degenerate itself there.
+fn pitchfork(chart: &FamilyChart, root: &mut Root, axis: Axis) -> Option<Touch> {
+    for mut other in chart.roots(&chart.cusp)? {
+        if compare(root, &mut other) == Ordering::Equal {
+            return Some(Touch::Both { is_cusp: other.odd });
+        }
+    }
+    Some(Touch::Pitchfork(axis))
 }
 
 /// The type, from the signs that the enclosure decides and, for those that it leaves open, from common roots.

@@ -1,0 +1,222 @@
+//! Every sentence and number says what was decided: no difference that is only a name, no rounding for 0, no plural of one.
+
+use std::process::Command;
+
+use serde_json::{Value, json};
+
+use crate::builder::{PROGRAM, bifdiag};
+
+/// Bodies in which something is 0 or equal, beside the presets.
+const SPECIAL: [&str; 16] = [
+    "--body paper",
+    "--body euler",
+    "--body lagrange",
+    "--body kovalevskaya",
+    "--body goryachev-chaplygin",
+    "--body hess-appelrot",
+    "--body katok:1",
+    "--body katok:4",
+    "--body ten",
+    "--A 1,1,2 --r 0.3,0.4,0.5",
+    "--A 2,1,1 --r 0.1,0,0.7",
+    "--A 1,1,1 --r 0.3,1,2",
+    "--A 3,2,1 --r 0,0.7,0.1",
+    "--A 2,1,1 --r 0,0,0",
+    "--A 1,1,1 --r 0,0,0",
+    "--A 1.1,0.7,0.4 --r 0,0,0.3",
+];
+
+/// The sums of `counts` of two bodies, and whether each entry agrees.
+fn differing(compared: &Value, list: &str) -> Vec<Value> {
+    let entries = compared[list].as_array().unwrap();
+    entries.iter().filter(|entry| entry["counts"][0] != entry["counts"][1]).cloned().collect()
+}
+
+#[test]
+fn a_rotated_reflected_permuted_or_scaled_body_differs_in_nothing() {
+    for (first, second) in [
+        ("A=2,1.1,1;r=0.94868,0,0.61623", "A=1,2,1.1;r=-0.61623,0.94868,0"),
+        ("A=2,1.1,1;r=3,1,2", "A=10,20,11;r=4,-6,2"),
+        ("A=1,1,2;r=0.3,0.4,0.5", "A=2,1,1;r=0.5,-0.5,0"),
+        ("A=1,2,2;r=0.5,0.3,0.4", "A=2,2,1;r=0,0.5,0.5"),
+        ("A=1,1,1;r=3,4,12", "A=2,2,2;r=0,0,1"),
+        ("A=2,2,1;r=1,0,0", "A=1,2,2;r=0,3,4"),
+    ] {
+        let found = bifdiag("compare").and(first).and(second).arguments("--json").succeeds().json();
+        assert_eq!(found["same_class"], json!(true), "{first} {second}");
+        for list in ["events", "stability_changes"] {
+            assert_eq!(differing(&found, list), [] as [Value; 0], "{first} {second} {list}");
+        }
+        for kind in found["regions"].as_array().unwrap() {
+            let counts = [0, 1].map(|which: usize| kind["regions"][which].as_array().unwrap().len());
+            assert_eq!(counts[0], counts[1], "{first} {second} {kind}");
+        }
+    }
+}
+
+/// With equal moments there are fewer branches, and they have other numbers: G1 of one body is what G2 is of the other.
+#[test]
+fn branches_of_bodies_with_other_strata_are_not_told_by_their_numbers() {
+    let symmetric = "A=1,1,2;r=0.3,0.4,0.5";
+    let found =
+        bifdiag("compare").and(symmetric).and("A=1,1.001,2;r=0.3,0.4,0.5").arguments("--json").succeeds().json();
+    let text = format!("{} {}", found["events"], found["stability_changes"]);
+    assert!(!text.contains("G1") && !text.contains("G2"), "{text}");
+    let both = |list: &str, branch: &str| {
+        let entries = found[list].as_array().unwrap();
+        entries.iter().any(|e| e.to_string().contains(branch) && e["counts"][0] == e["counts"][1])
+    };
+    assert!(both("events", "between axes 2 and 3") && both("stability_changes", "from −r̂"), "{text}");
+    // Of the ways of turning r about the axis of symmetry, the one that leads to the other body.
+    let near = bifdiag("compare").and(symmetric).and("A=1,1.1,2;r=0.5,0.1,0.5").arguments("--json").succeeds().json();
+    assert_eq!(near["path"]["ends"][0]["r"], json!(["4/5", "3/5", "1"]));
+    assert_eq!(near["path"]["turned"], json!([true, false]));
+    let told = bifdiag("compare").and(symmetric).and("A=1,1.1,2;r=0.5,0.1,0.5").succeeds();
+    told.printing("1 has equal moments: its r is turned about the axis of symmetry");
+}
+
+#[test]
+fn isolated_exceptions_of_a_curve_are_told_to_be_such() {
+    let shown = bifdiag("show G0.1 --body paper").succeeds();
+    shown
+        .printing("at l = 2.23671 alone (1:2 resonance): unstable\n")
+        .printing("at l = 3.03086 alone (1:3 resonance): stable\n")
+        .printing("at l = 2.3278 alone (D4 = 0): open\n");
+}
+
+#[test]
+fn an_axis_without_frequencies_is_told_what_it_is() {
+    let refused = |body: &str| bifdiag(&format!("campbell {body} --no-plot --to")).and("5 rad/s").refused();
+    refused("--A 2,1.1,1 --r 0,0,0 --axis 0,1,1")
+        .telling("is steady at no spin")
+        .telling("the nearest axes that have them are (0, 1, 0) and (0, 0, 1), 45° away");
+    refused("--A 2,2,1 --r 0,0,0 --axis 1,1,1")
+        .telling("the nearest axis that has them is (0.707107, 0.707107, 0), one of a circle of such axes, 35.3° away");
+    refused("--A 2,2,1 --r 0,0,1 --axis 0,1,3").telling("the nearest axis that has them is (0, 0, 1), 18.4° away");
+    let spins = bifdiag("critical-spin --A 2,2,1 --r 0,0,0 --axis 1,1,1").succeeds();
+    spins.printing("(0.707107, 0.707107, 0) is one of a circle of permanent axes");
+    let tie = bifdiag("critical-spin --A 2,2,1 --r 0,0,0 --axis 1,0,1").succeeds();
+    tie.printing("at this angle are (1, 0, 0), (0, 0, 1)").printing("(1, 0, 0) is one of a circle of permanent axes");
+}
+
+#[test]
+fn every_command_is_explained() {
+    let help = bifdiag("--help").succeeds().stdout();
+    let commands = help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
+    let names: Vec<&str> = commands.filter_map(|line| line.split_whitespace().next()).collect();
+    assert!(names.len() > 20, "{help}");
+    for name in names {
+        let told = bifdiag("explain").and(name).succeeds().printing("(Commands)").stdout();
+        let words = told.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(words.contains(&format!("`bifdiag {name} --help`")), "{told}");
+    }
+    // A word that is a term, too, has both entries.
+    let both = bifdiag("explain section --json").succeeds().json();
+    let entries = both["entries"].as_array().unwrap();
+    assert!(entries.len() > 1 && entries.last().unwrap()["section"] == "Commands", "{both}");
+    bifdiag("explain Spin-Down").succeeds().printing("Follow a steady rotation that friction slows down");
+}
+
+#[test]
+fn one_thing_has_no_plural() {
+    let place = tempfile::tempdir().unwrap();
+    let file = place.path().join("lagrange.json");
+    let atlas = bifdiag("--body euler --certificate --no-drawing --json").succeeds().stdout();
+    std::fs::write(&file, atlas).unwrap();
+    let told = bifdiag("verify").and(&file).succeeds().stdout();
+    let words: Vec<&str> = told.split([' ', '\n', ',']).collect();
+    let is_wrong = |pair: &[&str]| pair[0] == "1" && ["regions", "events", "pairs"].contains(&pair[1]);
+    assert!(!words.windows(2).any(is_wrong), "{told}");
+    bifdiag("section --body paper --region R5 --orbits 1 --crossings 20 --no-plot")
+        .inside(place.path())
+        .succeeds()
+        .printing("20 crossings of 1 orbit\n");
+    bifdiag("orbit --body paper --gamma 1 --omega 1,0,0").refused().telling("1 number given");
+}
+
+/// The spins of a range are those that were asked for, to the last digit.
+#[test]
+fn spins_are_echoed_as_they_were_asked_for() {
+    let table = bifdiag("critical --body paper --spin").and("0:3000:301 rpm").succeeds().stdout();
+    let mut spins: Vec<&str> = table.lines().skip(1).filter_map(|line| line.split(',').nth(1)).collect();
+    spins.dedup();
+    let asked: Vec<String> = (0..=300).map(|k| format!("{}.0", 10 * k)).collect();
+    assert_eq!(spins, asked);
+    let lines = bifdiag("critical --body paper --json --spin").and("0:300:4 rpm").succeeds().stdout();
+    for (line, rpm) in lines.lines().zip([0.0, 100.0, 200.0, 300.0]) {
+        let line: Value = serde_json::from_str(line).unwrap();
+        assert_eq!(line["spin"]["rpm"], json!(rpm));
+    }
+    let state = bifdiag("state --body paper --axis z --json --spin").and("-350 rpm").succeeds().json();
+    assert_eq!(state["spin"]["rpm"], json!(350.0));
+    let place = tempfile::tempdir().unwrap();
+    bifdiag("campbell --A 2,1.1,1 --r 0,0,1 --axis z --no-plot --to").and("4000 rpm").inside(place.path()).succeeds();
+    let rows = std::fs::read_to_string(place.path().join("bifdiag-out/campbell.csv")).unwrap();
+    let spins: Vec<&str> = rows.lines().skip(1).filter_map(|line| line.split(',').next()).collect();
+    let asked: Vec<String> = (1..=400).map(|k| format!("{}.0", 10 * k)).collect();
+    assert_eq!(spins, asked);
+}
+
+/// Numbers of a text that are smaller than 1e-12 and not 0, but for bounds of errors.
+fn tiny(text: &str) -> Vec<&str> {
+    let lines = text.lines().filter(|line| !line.contains("error bound"));
+    let numbers = lines.flat_map(|line| line.split(|c: char| !c.is_ascii_alphanumeric() && !"+-.".contains(c)));
+    let is_tiny = |word: &&str| word.parse::<f64>().is_ok_and(|x| x != 0.0 && x.abs() < 1e-12);
+    numbers.filter(is_tiny).collect()
+}
+
+fn is_negative_zero(word: &str) -> bool {
+    word.starts_with('-') && word.parse::<f64>().is_ok_and(|x| x == 0.0)
+}
+
+/// What the spins, momenta and points of these commands make of special bodies: nothing that is 0 is printed as 2.2e-16, and
+/// nothing as −0.
+#[test]
+fn nothing_that_is_zero_is_printed_as_a_rounding() {
+    let commands = [
+        "critical --l 0",
+        "critical --l 1",
+        "critical --l=-5",
+        "critical --spin 2rad/s",
+        "critical --spin 0rpm",
+        "critical --l 0:2:5",
+        "state --axis z --spin 2rad/s",
+        "state --axis=-z --spin 2rad/s",
+        "state --axis x --spin=-2rad/s",
+        "state --axis 1,0,1 --spin 0rpm",
+        "critical-spin",
+        "critical-spin --axis z",
+        "critical-spin --axis=-x",
+        "classify --h 2 --l 0",
+        "classify --h 2 --l 1",
+        "show R1",
+        "orbit --gamma 0,0,1 --omega 0,0,0 --times 0:1:3 --no-plot",
+    ];
+    let mut wrong: Vec<String> = Vec::new();
+    for body in SPECIAL {
+        for command in commands {
+            let (name, options) = command.split_once(' ').unwrap_or((command, ""));
+            for json in ["", "--json"] {
+                if json == "--json" && (name == "show" || name == "orbit") {
+                    continue;
+                }
+                let line = format!("{name} {body} {options} {json}");
+                let output = Command::new(PROGRAM).args(line.split_whitespace()).output().unwrap();
+                let text = String::from_utf8(output.stdout).unwrap();
+                let split = |c: char| !c.is_ascii_alphanumeric() && !"+-.".contains(c);
+                let signed = text.split(split).filter(|word| is_negative_zero(word));
+                wrong.extend(signed.map(|word| format!("{line}: {word}")));
+                if json.is_empty() && name != "critical-spin" && !command.contains("0:2:5") {
+                    wrong.extend(tiny(&text).iter().map(|word| format!("{line}: {word}")));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn a_proof_at_rest_is_refused_in_its_own_words() {
+    let refused = bifdiag("classify --body paper --h 3.8 --l 0 --certificate").fails();
+    refused.telling("l = 0 is the border of what an atlas proves");
+}
