@@ -1,7 +1,7 @@
 //! Makes every figure of the paper and of the documentation, as SVG.
 //!
 //! ```text
-//! cargo run --release --example figures -- [--charts] [DIR]
+//! cargo run --release --example figures -- [--charts] [--only NAME] [DIR]
 //! ```
 //!
 //! DIR is `figures` unless another is given; `--charts` adds the charts of measured errors and times of `data/tradeoff`.
@@ -14,6 +14,7 @@ mod schematic;
 mod schemes;
 mod sections;
 mod spheres;
+mod theorems;
 mod tradeoff;
 mod typical;
 
@@ -43,6 +44,9 @@ struct Arguments {
     /// Draw the charts of measured errors and times too
     #[arg(long)]
     charts: bool,
+    /// Draw this figure only
+    #[arg(long, value_name = "NAME")]
+    only: Option<String>,
 }
 
 /// Every figure, in the order of the gallery.
@@ -50,6 +54,7 @@ fn figures(charts: bool) -> impl Iterator<Item = Figure> {
     diagrams::figures()
         .chain(schemes::figures())
         .chain(spheres::figures())
+        .chain(theorems::figures())
         .chain(sections::figures())
         .chain(maps::figures())
         .chain(tradeoff::figures().filter(move |_| charts))
@@ -58,7 +63,8 @@ fn figures(charts: bool) -> impl Iterator<Item = Figure> {
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments = Arguments::parse();
     fs::create_dir_all(&arguments.out)?;
-    for figure in figures(arguments.charts) {
+    let is_wanted = |figure: &Figure| arguments.only.as_ref().is_none_or(|only| figure.stem == only);
+    for figure in figures(arguments.charts).filter(is_wanted) {
         let path = Path::new(&arguments.out).join(figure.stem).with_extension("svg");
         fs::write(&path, (figure.draw)()?.svg)?;
         println!("{}", path.display());
