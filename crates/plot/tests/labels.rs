@@ -15,7 +15,7 @@ use bifdiag_documents::DocumentOptions;
 use bifdiag_equilibria::critical::critical;
 use bifdiag_numbers::Number;
 use bifdiag_numbers::symmetric::Symmetric;
-use bifdiag_plot::{CurveSource, DiagramOptions, Picture, Width, draw};
+use bifdiag_plot::{CurveSource, DiagramOptions, DiagramView, Picture, Width, draw};
 use bifdiag_schema::{AtlasDocument, RelativeEquilibriumDocument};
 use picture_layout::Layout;
 use picture_letters::unprintable;
@@ -37,19 +37,48 @@ impl CurveSource for Curves {
     }
 }
 
-fn drawn(body: &Body, width: Width) -> (AtlasDocument, Picture) {
+fn drawn(body: &Body, width: Width, view: DiagramView) -> (AtlasDocument, Picture) {
     let atlas = Curves(bifdiag_diagram::fast::atlas(body).expect("the body has an atlas"));
     let options = DocumentOptions::default();
     let document = bifdiag_documents::atlas::document(&atlas.0, &options);
-    let picture = draw(&document, Some(&atlas), &DiagramOptions { width, ..DiagramOptions::default() })
+    let picture = draw(&document, Some(&atlas), &DiagramOptions { width, view, ..DiagramOptions::default() })
         .expect("the diagram can be drawn");
     (document, picture)
 }
 
+/// How regions are labelled in a main panel.
+#[derive(Default)]
+struct Seen {
+    regions: usize,
+    /// Labelled inside.
+    inside: usize,
+    /// With the type of the section, too.
+    named: usize,
+    /// The least height of a region, in millimetres.
+    lowest: f32,
+}
+
+impl Seen {
+    fn in_picture(atlas: &AtlasDocument, layout: &Layout) -> Self {
+        let mut seen = Self { regions: atlas.regions.len(), lowest: f32::INFINITY, ..Self::default() };
+        for region in &atlas.regions {
+            let id = format!("main-label-{}", region.id);
+            let texts = layout.texts.iter().filter(|(_, _, label)| *label == id).count();
+            let is_inside = texts > 0 && !layout.boxes.iter().any(|(label, _)| *label == id);
+            seen.inside += usize::from(is_inside);
+            seen.named += usize::from(is_inside && texts > 1);
+            let own = layout.regions.iter().filter(|(name, _)| *name == format!("main-{}", region.id));
+            let millimetres = 25.4 / picture_svg::PIXELS_PER_INCH;
+            seen.lowest = seen.lowest.min(own.map(|(_, area)| area.height() * millimetres).fold(0.0, f32::max));
+        }
+        seen
+    }
+}
+
 /// What is wrong with the picture of a body.
-fn faults(name: &str, body: &Body, width: Width) -> Vec<String> {
-    let name = &format!("{name}-{}mm", width.millimetres());
-    let (atlas, picture) = drawn(body, width);
+fn faults(name: &str, body: &Body, width: Width, view: DiagramView) -> (Vec<String>, Seen) {
+    let name = &format!("{name}-{}mm-{view:?}", width.millimetres());
+    let (atlas, picture) = drawn(body, width, view);
     // For the eye: set PLOT_OUT to a directory.
     if let Some(out) = std::env::var_os("PLOT_OUT").map(std::path::PathBuf::from) {
         std::fs::write(out.join(format!("{name}.svg")), &picture.svg).unwrap();
@@ -79,7 +108,8 @@ fn faults(name: &str, body: &Body, width: Width) -> Vec<String> {
             }
         }
     }
-    faults.into_iter().map(|fault| format!("{name}: {fault}")).collect()
+    let seen = Seen::in_picture(&atlas, &layout);
+    (faults.into_iter().map(|fault| format!("{name}: {fault}")).collect(), seen)
 }
 
 fn triple(value: &Value) -> [f64; 3] {
@@ -146,8 +176,8 @@ fn parts(count: u32) -> Vec<(String, Body)> {
     (0..count).map(body).collect()
 }
 
-#[test]
-fn no_label_of_four_hundred_diagrams_meets_anything() {
+/// What is wrong with the diagrams of four hundred bodies at both widths, and how their regions are labelled.
+fn all_faults(view: DiagramView) -> (usize, Vec<String>, [Vec<Seen>; 2]) {
     let presets = Preset::all().iter().map(|preset| (preset.name().replace(':', "-"), preset.body()));
     let mut bodies: Vec<(String, Body)> = presets.collect();
     bodies.extend(survey());
@@ -156,24 +186,53 @@ fn no_label_of_four_hundred_diagrams_meets_anything() {
     bodies.extend(parts(60));
     assert!(bodies.len() > 400, "{} bodies", bodies.len());
     let next = AtomicUsize::new(0);
-    let found: Mutex<Vec<String>> = Mutex::new(Vec::new());
+    let found: Mutex<(Vec<String>, [Vec<Seen>; 2])> = Mutex::default();
     std::thread::scope(|scope| {
         for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
             scope.spawn(|| {
                 while let Some((name, body)) = bodies.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let faults = Width::ALL.map(|width| faults(name, body, width)).concat();
-                    found.lock().unwrap().extend(faults);
+                    for (number, width) in Width::ALL.into_iter().enumerate() {
+                        let (faults, own) = faults(name, body, width, view);
+                        let mut found = found.lock().unwrap();
+                        found.0.extend(faults);
+                        found.1[number].push(own);
+                    }
                 }
             });
         }
     });
-    let found = found.into_inner().unwrap();
-    assert!(found.is_empty(), "{} faults in {} diagrams:\n{}", found.len(), bodies.len(), found.join("\n"));
+    let (faults, seen) = found.into_inner().unwrap();
+    (bodies.len(), faults, seen)
+}
+
+#[test]
+fn no_label_of_four_hundred_diagrams_meets_anything() {
+    let (bodies, found, _) = all_faults(DiagramView::Plane);
+    assert!(found.is_empty(), "{} faults in {bodies} diagrams:\n{}", found.len(), found.join("\n"));
+}
+
+#[test]
+fn nearly_all_regions_of_four_hundred_straightened_diagrams_are_labelled_inside() {
+    let (bodies, found, seen) = all_faults(DiagramView::Straight);
+    for (width, seen) in Width::ALL.into_iter().zip(seen) {
+        let count = |count: fn(&Seen) -> usize| seen.iter().map(count).sum::<usize>();
+        let [regions, inside, named] =
+            [count(|seen| seen.regions), count(|seen| seen.inside), count(|seen| seen.named)];
+        let whole = seen.iter().filter(|seen| seen.inside == seen.regions).count();
+        let lowest = seen.iter().map(|seen| seen.lowest).fold(f32::INFINITY, f32::min);
+        println!(
+            "{} mm: {inside} of {regions} regions are labelled inside, {named} with their type; all regions of {whole} \
+             of {bodies} bodies; the lowest region is {lowest} mm high",
+            width.millimetres()
+        );
+        assert!(inside as f64 >= 0.95 * regions as f64, "{inside} of {regions} at {} mm", width.millimetres());
+    }
+    assert!(found.is_empty(), "{} faults in {bodies} diagrams:\n{}", found.len(), found.join("\n"));
 }
 
 #[test]
 fn a_collision_is_found() {
-    let (_, picture) = drawn(&Preset::find("paper").unwrap().body(), Width::Page);
+    let (_, picture) = drawn(&Preset::find("paper").unwrap().body(), Width::Page, DiagramView::Plane);
     assert_eq!(Layout::of(&picture).collisions(), Vec::<String>::new());
     // The first label with a box moves to the middle of another region's text.
     let layout = Layout::of(&picture);

@@ -8,11 +8,11 @@ use std::path::PathBuf;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_documents::{DocumentOptions, Subject, attach_part, certified_atlas_of};
 use bifdiag_exact::CertifiedAtlas;
-use bifdiag_plot::{DiagramOptions, draw};
+use bifdiag_plot::{DiagramOptions, DiagramView, draw};
 use bifdiag_schema::{Accuracy, AtlasDocument, WindowDocument};
 use clap::Args;
 
-use super::export::{FileSet, PictureArguments, WidthArgument, answer, directory};
+use super::export::{DiagramArguments, FileSet, PictureArguments, WidthArgument, answer, directory};
 use super::failure::{Failure, failed};
 use super::input::{BodyArguments, accuracy, values};
 use super::terminal::Timings;
@@ -48,6 +48,8 @@ pub struct AtlasArguments {
     pub picture: PictureArguments,
     #[command(flatten)]
     pub width: WidthArgument,
+    #[command(flatten)]
+    pub diagram: DiagramArguments,
     /// Draw nothing
     #[arg(long, help_heading = "Output")]
     pub no_plot: bool,
@@ -67,6 +69,10 @@ pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure>
     if arguments.certificate && arguments.accuracy == Accuracy::Fast {
         let why = "is a proof and --accuracy fast does without; leave out one of them";
         return Err(Failure::input(format!("--certificate {why}")));
+    }
+    if arguments.diagram.view == DiagramView::Straight && arguments.window.is_some() {
+        let why = "shows the whole plane and --window a part of it; leave out one of them";
+        return Err(Failure::input(format!("--view straight {why}")));
     }
     let subject = arguments.body.subject()?;
     let directory = directory(arguments.out.as_deref(), !arguments.json)?;
@@ -90,7 +96,8 @@ pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure>
         // A window without a region would be an empty frame.
         if !arguments.no_plot && !document.regions.is_empty() {
             let (window, theme, width) = (arguments.window, arguments.picture.theme, arguments.width.width);
-            let options = DiagramOptions { window, points: None, theme, width };
+            let view = arguments.diagram.view;
+            let options = DiagramOptions { window, points: None, theme, width, view };
             let picture = timings.stage("diagram", || draw(&document, Some(&Curves(&atlas)), &options))?;
             files.pictures("diagram", &picture, &arguments.picture.format, timings)?;
         }

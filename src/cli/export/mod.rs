@@ -14,5 +14,5 @@ pub use columns::{Column, Columns, Pieces, Values};
 pub use files::FileSet;
 pub use journal::{Journal, beside, unusable};
 pub use npz::Archive;
-pub use picture::{PictureArguments, PictureFormat, WidthArgument};
+pub use picture::{DiagramArguments, PictureArguments, PictureFormat, WidthArgument};
 pub use target::{DataFormat, DataTarget, answer, directory};

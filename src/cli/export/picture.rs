@@ -1,6 +1,6 @@
 //! Pictures as SVG, PNG, PDF and TikZ.
 
-use bifdiag_plot::{Picture, PlotError, Theme, Width};
+use bifdiag_plot::{DiagramView, Picture, PlotError, Theme, Width};
 use clap::builder::{EnumValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
@@ -68,6 +68,22 @@ pub struct PictureArguments {
     #[arg(long, value_parser = named(&THEMES), default_value = "light", help_heading = "Output", hide_possible_values = true)]
     #[arg(value_name = "light|dark|print", hide_short_help = true)]
     pub theme: Theme,
+}
+
+/// Coordinates of a bifurcation diagram.
+const VIEWS: [Named<DiagramView>; 3] = [
+    ("auto", "straight where plane would need more than two insets", DiagramView::Auto),
+    ("plane", "h to the right, l upwards, with insets", DiagramView::Plane),
+    ("straight", "l to the right, h upwards, each region as high as its label needs", DiagramView::Straight),
+];
+
+/// How a bifurcation diagram is drawn.
+#[derive(Clone, Debug, Args)]
+pub struct DiagramArguments {
+    /// Draw h over l, straightened so that every region can be seen, or the plane with insets
+    #[arg(long, value_parser = named(&VIEWS), default_value = "auto", help_heading = "Output", hide_possible_values = true)]
+    #[arg(value_name = "plane|straight|auto", hide_short_help = true)]
+    pub view: DiagramView,
 }
 
 /// The widths of a journal's page.

@@ -63,7 +63,7 @@ pub(super) fn below_all(plan: &Plan, insets: usize) -> (Point, f64) {
 /// The width of a page with so many insets.
 pub(super) fn page_width(plan: &Plan, insets: usize) -> f64 {
     let right = |inset| inset_place(plan, inset)[0] + plan.inset[0];
-    (0..insets).map(right).fold(LEFT + plan.main[0], f64::max) + RIGHT
+    (0..insets).map(right).fold(LEFT + plan.main[0], f64::max) + plan.right + RIGHT
 }
 
 /// The letter of an inset: a … z, then aa, ab, …

@@ -11,7 +11,7 @@ use super::placement::Texts;
 use super::scene::Scene;
 use super::stroke::{self, Stroke, Verdict, WIDTH};
 use crate::page::{Canvas, FAINT_INK, Legend, Symbol, short_number};
-use bifdiag_schema::{AtlasDocument, CurveKind, EventKind};
+use bifdiag_schema::{AtlasDocument, CurveKind, EventDocument, EventKind};
 
 /// What the panels need explained, in rows of `width` pixels; `dots` says what the dots are.
 pub(super) fn legend(
@@ -58,16 +58,16 @@ pub(super) fn legend(
         let symbol = Symbol::Line(stroke::in_turn(&stroke.lines), stroke::width(&stroke.lines));
         entries.push((symbol, "in turn: coincident".to_owned()));
     }
-    let seen = |h: f64, l: f64| panels.iter().any(|panel| panel.view.rect.contains(panel.view.position([h, l])));
+    let is_seen = |event: &EventDocument| panels.iter().any(|panel| panel.event(scene, event).is_some());
     for (kind, name) in
         [(EventKind::Cusp, "cusp"), (EventKind::Pitchfork, "pitchfork"), (EventKind::Crossing, "crossing")]
     {
-        if atlas.events.iter().any(|event| event.kind == kind && seen(event.h, event.l)) {
+        if atlas.events.iter().any(|event| event.kind == kind && is_seen(event)) {
             let mark = move |canvas: &Canvas, at| event_marker(canvas, kind, at);
             entries.push((Symbol::Mark(Box::new(mark)), name.to_owned()));
         }
     }
-    if scene.dots.iter().any(|dot| seen(dot.at[0], dot.at[1])) {
+    if scene.dots.iter().any(|dot| panels.iter().any(|panel| panel.position(dot.at).is_some())) {
         entries.push((Symbol::Mark(Box::new(sample_dot)), dots.to_owned()));
     }
     // Regions of one ground share a swatch.

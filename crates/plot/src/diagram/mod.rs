@@ -1,7 +1,7 @@
 //! The bifurcation diagram of an atlas.
 //!
 //! In the order in which the data flow: `scene` resolves the ids of the document, `trace` gives each curve as a polyline
-//! fit for one window, `panel` the regions of its pixels, from which sizes and label places are read, `insets` (with
+//! fit for one window, `straight` the straightened plane, `panel` the regions of its pixels, from which sizes and label places are read, `insets` (with
 //! `closeup`) chooses the panels, `layout` puts them on the page, `placement` finds room for the `labels`, `paint` draws, and
 //! `page` does all that for one of the plans of `plan`.
 
@@ -19,17 +19,21 @@ mod panel;
 mod placement;
 mod plan;
 mod scene;
+mod straight;
 mod stroke;
 mod trace;
 mod windows;
 
-pub use scene::{CurveSource, DiagramOptions, MarkedPoints};
+pub use scene::{CurveSource, DiagramOptions, DiagramView, MarkedPoints};
 
 use crate::page::{FAINT_INK, INK, PAPER, Picture, PlotError, png};
 use bifdiag_schema::AtlasDocument;
 use page::Page;
 use palette::tint;
 use plan::Plan;
+
+/// A plane with more insets than these is better straightened.
+const INSETS: usize = 2;
 
 /// Draws the bifurcation diagram: h to the right, l upwards, each region tinted and labelled with the type of its
 /// section, and magnified insets for what the main panel is too coarse for.
@@ -44,8 +48,20 @@ pub fn draw(
     source: Option<&dyn CurveSource>,
     options: &DiagramOptions,
 ) -> Result<Picture, PlotError> {
+    let straight = || Page::new(atlas, source, options, Plan::straight(options.width));
+    if options.view == DiagramView::Straight {
+        return straight()?.draw(options.theme);
+    }
     let mut plans = Plan::of(options.width).iter();
     let mut page = Page::new(atlas, source, options, plans.next().unwrap_or(&plan::PAGE))?;
+    let (insets, is_crowded) = page.insets();
+    let is_whole = options.window.is_none() && atlas.window.is_none();
+    if options.view == DiagramView::Auto && is_whole && (insets > INSETS || is_crowded) {
+        match straight() {
+            Err(PlotError::NotStraight) => {}
+            page => return page?.draw(options.theme),
+        }
+    }
     // The first plan is for few insets; of the others each has room for fewer and more for the key.
     let mut is_done = page.is_complete() && page.fits();
     while let Some(plan) = plans.next().filter(|_| !is_done) {

@@ -1,6 +1,7 @@
 //! A diagram with its legend, table and notes on a page.
 
 use super::insets::{Magnifications, magnifications};
+use super::labels::names;
 use super::layout::{BELOW, LEFT, RIGHT, TOP, below_all, frames, inset_place, legend_place, page_width};
 use super::legend::legend;
 use super::notes::{NOTE_SIZE, heading, motions, motions_left_out, notes, remark, units};
@@ -10,6 +11,7 @@ use super::panel::Panel;
 use super::placement;
 use super::plan::Plan;
 use super::scene::{CurveSource, DiagramOptions, Scene, windows};
+use super::straight::straighten;
 use super::stroke::strokes;
 use super::windows::View;
 use crate::page::{
@@ -51,7 +53,10 @@ impl<'a> Page<'a> {
         let scene = Scene::new(atlas, source, options.points.as_ref(), plan)?;
         let styles = branch_styles(atlas);
         let strokes = strokes(atlas, &styles);
-        let (panels, mut magnified) = panels(&scene, options.window)?;
+        let (panels, mut magnified) = match plan.straight {
+            true => (vec![straightened(&scene)?], Magnifications::default()),
+            false => panels(&scene, options.window)?,
+        };
         let frames = frames(&panels);
         let mut texts = placement::place(&scene, &panels, &frames);
         // A region that a label points at is drawn, and one that a note names is not in the key.
@@ -81,6 +86,11 @@ impl<'a> Page<'a> {
         let diagram = Diagram { scene, strokes, panels, frames, texts, units: units(atlas) };
         let is_crowded = magnified.crowded;
         Ok(Self { diagram, is_crowded, size, heading, legend, legend_at, motions, motions_at, notes })
+    }
+
+    /// How many insets there are, and whether there would be more with room for them.
+    pub(super) fn insets(&self) -> (usize, bool) {
+        (self.diagram.panels.len() - 1, self.is_crowded)
     }
 
     /// Whether everything that is to be magnified has an inset.
@@ -120,6 +130,15 @@ impl<'a> Page<'a> {
         let at = [LEFT + plan.main[0], TOP - plan.remark];
         canvas.text(remark(atlas), at, NOTE_SIZE, FAINT_INK, Anchor::End);
     }
+}
+
+/// The panel of the straightened plane.
+fn straightened<'a>(scene: &Scene<'a>) -> Result<Panel, PlotError> {
+    let [_, everything] = windows(scene, None)?;
+    let [width, height] = scene.plan.main;
+    let rect = Rect { x: LEFT, y: TOP, width, height };
+    let straight = straighten(scene, rect, scene.plan.right, everything.l[1], &names(scene.atlas))?;
+    Panel::straightened(scene, View { window: everything, rect }, straight.ok_or(PlotError::NotStraight)?)
 }
 
 /// The main panel and its insets, and what could not be magnified.

@@ -9,7 +9,7 @@ use super::placement::Texts;
 use super::scene::Scene;
 use super::stroke::{self, Line, Stroke, Verdict};
 use super::windows::contains;
-use crate::page::{Anchor, Canvas, INK, Ink, Point, distance, short, text_width, union};
+use crate::page::{Anchor, Canvas, INK, Ink, Point, distance, short, text_width};
 use bifdiag_schema::EventKind;
 
 const FRAME: Ink = Ink { color: INK, width: 0.9 };
@@ -41,6 +41,9 @@ impl Diagram<'_> {
     fn paint_panel(&self, canvas: &Canvas, index: usize, panel: &Panel, name: &str) {
         let frames = &self.frames[index];
         canvas.group(&format!("{name}-regions"), "", || self.paint_regions(canvas, panel, name));
+        if let Some(straight) = &panel.straight {
+            canvas.group(&format!("{name}-levels"), "curves of constant h", || straight.paint_levels(canvas));
+        }
         canvas.group(&format!("{name}-curves"), "", || self.paint_curves(canvas, panel, name));
         canvas.group(&format!("{name}-points"), "", || self.mark_points(canvas, panel, frames, name));
         self.paint_frames(canvas, panel, frames, name);
@@ -48,14 +51,16 @@ impl Diagram<'_> {
             let region = &self.texts.names[label.region];
             labels::paint(canvas, label, region, &format!("{name}-label-{}", region.id));
         }
-        canvas.group(&format!("{name}-axes"), "", || paint_axes(canvas, panel, index == 0, &self.units));
+        canvas.group(&format!("{name}-axes"), "", || match &panel.straight {
+            Some(straight) => straight.paint_axes(canvas, &self.units),
+            None => paint_axes(canvas, panel, index == 0, &self.units),
+        });
     }
 
     fn paint_regions(&self, canvas: &Canvas, panel: &Panel, name: &str) {
         let names = &self.texts.names;
         for ((region, cells), own) in self.scene.atlas.regions.iter().zip(&self.scene.cells).zip(names) {
-            // Cells meet along sides of one l.
-            let path = union(cells.iter().map(|cell| panel.cell_polygon(cell)), 1);
+            let path = panel.region(cells);
             let fill = canvas.fill_striped(&ground_of(region));
             let attributes = format!("id=\"{name}-{}\" {fill} fill-rule=\"evenodd\"", region.id);
             canvas.draw_titled(&path, &attributes, &format!("{}: {}", own.id, own.sentence()));
@@ -88,7 +93,7 @@ impl Diagram<'_> {
 
     fn mark_points(&self, canvas: &Canvas, panel: &Panel, frames: &[Frame], name: &str) {
         for dot in &self.scene.dots {
-            let point = panel.view.position(dot.at);
+            let Some(point) = panel.position(dot.at) else { continue };
             if is_marked(point, panel, frames) {
                 canvas.group(&format!("{name}-sample-{}", dot.id), &dot.title, || sample_dot(canvas, point));
             }
@@ -96,7 +101,7 @@ impl Diagram<'_> {
         // Markers of one kind on top of each other say no more than one.
         let mut marked: Vec<(EventKind, Point)> = Vec::new();
         for (number, event) in self.scene.atlas.events.iter().enumerate() {
-            let point = panel.view.position([event.h, event.l]);
+            let Some(point) = panel.event(&self.scene, event) else { continue };
             let hidden = marked.iter().any(|(kind, other)| *kind == event.kind && distance(*other, point) < 5.0);
             if is_marked(point, panel, frames) && !hidden {
                 let kind = format!("{:?}", event.kind).to_lowercase();

@@ -1,9 +1,11 @@
 //! One panel: a view with its curves and the regions of its pixels.
 
 use super::scene::{Cell, Scene};
+use super::straight::Straight;
 use super::trace::{Trace, traces};
 use super::windows::{View, common};
-use crate::page::{Areas, PlotError, Point, clip_polygon, pixel};
+use crate::page::{Areas, Path, PlotError, Point, clip_polygon, clip_polyline, pixel, union};
+use bifdiag_schema::EventDocument;
 
 /// A region whose inscribed circle has at least this radius in pixels can be seen and pointed at.
 pub(super) const LEGIBLE: f64 = 4.5;
@@ -16,17 +18,60 @@ pub(super) struct Panel {
     pub view: View,
     pub traces: Vec<Trace>,
     pub areas: Areas,
+    /// For a panel of the straightened plane.
+    pub straight: Option<Straight>,
 }
 
 impl Panel {
     pub(super) fn new(scene: &Scene<'_>, view: View) -> Result<Self, PlotError> {
         let traces = traces(scene, view.window.l, CHORD_PIXELS * view.h_per_pixel())?;
         let areas = areas(scene, &view, &traces, 0..scene.cells.len());
-        Ok(Self { view, traces, areas })
+        Ok(Self { view, traces, areas, straight: None })
+    }
+
+    /// A panel of the straightened plane; its view tells which part of the plane it is.
+    pub(super) fn straightened(scene: &Scene<'_>, view: View, straight: Straight) -> Result<Self, PlotError> {
+        let traces = traces(scene, view.window.l, CHORD_PIXELS * view.h_per_pixel())?;
+        let areas = straight.areas();
+        Ok(Self { view, traces, areas, straight: Some(straight) })
+    }
+
+    /// Where [h, l] lies on the page, if it is shown.
+    pub(super) fn position(&self, point: [f64; 2]) -> Option<Point> {
+        let at = match &self.straight {
+            Some(straight) => straight.position(point),
+            None => Some(self.view.position(point)),
+        };
+        at.filter(|at| self.view.rect.contains(*at))
+    }
+
+    /// Where an event lies on the page, if it is shown.
+    pub(super) fn event(&self, scene: &Scene<'_>, event: &EventDocument) -> Option<Point> {
+        match &self.straight {
+            Some(straight) => straight.event(scene, event),
+            None => self.position([event.h, event.l]),
+        }
+    }
+
+    /// The visible parts of a curve between two momenta.
+    pub(super) fn curve(&self, curve: usize, l: [f64; 2]) -> Vec<Vec<Point>> {
+        match &self.straight {
+            Some(straight) => vec![straight.curve(curve, l)],
+            None => clip_polyline(&self.view.positions(&self.traces[curve].part(l[0], l[1])), &self.view.rect),
+        }
+    }
+
+    /// The visible part of a region.
+    pub(super) fn region(&self, cells: &[Cell]) -> Path {
+        // Cells meet along sides of one l.
+        match &self.straight {
+            Some(straight) => union(cells.iter().map(|cell| straight.cell(cell)), 0),
+            None => union(cells.iter().map(|cell| self.cell_polygon(cell)), 1),
+        }
     }
 
     /// The polygon of a region's cell inside the view.
-    pub(super) fn cell_polygon(&self, cell: &Cell) -> Vec<Point> {
+    fn cell_polygon(&self, cell: &Cell) -> Vec<Point> {
         let window = &self.view.window;
         let [from, to] = common(cell.l, window.l);
         if from >= to {

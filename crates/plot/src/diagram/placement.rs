@@ -111,9 +111,9 @@ fn label(rooms: &mut [Room<'_>], region: usize, name: &Name) {
 /// The room of a panel that markers, frames and their letters leave to labels, whose places go into `letters`.
 fn free_room<'a>(scene: &Scene<'_>, panel: &'a Panel, frames: &[Frame], letters: &mut [Option<Rect>]) -> Room<'a> {
     let mut taken = Taken::default();
-    let events = scene.atlas.events.iter().map(|event| [event.h, event.l]);
-    let points = events.chain(scene.dots.iter().map(|dot| dot.at)).map(|point| panel.view.position(point));
-    for point in points.filter(|point: &Point| is_marked(*point, panel, frames)) {
+    let events = scene.atlas.events.iter().filter_map(|event| panel.event(scene, event));
+    let dots = scene.dots.iter().filter_map(|dot| panel.position(dot.at));
+    for point in events.chain(dots).filter(|point: &Point| is_marked(*point, panel, frames)) {
         taken.take_box(Rect::around(point, MARKER + 0.5));
     }
     for frame in frames {

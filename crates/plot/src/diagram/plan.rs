@@ -17,6 +17,9 @@ pub(super) struct Plan {
     pub motions: bool,
     /// The base line of the remark, above the upper end of the main panel.
     pub remark: f64,
+    /// Whether the one panel is that of the straightened plane, with an axis on the right too, for which it leaves room.
+    pub straight: bool,
+    pub right: f64,
 }
 
 pub(super) const PAGE: Plan = Plan {
@@ -27,6 +30,8 @@ pub(super) const PAGE: Plan = Plan {
     insets: 5,
     motions: true,
     remark: 12.0,
+    straight: false,
+    right: 0.0,
 };
 const DENSE_PAGE: Plan =
     Plan { main: [617.0, 484.0], inset: [171.0, 112.0], beside: 3, in_a_row: 4, insets: 11, ..PAGE };
@@ -41,12 +46,25 @@ const COLUMN: Plan = Plan {
     insets: 2,
     motions: false,
     remark: 25.0,
+    ..PAGE
 };
 const DENSE_COLUMN: Plan = Plan { main: [374.43, 300.0], inset: [159.0, 110.0], in_a_row: 2, insets: 6, ..COLUMN };
 const COLUMNS: [Plan; 4] =
     [COLUMN, DENSE_COLUMN, Plan { insets: 4, ..DENSE_COLUMN }, Plan { insets: 2, ..DENSE_COLUMN }];
 
+const STRAIGHT_PAGE: Plan =
+    Plan { main: [814.0, 440.0], beside: 0, insets: 0, remark: 27.0, straight: true, right: 38.0, ..PAGE };
+const STRAIGHT_COLUMN: Plan = Plan { main: [336.43, 336.0], motions: false, ..STRAIGHT_PAGE };
+
 impl Plan {
+    /// The one of the straightened plane.
+    pub(super) fn straight(width: Width) -> &'static Self {
+        match width {
+            Width::Page => &STRAIGHT_PAGE,
+            Width::Column => &STRAIGHT_COLUMN,
+        }
+    }
+
     /// The first for few insets, and those for many: with fewer the more there is in the key.
     pub(super) fn of(width: Width) -> &'static [Self] {
         match width {

@@ -7,6 +7,18 @@ use super::windows::l_range;
 use crate::page::{PlotError, Theme, Width, is_proper};
 use bifdiag_schema::{AtlasDocument, RegionDocument, RelativeEquilibriumDocument, WindowDocument};
 
+/// In which coordinates the plane is drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum DiagramView {
+    /// Straightened where that saves more than two insets, else plane.
+    #[default]
+    Auto,
+    /// h to the right, l upwards, with insets for what is small.
+    Plane,
+    /// l to the right, h upwards from the level lowest curve, each region as high as its label needs.
+    Straight,
+}
+
 /// How a diagram is drawn.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DiagramOptions {
@@ -19,6 +31,8 @@ pub struct DiagramOptions {
     pub theme: Theme,
     /// For what width the panels are laid out.
     pub width: Width,
+    /// In which coordinates.
+    pub view: DiagramView,
 }
 
 /// Where polylines denser than those of the document come from.
@@ -77,7 +91,8 @@ pub(super) struct Scene<'a> {
 }
 
 /// The points that were asked for, else the samples of the regions.
-fn dots(atlas: &AtlasDocument, marked: Option<&MarkedPoints>) -> Vec<Dot> {
+/// In the straightened plane every region is seen without its sample.
+fn dots(atlas: &AtlasDocument, marked: Option<&MarkedPoints>, plan: &Plan) -> Vec<Dot> {
     let place = |[h, l]: [f64; 2]| format!("h = {h}, l = {l}");
     if let Some(marked) = marked {
         let dot = |(number, &at): (usize, &[f64; 2])| Dot { at, id: (number + 1).to_string(), title: place(at) };
@@ -87,7 +102,7 @@ fn dots(atlas: &AtlasDocument, marked: Option<&MarkedPoints>) -> Vec<Dot> {
         let at = [region.sample.h, region.sample.l];
         Dot { at, id: region.id.clone(), title: format!("sample of {}: {}", region.id, place(at)) }
     };
-    atlas.regions.iter().map(dot).collect()
+    if plan.straight { Vec::new() } else { atlas.regions.iter().map(dot).collect() }
 }
 
 impl<'a> Scene<'a> {
@@ -113,8 +128,25 @@ impl<'a> Scene<'a> {
             });
             cells.collect::<Result<Vec<Cell>, PlotError>>()
         });
-        Ok(Self { atlas, source, plan, cells: cells.collect::<Result<_, _>>()?, dots: dots(atlas, marked) })
+        Ok(Self { atlas, source, plan, cells: cells.collect::<Result<_, _>>()?, dots: dots(atlas, marked, plan) })
     }
+}
+
+/// The sets of curves with the same (h, l), by index, each set once.
+pub(super) fn coincidences(atlas: &AtlasDocument) -> Vec<Vec<usize>> {
+    let mut set_of: Vec<usize> = (0..atlas.curves.len()).collect();
+    for (index, curve) in atlas.curves.iter().enumerate() {
+        for other in &curve.coincides_with {
+            let Some(other) = atlas.curves.iter().position(|candidate| candidate.id == *other) else { continue };
+            let (keep, drop) = (set_of[index].min(set_of[other]), set_of[index].max(set_of[other]));
+            set_of.iter_mut().filter(|set| **set == drop).for_each(|set| *set = keep);
+        }
+    }
+    let mut sets: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for (index, set) in set_of.into_iter().enumerate() {
+        sets.entry(set).or_default().push(index);
+    }
+    sets.into_values().collect()
 }
 
 /// The part of the plane that the main panel shows, and the part that insets may show: the window that was asked for, or the

@@ -7,8 +7,9 @@ use plotters::style::RGBColor;
 
 use super::palette::{BranchStyle, is_pole};
 use super::panel::Panel;
+use super::scene::coincidences;
 use super::windows::l_range;
-use crate::page::{Canvas, Dash, FAINT_INK, POLE, POLE_MINUS, Path, Point, clip_polyline};
+use crate::page::{Canvas, Dash, FAINT_INK, POLE, POLE_MINUS, Path, Point};
 use bifdiag_schema::{AtlasDocument, CurveDocument, CurveKind, Damped, NonlinearVerdict, StabilitySpan};
 
 /// Width of a curve in pixels.
@@ -91,23 +92,6 @@ pub(super) fn pole_pattern(kind: CurveKind) -> Vec<Dash> {
     lengths.into_iter().flat_map(|length| [(Some(color), length), (None, 2.7)]).collect()
 }
 
-/// The sets of curves with the same (h, l), by index, each set once.
-pub(super) fn coincidences(atlas: &AtlasDocument) -> Vec<Vec<usize>> {
-    let mut set_of: Vec<usize> = (0..atlas.curves.len()).collect();
-    for (index, curve) in atlas.curves.iter().enumerate() {
-        for other in &curve.coincides_with {
-            let Some(other) = atlas.curves.iter().position(|candidate| candidate.id == *other) else { continue };
-            let (keep, drop) = (set_of[index].min(set_of[other]), set_of[index].max(set_of[other]));
-            set_of.iter_mut().filter(|set| **set == drop).for_each(|set| *set = keep);
-        }
-    }
-    let mut sets: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    for (index, set) in set_of.into_iter().enumerate() {
-        sets.entry(set).or_default().push(index);
-    }
-    sets.into_values().collect()
-}
-
 /// How every curve of the atlas is drawn, pole lines last.
 pub(super) fn strokes(atlas: &AtlasDocument, styles: &BTreeMap<&str, BranchStyle>) -> Vec<Stroke> {
     let mut strokes: Vec<Stroke> = Vec::new();
@@ -155,8 +139,7 @@ fn stroke(atlas: &AtlasDocument, styles: &BTreeMap<&str, BranchStyle>, set: &[us
 
 /// The parts of a stroke that a panel shows.
 fn parts(panel: &Panel, stroke: &Stroke) -> Vec<Vec<Point>> {
-    let points = panel.traces[stroke.curve].part(stroke.l[0], stroke.l[1]);
-    clip_polyline(&panel.view.positions(&points), &panel.view.rect)
+    panel.curve(stroke.curve, stroke.l)
 }
 
 /// True for a stroke of which a panel shows something.

@@ -14,6 +14,11 @@ pub enum PlotError {
     /// The atlas has no drawing.
     #[error("the atlas has no drawing, and no window was given")]
     NoDrawing,
+    /// The document does not tell which curves lie above each other, or holds a part of the plane only.
+    #[error(
+        "the straightened plane needs all regions of the whole plane: without them --view plane draws what there is"
+    )]
+    NotStraight,
     /// A curve has neither a polyline nor a source of one.
     #[error("curve {curve} has no polyline to draw")]
     NoPolyline {

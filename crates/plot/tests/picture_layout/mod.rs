@@ -25,6 +25,8 @@ pub struct Layout {
     pub frames: Vec<(String, Rect)>,
     /// Marks of events and samples with their ids.
     pub marks: Vec<(String, Rect)>,
+    /// Regions with the ids of their panel and their own.
+    pub regions: Vec<(String, Rect)>,
 }
 
 impl Layout {
@@ -56,6 +58,9 @@ impl Layout {
                 }
                 Node::Path(path) if id.contains("-label-") && path.stroke().is_some() && !id.ends_with("-leader") => {
                     self.boxes.push((id.to_owned(), path.abs_bounding_box()));
+                }
+                Node::Path(path) if id.ends_with("-regions") => {
+                    self.regions.push((path.id().to_owned(), path.abs_bounding_box()));
                 }
                 Node::Path(path) if id.contains("-frame-") => {
                     self.frames.push((id.to_owned(), path.abs_bounding_box()));
