@@ -64,6 +64,37 @@ def arrays(atlas: bifdiag.Atlas) -> None:
     say("a scattered point", f"{best(lambda: atlas.region(h, l)):.3f} µs (goal 0.5)")
 
 
+def tables(paper: bifdiag.Body) -> None:
+    """Equilibria at many momenta, types of many points."""
+    l = np.linspace(0.01, 4, 10**4)
+    say("equilibria at 10^4 momenta", f"{best(lambda: paper.critical(l)):.3f} s (goal 0.15)")
+    say("with verdicts", f"{best(lambda: paper.critical(l).stable):.3f} s")
+    rng = np.random.default_rng(0)
+    h, l, atlas = rng.uniform(-1, 9, 10**5), rng.uniform(0.01, 6, 10**5), paper.atlas()
+    say("a classified point of an array", f"{best(lambda: atlas.classify(h, l)) * 10:.3f} µs")
+
+
+def pairs(count: int) -> None:
+    """Atlases with regions in one thread and in two: by the clock, so on a machine that is quiet."""
+    bodies = [bifdiag.Body([2 + number * 1e-6, 1.1, 1], [0.9, 0.1, 0.6]) for number in range(count)]
+
+    def seconds(threads: int) -> float:
+        def work(first: int) -> None:
+            for body in bodies[first::threads]:
+                len(body.atlas().regions)
+
+        begin = time.perf_counter()
+        running = [threading.Thread(target=work, args=(first,)) for first in range(threads)]
+        for thread in running:
+            thread.start()
+        for thread in running:
+            thread.join()
+        return time.perf_counter() - begin
+
+    best_of = {threads: min(seconds(threads) for _ in range(ROUNDS)) for threads in (1, 2)}
+    say("atlases with regions, two threads over one", f"{best_of[1] / best_of[2]:.2f} times (goal 1.8)")
+
+
 def bodies(count: int) -> None:
     """Atlases of bodies that exist."""
     draw = random.Random(1)
@@ -79,7 +110,7 @@ def bodies(count: int) -> None:
     say(f"atlases of {count} random bodies, each asked for a point", f"{count / seconds:.0f} a second (goal 3000)")
     begin = time.process_time()
     for A, r in numbers[: count // 10]:
-        regions += len(bifdiag.Body(A, r).atlas().regions)
+        regions += sum(region.bounded for region in bifdiag.Body(A, r).atlas().regions)
     seconds = time.process_time() - begin
     say(f"atlases of {count // 10} of them, with all records of regions", f"{count / 10 / seconds:.0f} a second")
 
@@ -131,6 +162,8 @@ def main() -> None:
     say("machine", f"{os.cpu_count()} processors, load {os.getloadavg()[0]:.1f}")
     paper = bifdiag.Body.preset("paper")
     arrays(paper.atlas())
+    tables(paper)
+    pairs(options.bodies // 20)
     bodies(options.bodies)
     interrupts(paper)
     memory(options.calls)

@@ -15,6 +15,9 @@ use crate::columns::{array, vectors};
 use crate::texts::{Numbers, json, number};
 use crate::{errors, places, work};
 
+/// So few points are answered sooner than a thread is started.
+const FEW: usize = 64;
+
 /// Ranges of h and l.
 type Ranges = [[f64; 2]; 2];
 
@@ -169,7 +172,8 @@ impl Atlas {
         let (h, l) = (h.readonly(), l.readonly());
         let (h, l) = (h.as_slice()?, l.as_slice()?);
         let stop = AtomicBool::new(false);
-        let found = work::run(python, threads, &stop, || places::of_points(&self.prepared, h, l, &stop))?;
+        let work = || places::of_points(&self.prepared, h, l, &stop);
+        let found = if h.len() <= FEW { python.detach(work) } else { work::run(python, threads, &stop, work)? };
         let found = found.expect("an atlas in the hands of Python is made");
         Ok(found.map_err(|error| errors::range(&error))?.into_pyarray(python))
     }
@@ -187,7 +191,7 @@ impl Atlas {
         let stop = AtomicBool::new(false);
         let point = |k: usize| [h.at(k), l.at(k)];
         let work = || places::measured(&self.prepared, h.len().min(l.len()), point, &stop);
-        let found = if h.len() == 1 { python.detach(work) } else { work::run(python, threads, &stop, work)? };
+        let found = if h.len() <= FEW { python.detach(work) } else { work::run(python, threads, &stop, work)? };
         let found = found.map_err(|error| errors::range(&error))?;
         let mut curves = Vec::new();
         let mut numbered = |name: CurveName| {

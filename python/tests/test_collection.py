@@ -12,6 +12,8 @@ def test_records_have_names_and_places(atlas):
     assert atlas.regions["R5"] is atlas.regions[4] and atlas.curves["G1.2"].id == "G1.2"
     assert atlas.regions[-1].id == "R9" and atlas.regions[1:3] == (atlas.regions[1], atlas.regions[2])
     assert atlas.regions.ids == tuple(f"R{n}" for n in range(1, 10))
+    assert "R5" in atlas.regions and "R12" not in atlas.regions and atlas.regions[3] in atlas.regions
+    assert [*reversed(atlas.regions)] == [*atlas.regions][::-1]
     with pytest.raises(bifdiag.InputError, match="'R12'; the ids are R1, R2"):
         atlas.regions["R12"]
     with pytest.raises(bifdiag.InputError, match="no ids"):
@@ -44,3 +46,9 @@ def test_tables_say_what_the_records_say(atlas):
     assert (atlas.region(table["h"], table["l"]) == np.arange(9)).all()
     curves = atlas.curves.flat()
     assert np.isnan(curves["index"][-1]) and "stable" in curves["verdict"][0]
+
+
+def test_polars_reads_lists(atlas):
+    pl = pytest.importorskip("polars")
+    assert pl.DataFrame(atlas.regions)["signature"].to_list() == [region.signature for region in atlas.regions]
+    assert pl.DataFrame(atlas.body.critical([1, 2])).height == len(atlas.body.critical([1, 2]))

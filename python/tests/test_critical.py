@@ -79,6 +79,7 @@ def test_rows_are_those_of_a_structured_array(paper):
     assert rows.dtype == found.dtype and rows.dtype.names == found.columns and len(rows) == len(found) == found.size
     assert rows["h"].tolist() == found.h.tolist() and found[-1] == rows[-1] and [*found][2] == rows[2]
     assert len(found[[]]) == 0 == len(found[found.h > 1e9]) and found[1:3] == found[[1, 2]]
+    assert found[["h", "index"]].tolist() == rows[["h", "index"]].tolist()
     with pytest.raises(KeyError, match="stability"):
         found["stabel"]
     with pytest.raises(AttributeError, match="stability"):

@@ -43,9 +43,22 @@ def test_ctrl_c_ends_the_work(atlas, paper):
     assert interrupted(lambda: paper.orbit([0.6, 0, 0.8], omega=[1, 0.3, 1], t=np.linspace(0, 1e6, 10**6))) < 0.5
 
 
-def test_other_threads_go_on(atlas):
+def _points(count):
     rng = np.random.default_rng(0)
-    h, l = rng.uniform(0, 9, 2_000_000), rng.uniform(0, 6, 2_000_000)
+    return rng.uniform(0, 9, count), rng.uniform(0, 6, count)
+
+
+@pytest.mark.parametrize(
+    "work",
+    [
+        lambda body: body.atlas().region(*_points(2_000_000)),
+        lambda body: body.atlas().margin(*_points(300_000)),
+        lambda body: body.critical(np.linspace(0.01, 4, 4000)).stable,
+        lambda body: [body.atlas(certificate=True) for _ in range(20)],
+    ],
+    ids=["regions", "margins", "equilibria", "proofs"],
+)
+def test_other_threads_go_on(paper, work):
     over, counted = threading.Event(), []
 
     def count():
@@ -58,7 +71,7 @@ def test_other_threads_go_on(atlas):
     counter = threading.Thread(target=count)
     counter.start()
     begin = time.perf_counter()
-    atlas.region(h, l)
+    work(paper)
     seconds = time.perf_counter() - begin
     over.set()
     counter.join()

@@ -45,6 +45,8 @@ class Points:
 
     def spread(self, answers: npt.NDArray[Any], fill: Any) -> npt.NDArray[Any]:
         """Answers for the valid points in the shape of the input."""
+        if len(answers) == self.valid.size:
+            return answers.reshape(self.valid.shape)
         out = np.full(self.valid.shape, fill, dtype=answers.dtype)
         out[self.valid] = answers
         return out
@@ -73,7 +75,11 @@ def points(h: Any, l: Any, invalid: str) -> Points:
         name, values = ("l", l_values) if np.broadcast_to(h_valid, valid.shape)[where] else ("h", h_values)
         place = f"{name}[{', '.join(map(str, where))}]" if where else name
         raise InputError(f'{place} = {values[where]} is no finite number in range; leave it out, or give invalid="mark"')
-    both = [(h_values[valid], "h"), (l_values[valid], "l")]
+    whole = bool(valid.all())
+    both = [
+        (np.ascontiguousarray(values).reshape(-1) if whole else values[valid], name)
+        for values, name in ((h_values, "h"), (l_values, "l"))
+    ]
     if h_values.dtype == object or l_values.dtype == object:
         first, second = ([exact.text(value, name) for value in values.tolist()] for values, name in both)
         return Points(first, second, valid, dress, index, template)

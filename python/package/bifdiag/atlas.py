@@ -300,6 +300,8 @@ class Atlas:
         >>> atlas.regions[4]
         Region R5: S2+T2 at ...
         """
+        if _is_plain(h) and _is_plain(l):
+            return self._inner.place(exact.text(h, "h"), exact.text(l, "l"))
         given = arrays.points(h, l, invalid)
         if isinstance(given.h, list):
             pairs = zip(given.h, given.l, strict=True)
@@ -456,6 +458,11 @@ class Atlas:
 def _is_scalar(value: Any) -> bool:
     """One number, and no array of any kind with one entry."""
     return isinstance(value, str) or (np.ndim(value) == 0 and not hasattr(value, "dims"))
+
+
+def _is_plain(value: Any) -> bool:
+    """A number of Python in range, as most single points are."""
+    return type(value) in (int, float) and (value == 0 or 1 / exact.LARGEST <= abs(value) <= exact.LARGEST)
 
 
 def _made(body: "Body", accuracy: Literal["exact", "fast"], certificate: bool) -> Atlas:

@@ -59,6 +59,12 @@ class Body:
 
     Notes
     -----
+    Made also by `preset`, `from_inertia` (a tensor) and `from_part` (a file). Its numbers are `A` and `r` as texts, `exact`
+    both; `moments`, `com` and `weight` are floats, and `units`, `part`, `physical`, `measured` tell of real parts.
+    Questions: `atlas` (the whole (h, l) plane), `classify` (one point), `critical` (steady rotations at one l or many),
+    `critical_spin` (spins at which these change), `section` (a Poincaré section), `orbit` (a motion). Pictures: `plot`,
+    `plot_sphere`.
+
     An int, a str, a Fraction and a Decimal are used as they are, a float as its shortest decimal: ``1.1`` and
     ``"11/10"`` are the same number. Units are those of A and r: with H = ½⟨l, A⁻¹ l⟩ − ⟨γ, r⟩, h has the unit of r, and l
     that of √(A r). γ points *down*: the body hangs at γ = +r̂ and stands at γ = −r̂. The page "Conventions" has the

@@ -1,7 +1,7 @@
 """Lists of records that know their ids and are tables, too."""
 
 import html
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, SupportsIndex, TypeVar, overload
 
 import numpy as np
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 Item = TypeVar("Item", covariant=True)
 
 
-class Collection(Sequence[Item], Generic[Item]):
+class Collection(Generic[Item]):
     """A list of records that does not change: ``regions[4]``, ``regions["R5"]`` where records have ids; and a table.
 
     The table has a row for each record; `to_pandas`, `to_arrow`, `to_xarray` and, through the PyCapsule interface,
@@ -61,6 +61,16 @@ class Collection(Sequence[Item], Generic[Item]):
 
     def __len__(self) -> int:
         return len(self._sources)
+
+    def __iter__(self) -> Iterator[Item]:
+        return map(self._item, range(len(self)))
+
+    def __reversed__(self) -> Iterator[Item]:
+        return map(self._item, reversed(range(len(self))))
+
+    def __contains__(self, key: object) -> bool:
+        """Whether there is such a record, or one of this id."""
+        return key in self.ids if isinstance(key, str) else key in tuple(self)
 
     def __eq__(self, other: object) -> bool:
         return tuple(self) == tuple(other) if isinstance(other, (Collection, tuple)) else NotImplemented

@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Callable, Iterator
-from typing import Any, overload
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -75,6 +75,23 @@ class Equilibria(Table):
     ``stable_by`` and ``verdict`` of many momenta are computed when one of them is first read, or when the table is handed
     on.
     """
+
+    l_index: npt.NDArray[np.int64]
+    l: npt.NDArray[np.float64]
+    h: npt.NDArray[np.float64]
+    gamma: npt.NDArray[np.float64]
+    omega: npt.NDArray[np.float64]
+    index: npt.NDArray[np.int8]
+    multiplicity: npt.NDArray[np.str_]
+    stability: npt.NDArray[np.str_]
+    stable: np.ma.MaskedArray[Any, np.dtype[np.bool_]]
+    stable_by: npt.NDArray[np.str_]
+    verdict: npt.NDArray[np.str_]
+    survives_friction: npt.NDArray[np.bool_]
+    eigenvalues: npt.NDArray[np.complex128]
+    eigenvalue_error: npt.NDArray[np.float64]
+    branch: npt.NDArray[np.str_]
+    branch_name: npt.NDArray[np.str_]
 
     _quick: Columns
 
@@ -151,6 +168,8 @@ class Equilibria(Table):
         if isinstance(key, str):
             quick = self._quick
             return quick[key] if key in quick else super().__getitem__(key)
+        if isinstance(key, list) and key and all(isinstance(name, str) for name in key):
+            return np.asarray(self)[key]
         if np.ndim(key) == 0 and not isinstance(key, slice):
             return np.asarray(self)[key]
         kept = np.asarray(key) if not isinstance(key, slice) else key
@@ -162,14 +181,17 @@ class Equilibria(Table):
             later = lambda: {name: self._columns[name][kept] for name in VERDICTS}  # noqa: E731
         return Equilibria(rows, self._meta, later)
 
-    def __getattr__(self, name: str) -> npt.NDArray[Any]:
-        quick: Columns = self.__dict__.get("_quick", {})
-        if name in quick:
-            return quick[name]
-        if not quick or name not in self.columns:
-            columns = ", ".join(self.columns) if quick else "none yet"
-            raise AttributeError(f"Equilibria has no column {name!r}; it has {columns}")
-        return self._columns[name]
+    # Type checkers know the columns by name, so that they find typing errors.
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> npt.NDArray[Any]:
+            quick: Columns = self.__dict__.get("_quick", {})
+            if name in quick:
+                return quick[name]
+            if not quick or name not in self.columns:
+                columns = ", ".join(self.columns) if quick else "none yet"
+                raise AttributeError(f"Equilibria has no column {name!r}; it has {columns}")
+            return self._columns[name]
 
     def __dir__(self) -> list[str]:
         return [*object.__dir__(self), *self.columns]

@@ -39,6 +39,15 @@ class Motion(Table):
         that energy at the times, ``tolerance`` and ``version``.
     """
 
+    time: npt.NDArray[np.float64]
+    gamma: npt.NDArray[np.float64]
+    l: npt.NDArray[np.float64]
+    omega: npt.NDArray[np.float64]
+    theta: npt.NDArray[np.float64]
+    psi: npt.NDArray[np.float64]
+    phi: npt.NDArray[np.float64]
+    quaternion: npt.NDArray[np.float64]
+
     NAMES = ("time", "gamma", "l", "omega", "theta", "psi", "phi", "quaternion")
 
     @classmethod

@@ -74,11 +74,14 @@ class Classifications:
         table = tuple(tuple(getattr(region, name) for region in regions) for name in ("id", "signature", "components"))
         return cls(columns, table, (given.index, given.template))  # type: ignore[arg-type]
 
-    def __getattr__(self, name: str) -> npt.NDArray[Any]:
-        columns: dict[str, npt.NDArray[Any]] = self.__dict__.get("_columns", {})
-        if name not in columns:
-            raise AttributeError(f"Classifications has no column {name!r}; it has {', '.join(columns)}")
-        return columns[name]
+    # Type checkers know the columns by name, so that they find typing errors.
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> npt.NDArray[Any]:
+            columns: dict[str, npt.NDArray[Any]] = self.__dict__.get("_columns", {})
+            if name not in columns:
+                raise AttributeError(f"Classifications has no column {name!r}; it has {', '.join(columns)}")
+            return columns[name]
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._columns]

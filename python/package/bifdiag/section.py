@@ -2,7 +2,7 @@
 
 import math
 from collections import Counter
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -54,6 +54,19 @@ class Section(Table):
         integrals, verdict and measures.
     """
 
+    orbit: npt.NDArray[np.int32]
+    index: npt.NDArray[np.int32]
+    time: npt.NDArray[np.float64]
+    gamma: npt.NDArray[np.float64]
+    l: npt.NDArray[np.float64]
+    sheet: npt.NDArray[np.int8]
+    s_dot: npt.NDArray[np.float64]
+    theta: npt.NDArray[np.float64]
+    psi: npt.NDArray[np.float64]
+    lyapunov: npt.NDArray[np.float64]
+    rotation: npt.NDArray[np.float64]
+    exponent: npt.NDArray[np.float64]
+
     NAMES = ("orbit", "index", "time", "gamma", "l", "sheet", "s_dot", "theta", "psi")
 
     @classmethod
@@ -104,7 +117,7 @@ class Section(Table):
         """The reason for the verdict of each orbit."""
         return tuple(orbit["reason"] for orbit in self.meta["orbits"])
 
-    def plot(self, ax: Any = None, projection: str = "torus", **options: Any) -> Any:
+    def plot(self, ax: Any = None, projection: Literal["torus", "sphere"] = "torus", **options: Any) -> Any:
         """Draws the section with matplotlib.
 
         Parameters

@@ -35,6 +35,16 @@ class Scan(Table):
         The summary of the scan.
     """
 
+    A1: npt.NDArray[np.float64]
+    A2: npt.NDArray[np.float64]
+    A3: npt.NDArray[np.float64]
+    r1: npt.NDArray[np.float64]
+    r2: npt.NDArray[np.float64]
+    r3: npt.NDArray[np.float64]
+    status: npt.NDArray[np.object_]
+    regions: npt.NDArray[Any]
+    critical_points: npt.NDArray[Any]
+
     def __repr__(self) -> str:
         return f"Scan of {len(self)} bodies [{', '.join(self.columns)}, meta]"
 

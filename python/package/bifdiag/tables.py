@@ -48,12 +48,15 @@ class Table:
             raise KeyError(f"there is no column {name!r}; the columns are {', '.join(self._columns)}")
         return self._columns[name]
 
-    def __getattr__(self, name: str) -> npt.NDArray[Any]:
-        columns = self.__dict__.get("_columns", {})
-        if name not in columns:
-            raise AttributeError(f"{type(self).__name__} has no column {name!r}; it has {', '.join(columns)}")
-        column: npt.NDArray[Any] = columns[name]
-        return column
+    # Type checkers know the columns by name, so that they find typing errors.
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> npt.NDArray[Any]:
+            columns = self.__dict__.get("_columns", {})
+            if name not in columns:
+                raise AttributeError(f"{type(self).__name__} has no column {name!r}; it has {', '.join(columns)}")
+            column: npt.NDArray[Any] = columns[name]
+            return column
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._columns]

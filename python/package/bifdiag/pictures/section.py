@@ -1,6 +1,6 @@
 """Poincaré sections."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -19,11 +19,11 @@ VERDICTS = {"regular": "#0072b2", "chaotic": "#d55e00", "open": "#aab4bd"}
 def section(
     found: "Section",
     ax: Any = None,
-    projection: str = "torus",
+    projection: "Literal['torus', 'sphere']" = "torus",
     *,
     figsize: Size | None = None,
     color: Any = None,
-    sheet: int | None = None,
+    sheet: "Literal[1, -1] | None" = None,
     **points: Any,
 ) -> npt.NDArray[np.object_]:
     """The points of a section, one panel for each sheet.
