@@ -18,7 +18,8 @@
 //!
 //! These names are what one needs for a start. Each layer below is a package of its own and is re-exported whole, in the
 //! order in which the data flows: [`numbers`], [`body`] (and [`body::part`], mass properties as engineers have them),
-//! [`equilibria`], [`diagram`], [`exact`] (proofs), [`dynamics`] (motion in time), [`survey`] (many bodies), [`schema`] and
+//! [`equilibria`], [`diagram`], [`exact`] (proofs), [`dynamics`] (motion in time), [`enclosure`] (the same with
+//! proved bounds), [`survey`] (many bodies), [`schema`] and
 //! [`documents`] (JSON), [`verify`], and `plot`.
 
 #[cfg(feature = "cli")]
@@ -32,7 +33,7 @@ pub use bifdiag_plot as plot;
 #[cfg(feature = "plot")]
 pub use pictures::Curves;
 pub use {
-    bifdiag_body as body, bifdiag_documents as documents, bifdiag_dynamics as dynamics,
+    bifdiag_body as body, bifdiag_documents as documents, bifdiag_dynamics as dynamics, bifdiag_enclosure as enclosure,
     bifdiag_equilibria as equilibria, bifdiag_exact as exact, bifdiag_numbers as numbers, bifdiag_schema as schema,
     bifdiag_survey as survey, bifdiag_verify as verify,
 };

@@ -62,7 +62,7 @@ impl Model {
         }
         documents! {
             Head GivenBody AtlasDocument ClassificationDocument GridDocument CriticalDocument SectionsDocument MotionDocument
-            PartAnswerDocument SteadyAxesDocument StateDocument CriticalSpinDocument SteadySpinsDocument SpinDownDocument
+            ProvedMotionDocument PartAnswerDocument SteadyAxesDocument StateDocument CriticalSpinDocument SteadySpinsDocument SpinDownDocument
             BodiesDocument ExplanationDocument BatchErrorDocument
             RowDocument ScanSummaryDocument BorderDocument ComparisonDocument PointProofDocument FindDocument ClassesDocument StandingDocument
         }

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use bifdiag_schema::{
     AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassDocument, ClassesDocument,
     ClassificationDocument, ComparisonDocument, CriticalDocument, CriticalSpinDocument, ExplanationDocument,
-    FindDocument, GridDocument, MotionDocument, PartAnswerDocument, PointProofDocument, RowDocument,
-    ScanSummaryDocument, SectionDocument, SectionsDocument, SpinDownDocument, StandingDocument, StateDocument,
-    SteadyAxesDocument, SteadySpinsDocument,
+    FindDocument, GridDocument, MotionDocument, PartAnswerDocument, PointProofDocument, ProvedMotionDocument,
+    RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument, SpinDownDocument, StandingDocument,
+    StateDocument, SteadyAxesDocument, SteadySpinsDocument,
 };
 use clap::{Args, Command, ValueEnum};
 use schemars::{Schema, schema_for};
@@ -81,6 +81,8 @@ pub enum Name {
     Sections,
     /// The answer of `bifdiag orbit --json`, and the `meta` of its data
     Orbit,
+    /// The answer of `bifdiag orbit --proved --json`, and the `meta` of its data
+    ProvedOrbit,
     /// The answer of `bifdiag body --json`
     Body,
     /// The answer of `bifdiag state --json`
@@ -128,6 +130,7 @@ impl Name {
             Self::Section => schema_for!(SectionDocument),
             Self::Sections => schema_for!(SectionsDocument),
             Self::Orbit => schema_for!(MotionDocument),
+            Self::ProvedOrbit => schema_for!(ProvedMotionDocument),
             Self::Body => schema_for!(PartAnswerDocument),
             Self::State => schema_for!(StateDocument),
             Self::CriticalSpin => schema_for!(CriticalSpinDocument),

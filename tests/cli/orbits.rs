@@ -133,3 +133,48 @@ fn a_motion_starts_at_eulers_angles() {
     bifdiag("orbit --body paper --euler 1,0,0 --phi 1 --omega 1,0,0").refused().telling("--phi");
     bifdiag("orbit --body paper --euler 1,0,0").refused().telling("--omega or --l-vector is missing");
 }
+
+/// The plain motion lies in the enclosures, in every format, and the document's own command gives the same bytes.
+#[test]
+fn a_proved_motion_holds_the_plain_one() {
+    let place = tempfile::tempdir().unwrap();
+    let line = "orbit --body paper --gamma 3,0,4 --omega 1,3/10,1 --phi 0.5 --times -2:10:7";
+    let plain = bifdiag(&format!("{line} --json")).succeeds().json();
+    let proved = bifdiag(&format!("{line} --proved --json")).succeeds().json();
+    let end = |ends: &Value, side: usize| ends[side].as_str().unwrap().parse::<f64>().unwrap();
+    for (n, sample) in plain["samples"].as_array().unwrap().iter().enumerate() {
+        assert_eq!(sample["time"], proved["times"][n]);
+        for (name, plain, count) in [("gamma", "gamma", 3), ("omega", "omega", 3), ("quaternion", "attitude", 4)] {
+            for k in 0..count {
+                let (ends, value) = (&proved["enclosures"][name][n][k], sample[plain][k].as_f64().unwrap());
+                let (lo, hi) = (end(ends, 0), end(ends, 1));
+                assert!(lo <= hi && hi - lo <= 1e-10, "{name} {ends}");
+                assert!(lo - 1e-12 <= value && value <= hi + 1e-12, "{name} {ends} {value}");
+            }
+        }
+        let entries = |name: &str| proved["enclosures"][name][n].as_array().unwrap().clone();
+        assert_eq!(entries("rotation")[6..], entries("gamma"));
+    }
+    assert_eq!((&proved["complete"], &proved["proved_to"]), (&json!(true), &json!(10.0)));
+    let command = proved["command"].as_str().unwrap().strip_prefix("bifdiag ").unwrap();
+    assert_eq!(bifdiag(command).succeeds().json(), proved);
+    bifdiag(&format!("{line} --proved --data m.csv")).inside(place.path()).succeeds().printing("widest enclosure: ");
+    let csv = std::fs::read_to_string(place.path().join("m.csv")).unwrap();
+    assert!(csv.starts_with("time,gamma_lo1,gamma_lo2,gamma_lo3,gamma_hi1,") && csv.lines().count() == 8, "{csv}");
+    bifdiag(&format!("{line} --proved --data m.npz")).inside(place.path()).succeeds();
+}
+
+/// Sixty digits are sixty digits, and where digits end it is told what goes further.
+#[test]
+fn the_proof_has_as_many_digits_as_are_asked() {
+    let line = "orbit --body paper --gamma 0.6,0,0.8 --omega 0.1,0.3,0.1 --proved";
+    let many = bifdiag(&format!("{line} --times 0:1:2 --bound 1e-60 --json")).succeeds().json();
+    let [lo, hi] = [0, 1].map(|side| many["enclosures"]["gamma"][1][0][side].as_str().unwrap().to_owned());
+    assert_eq!(lo[..55], hi[..55]);
+    assert!(many["widest"].as_f64().unwrap() <= 1e-60);
+    let ended = bifdiag(&format!("{line} --times 0:200:3 --digits 15")).fails();
+    ended.printing("proved to t = ").printing("from there enclosures outrun 53 bits: --digits 25");
+    bifdiag(&format!("{line} --digits 3")).refused().telling("from 5 to 250");
+    bifdiag(&format!("{line} --bound 0")).refused().telling("from 1e-140 to 1");
+    bifdiag("orbit --body paper --gamma 0,0,1 --omega 1,0,0 --digits 30").refused().telling("--proved");
+}

@@ -106,6 +106,7 @@ fn documents_fit_their_schemas() {
     for more in ["--body paper", "--body euler", PART] {
         let orbit = format!("orbit {more} --gamma 0.6,0,0.8 --omega 1,0.3,1 --json");
         assert_fits("orbit", &bifdiag(&orbit).succeeds().json());
+        assert_fits("proved-orbit", &bifdiag(&format!("{orbit} --proved --times -1:1:3")).succeeds().json());
     }
     assert_fits("body", &bifdiag(&format!("body {PART} --json")).succeeds().json());
     for state in ["--spin 1Hz --axis z", "--omega 1,0,2 --vertical 0,0,1"] {
@@ -164,6 +165,7 @@ fn all_schemas_come_in_one_object() {
         "section",
         "sections",
         "orbit",
+        "proved-orbit",
         "body",
         "state",
         "critical-spin",

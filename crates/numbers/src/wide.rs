@@ -8,7 +8,7 @@ use dashu_ratio::RBig;
 use super::Sign;
 use super::directed::{Big, Directed, Toward};
 use super::enclosure::{Arithmetic, Enclosure};
-use super::fixed_float::FixedFloat;
+pub use super::fixed_float::FixedFloat;
 
 /// Finite ends of a given precision, or the whole line, under the contract of [`Enclosure`].
 #[derive(Clone, Debug)]

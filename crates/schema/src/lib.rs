@@ -60,7 +60,10 @@ pub use head::{GivenBody, Head};
 pub use integrable::{FurtherIntegralDocument, IntegrableCaseName, IntegrableDocument};
 pub use json::{json, write_json};
 pub use listing::{BatchErrorDocument, BodiesDocument, ExplainedTermDocument, ExplanationDocument, PresetDocument};
-pub use motion::{MotionDocument, MotionSampleDocument, MotionSummaryDocument};
+pub use motion::{
+    EnclosuresDocument, Ends, ExactStartDocument, MotionDocument, MotionSampleDocument, MotionSummaryDocument,
+    ProvedMotionDocument,
+};
 pub use nonlinear::{Damped, FrictionDocument, NonlinearDocument, NonlinearVerdict, Reason, ResonancesDocument};
 pub use number::Number;
 pub use part::{PartAnswerDocument, PartDocument, PrincipalDocument};

@@ -77,3 +77,68 @@ pub struct MotionDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part: Option<PartDocument>,
 }
+
+/// Two decimals that are rounded outward: the exact value lies between them.
+pub type Ends = [String; 2];
+
+/// Enclosures of the motion, a row for each time; vectors are in the body's (principal) axes.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct EnclosuresDocument {
+    /// The vertical γ.
+    pub gamma: Vec<[Ends; 3]>,
+    /// Angular velocity.
+    pub omega: Vec<[Ends; 3]>,
+    /// The rotation matrix that takes vectors of the body to space, by rows; γ is its last row.
+    pub rotation: Vec<[Ends; 9]>,
+    /// The same rotation as a unit quaternion [w, x, y, z], continuous in time.
+    pub quaternion: Vec<[Ends; 4]>,
+}
+
+/// The start of a proved motion: exactly these numbers.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ExactStartDocument {
+    /// The vertical, up to its length.
+    pub gamma: [String; 3],
+    /// Angular velocity.
+    pub omega: [String; 3],
+    /// Euler's angle φ.
+    pub phi: String,
+}
+
+/// The answer of `orbit --proved`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ProvedMotionDocument {
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
+    /// The body.
+    #[serde(flatten)]
+    pub body: GivenBody,
+    /// The start, at time 0.
+    pub start: ExactStartDocument,
+    /// The times of the enclosures.
+    pub times: Vec<f64>,
+    /// The motion at these times; absent where it is written as data.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub enclosures: Option<EnclosuresDocument>,
+    /// From time 0 to here no enclosure is wider than `bound`.
+    pub proved_to: f64,
+    /// The same for the past.
+    pub proved_from: f64,
+    /// The widest enclosure that was asked for.
+    pub bound: f64,
+    /// The widest enclosure, rounded up.
+    pub widest: f64,
+    /// Bits of the arithmetic.
+    pub bits: usize,
+    /// Steps of the integrator.
+    pub steps: u64,
+    /// False when times are missing.
+    pub complete: bool,
+    /// What is to be known about the result, in words.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
+    /// The part from which A and r were computed, when one was given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub part: Option<PartDocument>,
+}

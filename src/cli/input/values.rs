@@ -7,6 +7,7 @@ use bifdiag_body::part::{Measured, Quantity, Units};
 use bifdiag_body::{Body, Number, Preset};
 use bifdiag_documents::GridAxis;
 use bifdiag_dynamics::integrator::check_tolerance;
+use bifdiag_enclosure::orbit::MOST_DIGITS;
 use bifdiag_numbers::decimal::counted;
 use bifdiag_numbers::vector::dot;
 use bifdiag_schema::{Accuracy, WindowDocument};
@@ -34,6 +35,13 @@ impl Triple {
     pub fn rounded(&self) -> [f64; 3] {
         self.0.each_ref().map(Number::to_f64)
     }
+}
+
+/// A vector of which the direction counts: as written, and brought to length 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Vertical {
+    pub given: Triple,
+    pub unit: [f64; 3],
 }
 
 /// The nominal values of measured numbers.
@@ -233,6 +241,28 @@ pub fn vector(text: &str) -> Result<[f64; 3], Failure> {
 /// A vector brought to length 1; one of this length, within rounding, stays as it is.
 pub fn direction(text: &str) -> Result<[f64; 3], Failure> {
     to_direction(vector(text)?)
+}
+
+/// A vector that is not 0.
+pub fn vertical(text: &str) -> Result<Vertical, Failure> {
+    let given = triple(text)?;
+    Ok(Vertical { unit: to_direction(given.rounded())?, given })
+}
+
+/// Digits of a proof.
+pub fn proof_digits(text: &str) -> Result<u32, Failure> {
+    let digits = text.parse::<u32>().ok().filter(|digits| (5..=MOST_DIGITS).contains(digits));
+    digits.ok_or_else(|| Failure::input(format!("the digits of a proof are a whole number from 5 to {MOST_DIGITS}")))
+}
+
+/// The widest enclosure wanted.
+pub fn proof_bound(text: &str) -> Result<f64, Failure> {
+    let bound = float(text)?;
+    if (1e-140..=1.0).contains(&bound) {
+        Ok(bound)
+    } else {
+        Err(Failure::input("the widest interval wanted is from 1e-140 to 1, such as 1e-12"))
+    }
 }
 
 pub fn orbits(text: &str) -> Result<NonZeroU32, Failure> {

@@ -14,15 +14,16 @@ use clap::Args;
 use super::times::Times;
 use crate::cli::export::DataTarget;
 use crate::cli::failure::{Failure, failed, incomplete};
+use crate::cli::input::values::{Triple, Vertical};
 use crate::cli::input::{BodyArguments, values};
 
 pub const EXAMPLES: &str = "\
 Examples:
   bifdiag orbit --body paper --gamma 0.6,0,0.8 --omega 1,0.3,1
   bifdiag orbit --body paper --h 4.45 --l 3.25 --theta 1 --psi pi/2 --data m.csv
-  bifdiag orbit --body lagrange --gamma 0,0.1,1 --l-vector 0,0,3 --times -5:5:11
-  bifdiag orbit --body kovalevskaya --gamma 1,0,0 --omega 1.5,0,0.1 --json
+  bifdiag orbit --body lagrange --gamma 0,0.1,1 --l-vector 0,0,3 --times -5:5:11 --json
   bifdiag orbit --body paper --euler pi/3,pi/2,0 --omega 1,0.3,1
+  bifdiag orbit --body paper --gamma 0.6,0,0.8 --omega 1,0.3,1 --proved
   bifdiag orbit --body paper --gamma 0,0,1 --omega 1,0,2 --animate m.svg
 
 The start, at time 0, is gamma (or Euler's angles theta from 0 to pi, psi and phi: gamma = (sin theta sin psi, sin theta cos psi, \
@@ -36,21 +37,21 @@ pub struct OrbitArguments {
     #[command(flatten)]
     pub body: BodyArguments,
     /// The vertical, in the body's axes; its length does not matter
-    #[arg(long, value_name = "g1,g2,g3", allow_hyphen_values = true, value_parser = values::direction)]
+    #[arg(long, value_name = "g1,g2,g3", allow_hyphen_values = true, value_parser = values::vertical)]
     #[arg(help_heading = "Start: a state")]
-    pub gamma: Option<[f64; 3]>,
+    pub gamma: Option<Vertical>,
     /// Euler's angles instead of --gamma, such as pi/3,pi/2,0
     #[arg(long, value_name = "THETA,PSI,PHI", allow_hyphen_values = true, value_parser = values::angles)]
     #[arg(help_heading = "Start: a state")]
     pub euler: Option<[f64; 3]>,
     /// Angular momentum, in the body's axes, such as 1,0.3,2
-    #[arg(long, value_name = "l1,l2,l3", allow_hyphen_values = true, value_parser = values::vector)]
+    #[arg(long, value_name = "l1,l2,l3", allow_hyphen_values = true, value_parser = values::triple)]
     #[arg(help_heading = "Start: a state")]
-    pub l_vector: Option<[f64; 3]>,
+    pub l_vector: Option<Triple>,
     /// Angular velocity, in the body's axes, instead of --l-vector
-    #[arg(long, value_name = "w1,w2,w3", allow_hyphen_values = true, value_parser = values::vector)]
+    #[arg(long, value_name = "w1,w2,w3", allow_hyphen_values = true, value_parser = values::triple)]
     #[arg(help_heading = "Start: a state")]
-    pub omega: Option<[f64; 3]>,
+    pub omega: Option<Triple>,
     /// Energy
     #[arg(long = "h", value_name = "h", allow_hyphen_values = true, value_parser = values::number)]
     #[arg(help_heading = "Start: a point of the section")]
@@ -83,7 +84,18 @@ pub struct OrbitArguments {
     #[arg(long, value_name = "TOL", allow_hyphen_values = true, value_parser = values::step_tolerance)]
     #[arg(default_value = "1e-15", hide_short_help = true, help_heading = "Motion")]
     pub tol: f64,
-    /// Write the samples to FILE.csv, FILE.npz, FILE.parquet or FILE.jsonl (-: CSV to stdout)
+    /// Enclose the motion in intervals that are proved to hold it
+    #[arg(long, help_heading = "Motion", conflicts_with_all = ["tol", "animate"])]
+    pub proved: bool,
+    /// Digits of the proof's arithmetic, from 5 to 250 (default: as many as --bound needs)
+    #[arg(long, value_name = "D", requires = "proved", hide_short_help = true, help_heading = "Motion")]
+    #[arg(value_parser = values::proof_digits)]
+    pub digits: Option<u32>,
+    /// The widest interval wanted; the proof ends where the motion cannot be told so well
+    #[arg(long, value_name = "WIDTH", requires = "proved", hide_short_help = true, help_heading = "Motion")]
+    #[arg(default_value = "1e-10", value_parser = values::proof_bound)]
+    pub bound: f64,
+    /// Write the samples to FILE.csv, .npz, .parquet or .jsonl (-: CSV to stdout)
     #[arg(long, value_name = "FILE", value_parser = DataTarget::parse, help_heading = "Output")]
     pub data: Option<DataTarget>,
     /// Write a moving picture of the body, the trace of its axis, and the section that fills, to FILE.svg or FILE.html
@@ -165,9 +177,9 @@ fn start(arguments: &OrbitArguments, top: &HeavyTop) -> Result<State, Failure> {
 
 fn of_state(arguments: &OrbitArguments, top: &HeavyTop, given: &'static str) -> Result<State, Failure> {
     let missing = |missing, example| move || incomplete(given, missing, example);
-    let gamma = match (arguments.gamma, arguments.euler) {
+    let gamma = match (&arguments.gamma, arguments.euler) {
         (Some(_), Some(_)) => return Err(two_starts("--gamma", "--euler")),
-        (Some(gamma), None) => gamma,
+        (Some(gamma), None) => gamma.unit,
         (None, Some([theta, psi, phi])) if (0.0..=PI).contains(&theta) => {
             Quaternion::of_angles(theta, psi, phi).vertical()
         }
@@ -177,10 +189,10 @@ fn of_state(arguments: &OrbitArguments, top: &HeavyTop, given: &'static str) -> 
         }
         (None, None) => return Err(missing("--gamma", "--gamma 0.6,0,0.8 or --euler pi/3,0,0")()),
     };
-    let l = match (arguments.l_vector, arguments.omega) {
+    let l = match (&arguments.l_vector, &arguments.omega) {
         (Some(_), Some(_)) => return Err(two_starts("--l-vector", "--omega")),
-        (Some(l), None) => l,
-        (None, Some(omega)) => top.inertia(omega),
+        (Some(l), None) => l.rounded(),
+        (None, Some(omega)) => top.inertia(omega.rounded()),
         (None, None) => return Err(incomplete(given, "--omega or --l-vector", "--omega 1,0.3,1")),
     };
     Ok(State { gamma, l })

@@ -2,6 +2,7 @@
 
 mod animate;
 mod arguments;
+mod proved;
 mod report;
 mod times;
 
@@ -21,6 +22,9 @@ pub use arguments::{EXAMPLES, OrbitArguments};
 
 pub fn run(arguments: &OrbitArguments, timings: &Timings) -> Result<(), Failure> {
     let problem = Problem::new(arguments)?;
+    if arguments.proved {
+        return proved::run(&problem, timings);
+    }
     let stop = Arc::new(AtomicBool::new(false));
     let stopping = Arc::clone(&stop);
     let work = stoppable(move || stopping.store(true, Ordering::Relaxed));

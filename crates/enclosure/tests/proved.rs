@@ -1,0 +1,157 @@
+//! Enclosures of motions against Taylor series of 84 digits in integers, and against elliptic functions.
+//!
+//! A campaign of more cases: `python3 data/oracles/motion.py --cases 10000 --seed 7 --out FILE`, then
+//! `MOTIONS=FILE cargo test --release --test proved oracle`.
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+
+use bifdiag_body::{Body, Number};
+use bifdiag_enclosure::orbit::{Ends, ProofOptions, ProvedMotion, prove};
+use bifdiag_enclosure::start::ExactStart;
+use dashu_ratio::RBig;
+use serde::Deserialize;
+
+#[derive(Deserialize)]
+struct Case {
+    kind: String,
+    #[serde(rename = "A")]
+    a: [String; 3],
+    r: [String; 3],
+    gamma0: [String; 3],
+    omega0: [String; 3],
+    #[serde(default)]
+    phi: Option<String>,
+    time: String,
+    #[serde(default)]
+    gamma: Vec<String>,
+    #[serde(default)]
+    gamma3: Option<String>,
+    #[serde(default)]
+    omega: Vec<String>,
+    #[serde(default)]
+    quaternion: Vec<String>,
+}
+
+fn exact(text: &str) -> RBig {
+    text.parse::<Number>().unwrap_or_else(|error| panic!("{text}: {error}")).value().clone()
+}
+
+fn cases(name: &str) -> Vec<Case> {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/oracles").join(name);
+    let file = std::env::var_os("MOTIONS").filter(|_| name == "motion.jsonl").map_or(here, PathBuf::from);
+    let text = std::fs::read_to_string(&file).unwrap();
+    text.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+}
+
+impl Case {
+    fn prove(&self, digits: Option<u32>, bound: f64) -> ProvedMotion {
+        let body = Body::parse(&self.a, &self.r).unwrap();
+        let start = ExactStart {
+            gamma: self.gamma0.each_ref().map(|x| exact(x)),
+            omega: self.omega0.each_ref().map(|x| exact(x)),
+            phi: self.phi.as_deref().map_or(RBig::ZERO, exact),
+        };
+        let stop = AtomicBool::new(false);
+        prove(&body, &start, &[exact(&self.time)], &ProofOptions { digits, bound, stop: &stop })
+    }
+}
+
+/// The oracle's value, cut after some digits, lies in the enclosure.
+fn holds(ends: &Ends, value: &str, digits: i32) -> bool {
+    let (value, cut) = (exact(value), RBig::try_from(libm::pow(10.0, f64::from(-digits))).unwrap());
+    let cut = cut * (RBig::ONE + value.clone().max(-value.clone()));
+    ends[0] <= ends[1] && &ends[0] - &cut <= value && value <= &ends[1] + cut
+}
+
+#[test]
+fn every_enclosure_holds_the_oracle_and_none_is_wider_than_asked() {
+    let mut refused = 0;
+    for (number, case) in cases("motion.jsonl").iter().enumerate() {
+        let speed = case.omega0.iter().map(|x| exact(x).to_f64().value().abs()).fold(1.0, f64::max);
+        let bounds = [1e-3, 1e-6, 1e-9, 1e-12, 1e-20, 1e-40];
+        let bound = bounds[number % 6] * speed;
+        let motion = case.prove(if number % 6 < 3 && number % 4 == 0 { Some(15) } else { None }, bound);
+        let Some(sample) = motion.samples.first() else {
+            // Only fixed digits may not be enough.
+            assert!(number % 6 < 3 && number % 4 == 0, "case {number}, {}: {motion:?}", case.kind);
+            refused += 1;
+            continue;
+        };
+        assert!(sample.width() <= bound);
+        let found = sample.gamma.iter().chain(&sample.omega).chain(&sample.quaternion);
+        let known = case.gamma.iter().chain(&case.omega).chain(&case.quaternion);
+        for (k, (ends, value)) in found.zip(known).enumerate() {
+            assert!(holds(ends, value, 60), "case {number}, {}, entry {k}: {ends:?} {value}", case.kind);
+        }
+        for (row, gamma) in sample.rotation[6..].iter().zip(&sample.gamma) {
+            assert_eq!(row, gamma);
+        }
+    }
+    println!("{refused} were not told in 15 digits as well as asked");
+}
+
+#[test]
+fn elliptic_functions_agree() {
+    for (number, case) in cases("elliptic_motion.jsonl").iter().enumerate() {
+        for bound in [1e-9, 1e-30] {
+            let motion = case.prove(None, bound);
+            let sample = motion.samples.first().unwrap_or_else(|| panic!("case {number}: {motion:?}"));
+            for (ends, value) in sample.omega.iter().zip(&case.omega) {
+                assert!(holds(ends, value, 48), "case {number}: {ends:?} {value}");
+            }
+            if let Some(value) = &case.gamma3 {
+                assert!(holds(&sample.gamma[2], value, 48), "case {number}: {:?} {value}", sample.gamma[2]);
+            }
+        }
+    }
+}
+
+fn paper() -> Body {
+    Body::parse(&["2", "1.1", "1"], &["0.94868", "0", "0.61623"]).unwrap()
+}
+
+/// The motion runs backwards into where it came from, and the times between lie on it.
+#[test]
+fn the_past_is_enclosed_too() {
+    let text = ["0.6", "0", "0.8"];
+    let start = ExactStart { gamma: text.map(exact), omega: ["1", "0.3", "1"].map(exact), phi: exact("0.5") };
+    let stop = AtomicBool::new(false);
+    let options = ProofOptions { digits: None, bound: 1e-12, stop: &stop };
+    let times = ["-3", "-1.5", "0", "2"].map(exact);
+    let there = prove(&paper(), &start, &times, &options);
+    assert_eq!(there.samples.len(), 4);
+    let middle = |[lo, hi]: &Ends| (lo + hi) / RBig::from(2);
+    let past = &there.samples[0];
+    let again = ExactStart {
+        gamma: past.gamma.each_ref().map(middle),
+        omega: past.omega.each_ref().map(middle),
+        phi: RBig::ZERO,
+    };
+    let back = prove(&paper(), &again, &["3", "5"].map(exact), &options);
+    for (sample, known) in back.samples.iter().zip([&there.samples[2], &there.samples[3]]) {
+        for (ends, other) in sample.gamma.iter().chain(&sample.omega).zip(known.gamma.iter().chain(&known.omega)) {
+            let gap = (middle(ends) - middle(other)).to_f64().value();
+            assert!(gap.abs() < 1e-10, "{gap}");
+        }
+    }
+    // φ, and the continuous quaternion, as the plain motion has them.
+    let [w, ..] = there.samples[2].quaternion.each_ref().map(middle);
+    assert!(w > RBig::ZERO);
+}
+
+/// Chaos outruns doubles, and more digits go further.
+#[test]
+fn the_proof_ends_where_digits_do() {
+    let start =
+        ExactStart { gamma: ["0.6", "0", "0.8"].map(exact), omega: ["0.1", "0.3", "0.1"].map(exact), phi: RBig::ZERO };
+    let stop = AtomicBool::new(false);
+    let to = |digits, bound| {
+        let options = ProofOptions { digits, bound, stop: &stop };
+        prove(&paper(), &start, &[exact("200")], &options)
+    };
+    let doubles = to(Some(15), 1e-10);
+    assert!(doubles.samples.is_empty() && doubles.proved[1] > 20.0 && doubles.proved[1] < 100.0, "{doubles:?}");
+    let rising = to(None, 1e-10);
+    assert!(rising.samples.len() == 1 && rising.bits > 53 && rising.widest() <= 1e-10);
+}
