@@ -14,7 +14,7 @@ const ORDER: [(&str, &str); 13] = [
     ),
     (
         "crates/schema/src",
-        "shown number json head integrable part certificate classification nonlinear critical atlas point_proof checksum find grid listing section motion spin spin_down steady scan border comparison classes",
+        "term shown json head integrable part command certificate classification nonlinear critical atlas point_proof find grid listing section motion spin spin_down steady scan border comparison classes",
     ),
     ("crates/body/src", "axis rigid_body frame principal presets integrable part"),
     ("crates/equilibria/src", "curves stability nonlinear critical permanent"),
@@ -32,7 +32,7 @@ const ORDER: [(&str, &str); 13] = [
     ),
     (
         "crates/documents/src",
-        "command layout body integrals subject stability spin spin_down classification critical steady grid atlas certified scan reading border comparison classes find witnesses \
+        "layout body integrals subject stability spin spin_down classification critical steady grid atlas certified scan reading border comparison classes find witnesses \
          section words",
     ),
     ("crates/verify/src", "refused numbers equilibria order topology stability document"),

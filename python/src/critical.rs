@@ -3,9 +3,8 @@
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use bifdiag::documents;
 use bifdiag::equilibria::critical::{CriticalError, Equilibria, Equilibrium, RelativeEquilibria};
-use bifdiag::schema::Multiplicity;
+use bifdiag::schema::{Multiplicity, NonlinearVerdict, Reason, Stability};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -68,12 +67,12 @@ impl Rows {
             Multiplicity::Circle => 2,
             Multiplicity::Sphere => 3,
         });
-        self.stability.push(documents::type_code(point.stability));
+        self.stability.push(place(Stability::ALL, &point.stability.term()));
         let found = &point.nonlinear;
         let [verdict, why] = if found.is_deferred() {
             [LATER; 2]
         } else {
-            [place(&documents::NONLINEAR_VERDICTS, &found.verdict), place(&documents::REASONS, &found.why)]
+            [place(NonlinearVerdict::ALL, &found.verdict), place(Reason::ALL, &found.why)]
         };
         self.verdict.push(verdict);
         self.stable_by.push(why);
@@ -108,9 +107,9 @@ impl Rows {
         out.set_item("branch", self.branch.into_pyarray(python))?;
         let words = PyDict::new(python);
         words.set_item("multiplicity", MULTIPLICITIES)?;
-        words.set_item("stability", documents::LINEAR_TYPES.map(bifdiag::schema::Stability::word))?;
-        words.set_item("verdict", documents::NONLINEAR_VERDICTS.map(bifdiag::schema::NonlinearVerdict::word))?;
-        words.set_item("stable_by", documents::REASONS.map(bifdiag::schema::Reason::word))?;
+        words.set_item("stability", Stability::ALL.iter().map(|kind| kind.word()).collect::<Vec<_>>())?;
+        words.set_item("verdict", NonlinearVerdict::ALL.iter().map(|verdict| verdict.word()).collect::<Vec<_>>())?;
+        words.set_item("stable_by", Reason::ALL.iter().map(|why| why.word()).collect::<Vec<_>>())?;
         words.set_item("branches", self.branches)?;
         out.set_item("words", words)?;
         out.set_item("error_bound", self.error_bound)?;

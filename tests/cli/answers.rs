@@ -168,7 +168,7 @@ fn a_momentum_beyond_f64_is_refused_or_an_error_in_place() {
 fn an_atlas_of_version_1_names_the_command_that_makes_it_anew() {
     let old =
         r#"{"schema_version": "1", "accuracy": "certified", "body": {"A": ["2", "1.1", "1"], "r": ["1", "0", "0"]}}"#;
-    let wanted = "bifdiag atlas --A 2,1.1,1 --r=1,0,0 --certificate";
+    let wanted = "bifdiag atlas --A 2,1.1,1 --r 1,0,0 --certificate";
     for line in ["verify -", "section --atlas - --no-plot"] {
         bifdiag(line).reading(old).refused().telling("version 1").telling(wanted).printing_nothing();
     }

@@ -4,10 +4,22 @@ use bifdiag_body::part::Part;
 use bifdiag_body::{Body, Preset, PrincipalForm};
 use bifdiag_numbers::symmetric::{PrincipalAxes, Real};
 use bifdiag_numbers::{Number, decimal};
-use bifdiag_schema::{BodiesDocument, GivenBody, PartDocument, PresetDocument, PrincipalDocument};
+use bifdiag_schema::{
+    BodiesDocument, CommandLine, GivenBody, Head, PartDocument, PresetDocument, PrincipalDocument, SCHEMA_VERSION,
+};
 use dashu_ratio::RBig;
 
-use crate::command::{CommandLine, head};
+/// Version of the program, for its documents.
+#[must_use]
+pub fn version() -> String {
+    env!("CARGO_PKG_VERSION").to_owned()
+}
+
+/// What a document begins with; `command` makes it.
+#[must_use]
+pub fn head(command: String) -> Head {
+    Head { schema_version: SCHEMA_VERSION.to_owned(), version: version(), command }
+}
 
 /// Numbers as they were written.
 #[must_use]

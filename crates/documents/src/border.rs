@@ -1,10 +1,12 @@
 //! Borders between classes as documents.
 
-use bifdiag_schema::{BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument, FoundBorderDocument};
+use bifdiag_schema::{
+    BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument, CommandLine, FoundBorderDocument,
+};
 use bifdiag_survey::ParameterRange;
 use bifdiag_survey::border::{BodySegment, Border, BorderEvent, BorderEventKind};
 
-use crate::command::{CommandLine, head};
+use crate::body::head;
 use crate::scan::{parameter, range};
 
 /// A border on a segment along which some parameters vary.

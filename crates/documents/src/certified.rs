@@ -7,7 +7,7 @@ use bifdiag_numbers::Number;
 use bifdiag_schema::{Accuracy, AtlasDocument, PointProofDocument, Status};
 
 use crate::atlas::{DocumentOptions, attach_part, command, document, name_command, verdict_changes};
-use crate::command::head;
+use crate::body::head;
 use crate::subject::Subject;
 
 /// The document with its certificate, sealed by its checksum. `drawn` is [`CertifiedAtlas::to_atlas`].

@@ -3,12 +3,14 @@
 use bifdiag_body::Body;
 use bifdiag_diagram::class::ClassName;
 use bifdiag_exact::Accuracy;
-use bifdiag_schema::{ClassBesideDocument, ClassBorderDocument, ClassDocument, ClassesDocument, StandingDocument};
+use bifdiag_schema::{
+    ClassBesideDocument, ClassBorderDocument, ClassDocument, ClassesDocument, CommandLine, StandingDocument,
+};
 use bifdiag_survey::border::class_of;
 use bifdiag_survey::nearest::NearestBorder;
 use bifdiag_survey::strata::{SpecialStratum, classes_beside};
 
-use crate::command::{CommandLine, head};
+use crate::body::head;
 
 /// `data/classes.json` of the repository without the texts, which are most of it; a test keeps the two the same.
 const SHIPPED: &str = include_str!("../data/classes.json");

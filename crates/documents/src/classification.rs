@@ -8,8 +8,7 @@ use bifdiag_exact::Solver;
 use bifdiag_numbers::Number;
 use bifdiag_schema::{Accuracy, CandidateDocument, ClassificationDocument, ComponentDocument, MarginDocument, Status};
 
-use crate::body::given;
-use crate::command::head;
+use crate::body::{given, head};
 use crate::subject::Subject;
 
 /// One component of U_hl.

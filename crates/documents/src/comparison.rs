@@ -2,15 +2,14 @@
 
 use bifdiag_diagram::class::Class;
 use bifdiag_schema::{
-    AtlasDocument, ComparedBodyDocument, ComparedEventDocument, ComparedRegionsDocument, ComparedStabilityDocument,
-    ComparisonDocument, CrossedBorderDocument, CurveKind, EventKind, PathDocument,
+    AtlasDocument, CommandLine, ComparedBodyDocument, ComparedEventDocument, ComparedRegionsDocument,
+    ComparedStabilityDocument, ComparisonDocument, CrossedBorderDocument, CurveKind, EventKind, PathDocument,
 };
 use bifdiag_survey::border::Border;
 use bifdiag_survey::path::Oriented;
 
-use crate::body::given;
+use crate::body::{given, head};
 use crate::border::event;
-use crate::command::{CommandLine, head};
 
 /// One of two bodies: its atlas as given and in standard axes, whose branches both bodies share.
 pub struct Compared<'a> {

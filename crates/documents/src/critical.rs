@@ -9,8 +9,7 @@ use bifdiag_schema::{
     SteadyAxisDocument,
 };
 
-use crate::body::given;
-use crate::command::head;
+use crate::body::{given, head};
 use crate::stability::{friction, nonlinear};
 use crate::subject::Subject;
 
@@ -64,7 +63,7 @@ pub fn equilibria(found: &Equilibria) -> Vec<RelativeEquilibriumDocument> {
 }
 
 fn equilibrium(found: &Equilibrium) -> RelativeEquilibriumDocument {
-    let (nonlinear, stability) = (nonlinear(&found.nonlinear), stability(found.stability));
+    let (nonlinear, stability) = (nonlinear(&found.nonlinear), found.stability.term());
     RelativeEquilibriumDocument {
         h: found.h,
         gamma: found.gamma,
@@ -82,50 +81,9 @@ fn equilibrium(found: &Equilibrium) -> RelativeEquilibriumDocument {
     }
 }
 
-/// The words for linear types, in the order of [`type_code`].
-pub const LINEAR_TYPES: [bifdiag_schema::Stability; 7] = [
-    bifdiag_schema::Stability::Elliptic,
-    bifdiag_schema::Stability::SaddleCentre,
-    bifdiag_schema::Stability::Saddle,
-    bifdiag_schema::Stability::Complex,
-    bifdiag_schema::Stability::DoubleElliptic,
-    bifdiag_schema::Stability::DoubleReal,
-    bifdiag_schema::Stability::Zero,
-];
-
-/// The words for what is known of the stability.
-pub const VERDICTS: [bifdiag_schema::Verdict; 6] = [
-    bifdiag_schema::Verdict::Energy,
-    bifdiag_schema::Verdict::Integral,
-    bifdiag_schema::Verdict::Arnold,
-    bifdiag_schema::Verdict::Spectrum,
-    bifdiag_schema::Verdict::Unstable,
-    bifdiag_schema::Verdict::Open,
-];
-
-/// The place of a linear type among [`LINEAR_TYPES`].
-#[must_use]
-pub fn type_code(kind: LinearType) -> i8 {
-    match kind {
-        LinearType::Elliptic => 0,
-        LinearType::SaddleCentre => 1,
-        LinearType::Saddle => 2,
-        LinearType::Complex => 3,
-        LinearType::DoubleElliptic => 4,
-        LinearType::DoubleReal => 5,
-        LinearType::Zero | LinearType::ZeroReal => 6,
-    }
-}
-
 /// What is known of the stability where the verdict is this, or where nothing more than the type is told.
 pub(crate) fn stable(found: Option<(NonlinearVerdict, Reason)>, kind: LinearType) -> bifdiag_schema::Verdict {
     let told = found.unwrap_or((NonlinearVerdict::Open, Reason::Degenerate));
     let nonlinear = NonlinearDocument::along(told.0, told.1, true);
-    bifdiag_schema::Verdict::of(&nonlinear, stability(kind))
-}
-
-/// The word for a linear type.
-#[must_use]
-pub fn stability(kind: LinearType) -> bifdiag_schema::Stability {
-    LINEAR_TYPES[type_code(kind).unsigned_abs() as usize]
+    bifdiag_schema::Verdict::of(&nonlinear, kind.term())
 }

@@ -1,11 +1,10 @@
 //! Searches and witnesses as documents.
 
-use bifdiag_schema::{FindDocument, NearestDocument, WitnessDocument};
+use bifdiag_schema::{CommandLine, FindDocument, NearestDocument, WitnessDocument};
 use bifdiag_survey::search::{METHODS, NearestBody, SearchAnswer, SearchResult, Target, Witness};
 
-use crate::body::given;
+use crate::body::{given, head};
 use crate::classification::{components, margin};
-use crate::command::{CommandLine, head};
 
 /// A body and a point that show what was sought.
 #[must_use]

@@ -3,9 +3,8 @@
 use bifdiag_numbers::Number;
 use bifdiag_schema::{Accuracy, GridAxisDocument, GridDocument};
 
-use crate::body::given;
+use crate::body::{given, head};
 use crate::classification::accuracy_option;
-use crate::command::head;
 use crate::subject::Subject;
 
 /// Equally spaced values, both ends included.

@@ -6,7 +6,6 @@ mod border;
 mod certified;
 mod classes;
 mod classification;
-mod command;
 mod comparison;
 mod critical;
 mod find;
@@ -25,14 +24,14 @@ mod witnesses;
 pub mod words;
 
 pub use atlas::{DocumentOptions, Drawn, attach_part};
-pub use body::{all_bodies, given, part, texts};
+pub use bifdiag_schema::CommandLine;
+pub use body::{all_bodies, given, head, part, texts, version};
 pub use border::border;
 pub use certified::{certified_atlas, certified_atlas_of, leave_out_drawing, proved_point, seal};
 pub use classes::{add_text, shipped_classes, standing};
 pub use classification::{accuracy_option, classification, component, components, margin};
-pub use command::{CommandLine, head, version};
 pub use comparison::{Compared, comparison};
-pub use critical::{LINEAR_TYPES, VERDICTS, critical, equilibria, stability, steady_axes, type_code};
+pub use critical::{critical, equilibria, steady_axes};
 pub use find::{find, witness};
 pub use grid::{GridAxis, grid};
 pub use integrals::{further_integrals, integrable, integrable_words};
@@ -42,7 +41,7 @@ pub use spin::{
     tolerance_beside, type_name,
 };
 pub use spin_down::spin_down;
-pub use stability::{NONLINEAR_VERDICTS, REASONS, friction, nonlinear};
+pub use stability::{friction, nonlinear};
 pub use steady::{steady_families, steady_spins};
 pub use subject::Subject;
 pub use witnesses::{ReadWitnessError, read_witness, shipped_witnesses};

@@ -2,8 +2,8 @@
 
 use bifdiag_numbers::Number;
 use bifdiag_schema::{
-    AtlasDocument, DesignDocument, PointProofDocument, SCHEMA_VERSION, ScanSummaryDocument, WindowDocument, one_line,
-    shown,
+    AtlasDocument, CommandLine, DesignDocument, PointProofDocument, SCHEMA_VERSION, ScanSummaryDocument,
+    WindowDocument, is_plain, one_line, quoted, shown,
 };
 use serde::Deserialize;
 use thiserror::Error;
@@ -104,12 +104,12 @@ pub fn atlas(text: &str, file: &str) -> Result<AtlasDocument, ReadError> {
         None => Ok(serde_json::from_str(text)?),
         Some(version) => {
             let command = if version == "1" {
-                format!("{}{}", own(atlas_command(&serde_json::from_str(text)?)), redirection(file))
+                atlas_command(&serde_json::from_str(text)?)
             } else {
                 let SecondAtlas { command } = serde_json::from_str(text)?;
-                let to_file = if file == "-" { String::new() } else { format!(" > {}", quoted(file)) };
-                own(command.replace("--no-polygons", "--no-drawing")) + &to_file
+                command.replace("--no-polygons", "--no-drawing")
             };
+            let command = own(command) + &redirection(file);
             Err(ReadError::Superseded { version: shown(&version), command: one_line(&command) })
         }
     }
@@ -135,52 +135,31 @@ fn superseded(text: &str) -> Result<Option<String>, serde_json::Error> {
     Ok((schema_version != SCHEMA_VERSION).then_some(schema_version))
 }
 
+/// The document goes to a file.
 fn redirection(file: &str) -> String {
-    if file == "-" { String::new() } else { format!(" --json > {}", quoted(file)) }
+    if file == "-" { String::new() } else { format!(" > {}", quoted(file)) }
 }
 
 /// A command that a file names, if it is one of this program and a shell takes it for nothing more.
 fn own(command: String) -> String {
-    let is_own = command.starts_with("bifdiag atlas ") && command.chars().all(|c| c == ' ' || is_plain(c));
+    let is_own = command.starts_with("bifdiag atlas ") && command.bytes().all(|c| c == b' ' || is_plain(c));
     if is_own { command } else { "bifdiag atlas".to_owned() }
 }
 
-fn is_plain(c: char) -> bool {
-    c.is_ascii_alphanumeric() || "-_./=,:+".contains(c)
-}
-
-/// A word for the shell.
-fn quoted(word: &str) -> String {
-    if !word.is_empty() && word.chars().all(is_plain) {
-        word.to_owned()
-    } else {
-        format!("'{}'", word.replace('\'', r"'\''"))
-    }
-}
-
 fn atlas_command(OldAtlas { accuracy, body, window }: &OldAtlas) -> String {
-    let given = body.inertia.as_ref().map_or_else(|| of_body(&body.moments, &body.center), of_part);
-    let mut words = vec!["bifdiag atlas".to_owned(), given];
-    if let Some(WindowDocument { h: [h_min, h_max], l: [l_min, l_max] }) = window {
-        words.push(format!("--window={h_min}:{h_max},{l_min}:{l_max}"));
-    }
-    if accuracy == "certified" {
-        words.push("--certificate".to_owned());
-    }
-    words.join(" ")
-}
-
-fn of_body(moments: &[String; 3], center: &[String; 3]) -> String {
-    format!("--A {} --r={}", moments.join(","), center.join(","))
-}
-
-fn of_part(OldPart { tensor, com, mass, g }: &OldPart) -> String {
-    let products = if tensor[3..].iter().all(|entry| is_nought(entry)) { "" } else { " --products tensor" };
-    format!("--inertia={}{products} --com={} --mass {mass} --g {g}", tensor.join(","), com.join(","))
-}
-
-fn is_nought(text: &str) -> bool {
-    text.parse::<Number>().is_ok_and(|number| number.value().is_zero())
+    let line = CommandLine::new("atlas");
+    let line = match &body.inertia {
+        None => line.option("A", body.moments.join(",")).option("r", body.center.join(",")),
+        Some(OldPart { tensor, com, mass, g }) => {
+            let is_nought = |text: &String| text.parse::<Number>().is_ok_and(|number| number.value().is_zero());
+            let products = (!tensor[3..].iter().all(is_nought)).then_some("tensor");
+            let line = line.option("inertia", tensor.join(",")).option_if("products", products);
+            line.option("com", com.join(",")).option("mass", mass).option("g", g)
+        }
+    };
+    let window = window
+        .map(|WindowDocument { h: [h_min, h_max], l: [l_min, l_max] }| format!("{h_min}:{h_max},{l_min}:{l_max}"));
+    line.option_if("window", window).flag("certificate", accuracy == "certified").json()
 }
 
 fn scan_command(OldScan { design, range }: &OldScan, rows: &str) -> String {
@@ -227,8 +206,8 @@ mod tests {
         let ReadError::Superseded { command, .. } = atlas(old, "-").unwrap_err() else { panic!() };
         assert_eq!(
             command,
-            "bifdiag atlas --inertia=3,2,1,0.1,0,0.0 --products tensor --com=0,-1,0 --mass 2 --g 9.8 \
-             --window=0:4,0.5:3"
+            "bifdiag atlas --inertia 3,2,1,0.1,0,0.0 --products tensor --com 0,-1,0 --mass 2 --g 9.8 \
+             --window 0:4,0.5:3 --json"
         );
     }
 

@@ -9,14 +9,14 @@ use bifdiag_dynamics::section::chaos::{
 };
 use bifdiag_dynamics::section::{OrbitEnd, OrbitSection, SectionCondition, SectionPoint, TorusPoint};
 use bifdiag_schema::{
-    ChaosDocument, ConditionName, DecidedDocument, DriftDocument, EndName, EvidenceDocument, IntegratorDocument,
-    IntegratorName, LyapunovDocument, OrbitDocument, RotationAngleName, RotationDocument, SectionDocument,
-    SectionSummaryDocument, SectionsDocument, SkippedDocument, StartsDocument, VerdictName, VerdictsName,
+    ChaosDocument, CommandLine, ConditionName, DecidedDocument, DriftDocument, EndName, EvidenceDocument,
+    IntegratorDocument, IntegratorName, LyapunovDocument, OrbitDocument, RotationAngleName, RotationDocument,
+    SectionDocument, SectionSummaryDocument, SectionsDocument, SkippedDocument, StartsDocument, VerdictName,
+    VerdictsName,
 };
 
-use crate::body::given;
+use crate::body::{given, head};
 use crate::classification::components;
-use crate::command::{CommandLine, head};
 use crate::integrals::further_integrals;
 use crate::subject::Subject;
 

@@ -12,13 +12,12 @@ use bifdiag_equilibria::permanent::{
 };
 use bifdiag_numbers::{Number, decimal};
 use bifdiag_schema::{
-    FrictionDocument, MeasuredDocument, NonlinearDocument, NonlinearVerdict, Reason, SampledClassDocument,
+    CommandLine, FrictionDocument, MeasuredDocument, NonlinearDocument, NonlinearVerdict, Reason, SampledClassDocument,
     SpinChangeDocument, SpinDocument, SpinRangeDocument, SpinStretchDocument, ToleranceDocument,
 };
 use bifdiag_survey::border::classes_of;
 use dashu_ratio::RBig;
 
-use crate::command::CommandLine;
 use crate::stability::{friction, nonlinear};
 
 /// A rate of turning, from rad/s.

@@ -4,11 +4,9 @@ use bifdiag_diagram::arrangement::Change;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::spin_down::{Stretch, Turn, spin_down as way};
 use bifdiag_equilibria::curves::{CurveId, CurveName};
-use bifdiag_schema::{SlowdownDocument, SlowdownEvent, SpinDownDocument};
+use bifdiag_schema::{CommandLine, SlowdownDocument, SlowdownEvent, SpinDownDocument};
 
-use crate::body::given;
-use crate::command::CommandLine;
-use crate::command::head;
+use crate::body::{given, head};
 use crate::subject::Subject;
 
 /// The way of a rotation from l, in the body's units, on a curve.

@@ -1,23 +1,7 @@
 //! Verdicts on the stability of relative equilibria, and what friction leaves of them, as documents.
 
 use bifdiag_equilibria::nonlinear::{Friction, Nonlinear};
-use bifdiag_schema::{Damped, FrictionDocument, NonlinearDocument, NonlinearVerdict, Reason, ResonancesDocument};
-
-/// The words for verdicts, in the order of their declaration.
-pub const NONLINEAR_VERDICTS: [NonlinearVerdict; 3] =
-    [NonlinearVerdict::Stable, NonlinearVerdict::Unstable, NonlinearVerdict::Open];
-
-/// The words for reasons, in the order of their declaration.
-pub const REASONS: [Reason; 8] = [
-    Reason::Energy,
-    Reason::Integral,
-    Reason::Arnold,
-    Reason::Spectrum,
-    Reason::Resonance12,
-    Reason::Resonance13,
-    Reason::Resonance11,
-    Reason::Degenerate,
-];
+use bifdiag_schema::{Damped, FrictionDocument, NonlinearDocument, ResonancesDocument};
 
 /// A verdict with all that it rests on.
 #[must_use]

@@ -7,9 +7,8 @@ use bifdiag_schema::{
     SteadyStart, SteadyStretchDocument,
 };
 
-use crate::body::given;
-use crate::command::head;
-use crate::critical::{stability, stable};
+use crate::body::{given, head};
+use crate::critical::stable;
 use crate::spin::spin;
 use crate::subject::Subject;
 
@@ -71,7 +70,7 @@ fn stretch(subject: &Subject, found: &SteadyStretch) -> SteadyStretchDocument {
     SteadyStretchDocument {
         from: found.from.as_ref().map(place),
         change: found.change,
-        stability: stability(found.kind),
+        stability: found.kind.term(),
         stable: stable(found.verdict, found.kind),
     }
 }

@@ -3,10 +3,10 @@
 use bifdiag_body::part::{Part, Units};
 use bifdiag_body::{Body, PrincipalForm, TensorError};
 use bifdiag_numbers::vector::dot;
-use bifdiag_schema::{PartAnswerDocument, PartDocument};
+use bifdiag_schema::{CommandLine, PartAnswerDocument, PartDocument};
 use dashu_ratio::RBig;
 
-use crate::command::{CommandLine, head};
+use crate::body::{given, head};
 use crate::integrals::integrable;
 
 /// A body, and the part from which it was computed.
@@ -80,16 +80,6 @@ impl Subject {
     /// `bifdiag COMMAND` with the options that describe the body.
     #[must_use]
     pub fn command(&self, command: &str) -> CommandLine {
-        let line = CommandLine::new(command);
-        let Some(part) = &self.part else { return line.body(&self.body) };
-        let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = &part.inertia;
-        let products = [xy, xz, yz].iter().any(|product| *product != "0");
-        line.option("inertia", [xx, yy, zz, xy, xz, yz].map(String::as_str).join(","))
-            .option_if("products", products.then_some("tensor"))
-            .option("com", part.com.join(","))
-            .option("mass", &part.mass)
-            .option("units", &part.units)
-            .option("g", &part.g)
-            .flag("unphysical", !part.physical)
+        CommandLine::new(command).body(&given(&self.body), self.part.as_ref())
     }
 }

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::term::term;
 use super::{
     Accuracy, CertificateDocument, ComponentDocument, FrictionDocument, GivenBody, Head, IntegrableDocument,
     MarginDocument, NonlinearDocument, NonlinearVerdict, PartDocument, Reason, Stability,
@@ -89,27 +90,15 @@ pub struct StabilitySpan {
     pub friction: FrictionDocument,
 }
 
-/// How the linear type changes along a branch. The list is open.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum StabilityChangeKind {
-    /// Two imaginary pairs of opposite Krein sign meet and leave the imaginary axis.
-    HamiltonianHopf,
-    /// Two real pairs meet and become a complex quadruple.
-    RealCollision,
-    /// A pair of eigenvalues goes through zero, at a cusp or pitchfork.
-    Zero,
-}
-
-impl StabilityChangeKind {
-    /// The word, as in JSON.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::HamiltonianHopf => "hamiltonian-hopf",
-            Self::RealCollision => "real-collision",
-            Self::Zero => "zero",
-        }
+term! {
+    /// How the linear type changes along a branch. The list is open.
+    pub enum StabilityChangeKind {
+        /// Two imaginary pairs of opposite Krein sign meet and leave the imaginary axis.
+        HamiltonianHopf = "hamiltonian-hopf",
+        /// Two real pairs meet and become a complex quadruple.
+        RealCollision = "real-collision",
+        /// A pair of eigenvalues goes through zero, at a cusp or pitchfork.
+        Zero = "zero",
     }
 }
 
@@ -136,33 +125,17 @@ pub struct StabilityChangeDocument {
     pub error_bound: f64,
 }
 
-/// Which of the hypotheses of Arnold's theorem fails.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
-pub enum Failing {
-    /// ω₁ = ω₂.
-    #[serde(rename = "1:1")]
-    Resonance11,
-    /// ω₁ = 2ω₂.
-    #[serde(rename = "1:2")]
-    Resonance12,
-    /// ω₁ = 3ω₂.
-    #[serde(rename = "1:3")]
-    Resonance13,
-    /// D₄ = 0.
-    #[serde(rename = "D4")]
-    Determinant,
-}
-
-impl Failing {
-    /// The word, as in JSON.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Resonance11 => "1:1",
-            Self::Resonance12 => "1:2",
-            Self::Resonance13 => "1:3",
-            Self::Determinant => "D4",
-        }
+term! {
+    /// Which of the hypotheses of Arnold's theorem fails.
+    pub enum Failing {
+        /// ω₁ = ω₂.
+        Resonance11 = "1:1",
+        /// ω₁ = 2ω₂.
+        Resonance12 = "1:2",
+        /// ω₁ = 3ω₂.
+        Resonance13 = "1:3",
+        /// D₄ = 0.
+        Determinant = "D4",
     }
 }
 

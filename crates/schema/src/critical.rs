@@ -3,43 +3,30 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::term::term;
 use super::{FrictionDocument, GivenBody, Head, NonlinearDocument, NonlinearVerdict, Number, PartDocument, Reason};
 
-/// Linear type of a relative equilibrium, decided exactly: the eigenvalues ±λ₁, ±λ₂ of the Euler–Poisson flow reduced by l.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Stability {
-    /// Two imaginary pairs; across a circle of equilibria one pair.
-    Elliptic,
-    /// One real and one imaginary pair.
-    SaddleCentre,
-    /// Two real pairs; across a circle of equilibria one pair.
-    Saddle,
-    /// A complex quadruple.
-    Complex,
-    /// A double imaginary pair.
-    DoubleElliptic,
-    /// A double real pair.
-    DoubleReal,
-    /// An eigenvalue zero.
-    Zero,
+term! {
+    /// Linear type of a relative equilibrium, decided exactly: the eigenvalues ±λ₁, ±λ₂ of the Euler–Poisson flow reduced by l.
+    pub enum Stability {
+        /// Two imaginary pairs; across a circle of equilibria one pair.
+        Elliptic = "elliptic",
+        /// One real and one imaginary pair.
+        SaddleCentre = "saddle-centre",
+        /// Two real pairs; across a circle of equilibria one pair.
+        Saddle = "saddle",
+        /// A complex quadruple.
+        Complex = "complex",
+        /// A double imaginary pair.
+        DoubleElliptic = "double-elliptic",
+        /// A double real pair.
+        DoubleReal = "double-real",
+        /// An eigenvalue zero.
+        Zero = "zero",
+    }
 }
 
 impl Stability {
-    /// The word, as in JSON.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Elliptic => "elliptic",
-            Self::SaddleCentre => "saddle-centre",
-            Self::Saddle => "saddle",
-            Self::Complex => "complex",
-            Self::DoubleElliptic => "double-elliptic",
-            Self::DoubleReal => "double-real",
-            Self::Zero => "zero",
-        }
-    }
-
     /// Some eigenvalue has a positive real part.
     #[must_use]
     pub fn is_unstable(self) -> bool {
@@ -65,6 +52,9 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// Every value, in the order of their codes.
+    pub const ALL: &[Self] = &[Self::Energy, Self::Integral, Self::Arnold, Self::Spectrum, Self::Unstable, Self::Open];
+
     /// By what it is stable, as tables say it.
     #[must_use]
     pub fn word(self) -> &'static str {

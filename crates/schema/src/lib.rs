@@ -6,9 +6,9 @@
 mod atlas;
 mod border;
 mod certificate;
-mod checksum;
 mod classes;
 mod classification;
+mod command;
 mod comparison;
 mod critical;
 mod find;
@@ -19,7 +19,6 @@ mod json;
 mod listing;
 mod motion;
 mod nonlinear;
-mod number;
 mod part;
 mod point_proof;
 mod scan;
@@ -28,6 +27,7 @@ mod shown;
 mod spin;
 mod spin_down;
 mod steady;
+mod term;
 
 pub use atlas::{
     AtlasDocument, BodyDocument, CellDocument, CurveDocument, CurveDrawing, CurveKind, DrawingDocument,
@@ -40,12 +40,12 @@ pub use certificate::{
     CertificateDocument, CertificateUnits, CertifiedCusp, CertifiedEvent, CertifiedHeight, CertifiedMeeting,
     CertifiedNode, CertifiedPair, CertifiedSample, CertifiedSlab, CertifiedStretch, PlaceDocument,
 };
-pub use checksum::checksum;
 pub use classes::{
     ClassBesideDocument, ClassBorderDocument, ClassDocument, ClassNeighbourDocument, ClassWitnessDocument,
     ClassesDocument, StandingDocument,
 };
 pub use classification::{CandidateDocument, ClassificationDocument, ComponentDocument, MarginDocument, Status};
+pub use command::{CommandLine, is_plain, quoted};
 pub use comparison::{
     ComparedBodyDocument, ComparedEventDocument, ComparedRegionsDocument, ComparedStabilityDocument,
     ComparisonDocument, CrossedBorderDocument, PathDocument,
@@ -56,7 +56,7 @@ pub use critical::{
 };
 pub use find::{FindDocument, NearestDocument, WitnessDocument};
 pub use grid::{GridAxisDocument, GridDocument};
-pub use head::{GivenBody, Head};
+pub use head::{GivenBody, Head, Number};
 pub use integrable::{FurtherIntegralDocument, IntegrableCaseName, IntegrableDocument};
 pub use json::{json, write_json};
 pub use listing::{BatchErrorDocument, BodiesDocument, ExplainedTermDocument, ExplanationDocument, PresetDocument};
@@ -65,9 +65,8 @@ pub use motion::{
     ProvedMotionDocument,
 };
 pub use nonlinear::{Damped, FrictionDocument, NonlinearDocument, NonlinearVerdict, Reason, ResonancesDocument};
-pub use number::Number;
 pub use part::{PartAnswerDocument, PartDocument, PrincipalDocument};
-pub use point_proof::PointProofDocument;
+pub use point_proof::{PointProofDocument, checksum};
 pub use scan::{
     BodyRecordDocument, ClassRecordDocument, DesignDocument, FamilyDocument, ParameterName, RangeDocument,
     RecordDocument, RowDocument, RowStatus, ScanIdentityDocument, ScanSummaryDocument,

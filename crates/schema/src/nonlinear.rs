@@ -5,57 +5,39 @@ use std::fmt;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Whether a relative equilibrium is stable: in the sense of Lyapunov, at fixed l, modulo rotation about the vertical.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum NonlinearVerdict {
-    /// Motions that start near it stay near it for all time.
-    Stable,
-    /// Some motions that start as near as one likes leave it.
-    Unstable,
-    /// No theorem that the program knows decides.
-    Open,
+use super::term::term;
+
+term! {
+    /// Whether a relative equilibrium is stable: in the sense of Lyapunov, at fixed l, modulo rotation about the vertical.
+    pub enum NonlinearVerdict {
+        /// Motions that start near it stay near it for all time.
+        Stable = "stable",
+        /// Some motions that start as near as one likes leave it.
+        Unstable = "unstable",
+        /// No theorem that the program knows decides.
+        Open = "open",
+    }
 }
 
-/// Why a relative equilibrium has its verdict.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Reason {
-    /// A strict minimum of U_l (Lagrange–Dirichlet).
-    Energy,
-    /// A further integral, as at the sleeping top.
-    Integral,
-    /// Arnold's theorem: no resonance ω₁ = ω₂, 2ω₂ or 3ω₂, and D₄ is not 0.
-    Arnold,
-    /// An eigenvalue with positive real part.
-    Spectrum,
-    /// ω₁ = 2ω₂.
-    #[serde(rename = "resonance 1:2")]
-    Resonance12,
-    /// ω₁ = 3ω₂.
-    #[serde(rename = "resonance 1:3")]
-    Resonance13,
-    /// ω₁ = ω₂.
-    #[serde(rename = "resonance 1:1")]
-    Resonance11,
-    /// An eigenvalue zero, or D₄ = 0.
-    Degenerate,
-}
-
-impl Reason {
-    /// The word, as in JSON.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Energy => "energy",
-            Self::Integral => "integral",
-            Self::Arnold => "arnold",
-            Self::Spectrum => "spectrum",
-            Self::Resonance12 => "resonance 1:2",
-            Self::Resonance13 => "resonance 1:3",
-            Self::Resonance11 => "resonance 1:1",
-            Self::Degenerate => "degenerate",
-        }
+term! {
+    /// Why a relative equilibrium has its verdict.
+    pub enum Reason {
+        /// A strict minimum of U_l (Lagrange–Dirichlet).
+        Energy = "energy",
+        /// A further integral, as at the sleeping top.
+        Integral = "integral",
+        /// Arnold's theorem: no resonance ω₁ = ω₂, 2ω₂ or 3ω₂, and D₄ is not 0.
+        Arnold = "arnold",
+        /// An eigenvalue with positive real part.
+        Spectrum = "spectrum",
+        /// ω₁ = 2ω₂.
+        Resonance12 = "resonance 1:2",
+        /// ω₁ = 3ω₂.
+        Resonance13 = "resonance 1:3",
+        /// ω₁ = ω₂.
+        Resonance11 = "resonance 1:1",
+        /// An eigenvalue zero, or D₄ = 0.
+        Degenerate = "degenerate",
     }
 }
 
@@ -98,18 +80,6 @@ impl NonlinearDocument {
     #[must_use]
     pub fn along(verdict: NonlinearVerdict, why: Reason, proved: bool) -> Self {
         Self { verdict, why, d4_over_s: None, d4_error: None, near: None, proved }
-    }
-}
-
-impl NonlinearVerdict {
-    /// The word, as in JSON.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Stable => "stable",
-            Self::Unstable => "unstable",
-            Self::Open => "open",
-        }
     }
 }
 

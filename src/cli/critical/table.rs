@@ -31,10 +31,10 @@ struct Meta<'a> {
     l: Option<(&'a str, &'a str, u32)>,
     #[serde(skip_serializing_if = "Option::is_none")]
     spin: Option<SpinDocument>,
-    stability: [Stability; 7],
-    stable: [Verdict; 6],
-    verdict: [NonlinearVerdict; 3],
-    why: [Reason; 8],
+    stability: &'static [Stability],
+    stable: &'static [Verdict],
+    verdict: &'static [NonlinearVerdict],
+    why: &'static [Reason],
     multiplicity: [Multiplicity; 4],
     branches: Vec<(String, String)>,
     eigenvalue_error: f64,
@@ -148,12 +148,12 @@ impl Rows {
                 Points::Circle => 2,
                 Points::Sphere => 3,
             });
-            self.stability.push(bifdiag_documents::type_code(point.stability));
             let nonlinear = bifdiag_documents::nonlinear(&point.nonlinear);
-            let stability = bifdiag_documents::stability(point.stability);
-            self.stable.push(place(&bifdiag_documents::VERDICTS, &Verdict::of(&nonlinear, stability)));
-            self.verdict.push(place(&bifdiag_documents::NONLINEAR_VERDICTS, &nonlinear.verdict));
-            self.why.push(place(&bifdiag_documents::REASONS, &nonlinear.why));
+            let stability = point.stability.term();
+            self.stability.push(place(Stability::ALL, &stability));
+            self.stable.push(place(Verdict::ALL, &Verdict::of(&nonlinear, stability)));
+            self.verdict.push(place(NonlinearVerdict::ALL, &nonlinear.verdict));
+            self.why.push(place(Reason::ALL, &nonlinear.why));
             self.survives_friction.push(i8::from(point.friction.survives == Some(true)));
             self.eigenvalues.extend(point.eigenvalues.pairs.as_flattened());
             self.eigenvalue_error = self.eigenvalue_error.max(point.eigenvalues.error);
@@ -182,10 +182,10 @@ impl Rows {
             center: body.center().each_ref().map(Number::text),
             l,
             spin,
-            stability: bifdiag_documents::LINEAR_TYPES,
-            stable: bifdiag_documents::VERDICTS,
-            verdict: bifdiag_documents::NONLINEAR_VERDICTS,
-            why: bifdiag_documents::REASONS,
+            stability: Stability::ALL,
+            stable: Verdict::ALL,
+            verdict: NonlinearVerdict::ALL,
+            why: Reason::ALL,
             multiplicity: [
                 Multiplicity::Points(1),
                 Multiplicity::Points(2),

@@ -119,32 +119,24 @@ pub fn units(text: &str) -> Result<Units, Failure> {
 }
 
 pub fn mass(text: &str) -> Result<Quantity, Failure> {
-    let mass = quantity(text)?;
-    if mass.number().value > mass.number().within {
-        Ok(mass)
-    } else {
-        Err(Failure::input("a mass must be greater than zero; give it in the unit of --units, such as kg"))
-    }
+    let right = "a mass must be greater than zero; give it in the unit of --units, such as kg";
+    bounded(text, |value, within| value > within, right)
 }
 
 pub fn density(text: &str) -> Result<Quantity, Failure> {
-    let density = quantity(text)?;
-    if density.number().value > density.number().within {
-        Ok(density)
-    } else {
-        Err(Failure::input("a density must be greater than zero, such as 2.7g/cm3"))
-    }
+    bounded(text, |value, within| value > within, "a density must be greater than zero, such as 2.7g/cm3")
 }
 
 pub fn gravity(text: &str) -> Result<Quantity, Failure> {
-    let gravity = quantity(text)?;
-    if gravity.number().value >= gravity.number().within {
-        Ok(gravity)
-    } else {
-        Err(Failure::input(
-            "the acceleration of gravity must not be negative; give its magnitude in m/s², such as 9.80665",
-        ))
-    }
+    let right = "the acceleration of gravity must not be negative; give its magnitude in m/s², such as 9.80665";
+    bounded(text, |value, within| value >= within, right)
+}
+
+/// A quantity whose value and tolerance are in this relation.
+fn bounded(text: &str, holds: impl Fn(&RBig, &RBig) -> bool, right: &str) -> Result<Quantity, Failure> {
+    let quantity = quantity(text)?;
+    let Measured { value, within } = quantity.number();
+    if holds(value, within) { Ok(quantity) } else { Err(Failure::input(right)) }
 }
 
 /// How a window is written.

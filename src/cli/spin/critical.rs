@@ -234,9 +234,7 @@ fn steady_spin(subject: &Subject, given: &AxisArgument, axis: &NearestAxis) -> O
         l,
         h: 0.5 * omega * l + dot(up, r),
         stability: point.map(|point| point.stability.word().to_owned()),
-        stable: point
-            .zip(nonlinear)
-            .map(|(point, nonlinear)| Verdict::of(&nonlinear, bifdiag_documents::stability(point.stability))),
+        stable: point.zip(nonlinear).map(|(point, nonlinear)| Verdict::of(&nonlinear, point.stability.term())),
         nonlinear,
         friction: point.map(|point| bifdiag_documents::friction(&point.friction, &point.eigenvalues.pairs)),
     })

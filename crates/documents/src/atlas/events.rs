@@ -1,9 +1,9 @@
-//! Events of an atlas document.
+//! Events of an atlas document, and what the arrangement leaves undecided.
 
-use bifdiag_diagram::arrangement::Change;
+use bifdiag_diagram::arrangement::{Change, Undecided};
 use bifdiag_diagram::atlas::{Atlas, Window};
-use bifdiag_equilibria::curves::CurveName;
-use bifdiag_schema::{EventDocument, EventKind};
+use bifdiag_equilibria::curves::{BranchName, CurveId, CurveName};
+use bifdiag_schema::{EventDocument, EventKind, UndecidedDocument};
 
 pub(super) fn documents(atlas: &Atlas, window: Option<&Window>) -> Vec<EventDocument> {
     let set = &atlas.arrangement().set;
@@ -27,4 +27,25 @@ pub(super) fn documents(atlas: &Atlas, window: Option<&Window>) -> Vec<EventDocu
         }
     });
     events.filter(|event| window.is_none_or(|window| window.contains(event.h, event.l))).collect()
+}
+
+/// What the arrangement left undecided, in words.
+pub(super) fn undecided(atlas: &Atlas) -> Vec<UndecidedDocument> {
+    let arrangement = atlas.arrangement();
+    let set = &arrangement.set;
+    let document = |undecided: &Undecided| {
+        let [x, h] = arrangement.place_of(undecided);
+        let what = match *undecided {
+            Undecided::Contact { .. } => "whether two curves cross, closer than f64 resolves".to_owned(),
+            Undecided::Cusps { cluster } => {
+                format!("whether branch {} has two more cusps", BranchName::Generic(set.clusters[cluster].interval))
+            }
+            Undecided::Simultaneous { .. } => "the order of two events closer than f64 resolves".to_owned(),
+            Undecided::Order { .. } => "the order of the curves".to_owned(),
+        };
+        let name = |curve: CurveId| CurveName::of(set, curve).to_string();
+        let curves = arrangement.curves_of(undecided).into_iter().map(name).collect();
+        UndecidedDocument { what, l: atlas.momentum(x), h: atlas.energy(h), curves }
+    };
+    arrangement.undecided.iter().map(document).collect()
 }

@@ -6,16 +6,14 @@ mod events;
 mod options;
 mod regions;
 mod stability;
-mod undecided;
 
 use std::collections::BTreeMap;
 
 use bifdiag_diagram::atlas::{Atlas, Window};
 use bifdiag_schema::{AtlasDocument, BodyDocument, EventDocument, RegionDocument, SummaryDocument, WindowDocument};
 
-use crate::body::given;
+use crate::body::{given, head};
 use crate::classification::accuracy_option;
-use crate::command::head;
 use crate::integrals::integrable;
 use crate::subject::Subject;
 
@@ -28,7 +26,7 @@ pub use stability::verdict_changes;
 #[must_use]
 pub fn document(atlas: &Atlas, options: &DocumentOptions) -> AtlasDocument {
     let window = options.window.map(|WindowDocument { h, l }| Window { h, l });
-    let mut undecided = undecided::documents(atlas);
+    let mut undecided = events::undecided(atlas);
     let stability = Stability::new(atlas);
     let curves = curves::documents(atlas, options, &stability, &mut undecided);
     let (regions, clipped) = regions::documents(atlas, window.as_ref(), &mut undecided);

@@ -11,7 +11,6 @@ use bifdiag_schema::{
     UndecidedDocument, VerdictChangeDocument,
 };
 
-use crate::critical::stability;
 use crate::stability::damped;
 
 /// What is known of the stability of a body's curves.
@@ -57,7 +56,7 @@ impl<'a> Stability<'a> {
             StabilitySpan {
                 l_from: span.l_from,
                 l_to: span.l_to,
-                stability: stability(span.stability),
+                stability: span.stability.term(),
                 // What rests on the normal form `verify` does not check.
                 nonlinear: NonlinearDocument::along(verdict, why, known.is_some()),
                 friction: FrictionDocument {
@@ -100,8 +99,8 @@ impl<'a> Stability<'a> {
             curve: CurveName::of(set, found.curve).to_string(),
             onto: found.onto.map(|id| CurveName::of(set, id).to_string()),
             kind: found.kind,
-            from: stability(found.from),
-            to: stability(found.to),
+            from: found.from.term(),
+            to: found.to.term(),
             error_bound: found.error_bound,
         })
         .collect()

@@ -1,13 +1,12 @@
 //! Which bodies a scan looks at.
 
 use bifdiag_numbers::Number;
-use bifdiag_schema::{DesignDocument, FamilyDocument, ParameterName, RangeDocument};
+use bifdiag_schema::{CommandLine, DesignDocument, FamilyDocument, ParameterName, RangeDocument};
 use bifdiag_survey::scan::Shard;
 use bifdiag_survey::{BodyFamily, BodyList, BodyParameter, Design, ParameterRange};
 
 use super::error::ReadScanError;
 use crate::body::texts;
-use crate::command::CommandLine;
 
 /// The parameters with their names.
 const PARAMETERS: [(BodyParameter, ParameterName); 6] = [

@@ -1,7 +1,7 @@
 //! Summaries of scans.
 
+use crate::body::head;
 use crate::classification::accuracy_option;
-use crate::command::head;
 use crate::scan::command;
 use bifdiag_diagram::class::ClassName;
 use bifdiag_schema::{

@@ -13,10 +13,11 @@ const MONOMIALS: usize = 70;
 /// The powers of the variables in a monomial.
 pub(super) type Exponents = [u8; VARIABLES];
 
-/// The monomials by rising degree, and which two multiply to which third.
+/// The monomials by rising degree.
 struct Monomials {
     exponents: Vec<Exponents>,
-    products: Vec<[usize; 3]>,
+    /// For each the places of those that it multiplies to one of degree at most four, and of the product.
+    products: Vec<Vec<[usize; 2]>>,
     /// The place of each, by its powers as digits.
     places: Vec<usize>,
 }
@@ -40,12 +41,11 @@ impl Monomials {
                 .collect();
             exponents.sort_by_key(degree);
             let place = |wanted: Exponents| exponents.iter().position(|powers| *powers == wanted);
-            let mut products = Vec::new();
-            for (i, first) in exponents.iter().enumerate() {
-                for (j, second) in exponents.iter().enumerate() {
-                    products.extend(place(std::array::from_fn(|k| first[k] + second[k])).map(|k| [i, j, k]));
-                }
-            }
+            let times = |first: &Exponents| {
+                let product = |second: &Exponents| place(std::array::from_fn(|k| first[k] + second[k]));
+                exponents.iter().enumerate().filter_map(|(j, second)| Some([j, product(second)?])).collect()
+            };
+            let products = exponents.iter().map(times).collect();
             let mut places = vec![usize::MAX; 5_usize.pow(4)];
             for (place, powers) in exponents.iter().enumerate() {
                 places[code(powers)] = place;
@@ -152,9 +152,12 @@ impl<T: Clone + Add<Output = T> + Mul<Output = T>> Series<T> {
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
         let mut product = Self::zero();
-        for &[i, j, k] in &Monomials::get().products {
-            if let (Some(left), Some(right)) = (&self.coefficients[i], &other.coefficients[j]) {
-                product.add_at(k, left.clone() * right.clone());
+        for (left, partners) in self.coefficients.iter().zip(&Monomials::get().products) {
+            let Some(left) = left else { continue };
+            for &[j, k] in partners {
+                if let Some(right) = &other.coefficients[j] {
+                    product.add_at(k, left.clone() * right.clone());
+                }
             }
         }
         product

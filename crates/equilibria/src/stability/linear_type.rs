@@ -3,6 +3,7 @@
 use std::fmt;
 
 use bifdiag_numbers::Sign;
+use bifdiag_schema::Stability;
 
 /// The eigenvalues ±λ₁, ±λ₂ of the flow reduced by l at a relative equilibrium.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -26,36 +27,30 @@ pub enum LinearType {
 }
 
 impl LinearType {
-    /// All types, in the order of their declaration.
-    pub const ALL: [Self; 8] = [
-        Self::Elliptic,
-        Self::SaddleCentre,
-        Self::Saddle,
-        Self::Complex,
-        Self::DoubleElliptic,
-        Self::DoubleReal,
-        Self::Zero,
-        Self::ZeroReal,
-    ];
-
     /// Some eigenvalue has a positive real part.
     #[must_use]
     pub fn is_unstable(self) -> bool {
         matches!(self, Self::SaddleCentre | Self::Saddle | Self::Complex | Self::DoubleReal | Self::ZeroReal)
     }
 
+    /// The term in tables and documents, where a real pair beside a zero one has no word of its own.
+    #[must_use]
+    pub fn term(self) -> Stability {
+        match self {
+            Self::Elliptic => Stability::Elliptic,
+            Self::SaddleCentre => Stability::SaddleCentre,
+            Self::Saddle => Stability::Saddle,
+            Self::Complex => Stability::Complex,
+            Self::DoubleElliptic => Stability::DoubleElliptic,
+            Self::DoubleReal => Stability::DoubleReal,
+            Self::Zero | Self::ZeroReal => Stability::Zero,
+        }
+    }
+
     /// The word in tables and documents.
     #[must_use]
     pub fn word(self) -> &'static str {
-        match self {
-            Self::Elliptic => "elliptic",
-            Self::SaddleCentre => "saddle-centre",
-            Self::Saddle => "saddle",
-            Self::Complex => "complex",
-            Self::DoubleElliptic => "double-elliptic",
-            Self::DoubleReal => "double-real",
-            Self::Zero | Self::ZeroReal => "zero",
-        }
+        self.term().word()
     }
 }
 

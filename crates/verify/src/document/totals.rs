@@ -1,6 +1,6 @@
 //! What a document says of itself and of its body: flags, totals, the whole half-plane.
 
-use bifdiag_schema::{AtlasDocument, Flags, PointProofDocument};
+use bifdiag_schema::{AtlasDocument, CommandLine, Flags, PointProofDocument};
 use dashu_ratio::RBig;
 use std::collections::BTreeMap;
 
@@ -98,65 +98,14 @@ pub(crate) fn totals(document: &AtlasDocument, orders: &Orders, slabs: &[Slab]) 
 /// The command line that makes a document with its certificate, from its body, or the part of which that is, and from what it
 /// holds.
 fn command(document: &AtlasDocument) -> String {
-    let mut line = Line("bifdiag atlas".to_owned());
-    line.body(document);
-    line.flag("certificate", true);
-    line.flag("no-drawing", document.drawing.is_none());
-    line.flag("json", true);
-    line.0
+    let line = CommandLine::new("atlas").body(&document.body.given, document.body.part.as_ref());
+    line.flag("certificate", true).flag("no-drawing", document.drawing.is_none()).json()
 }
 
 /// The command line that makes the proof of a point.
 pub(crate) fn point_command(point: &PointProofDocument) -> String {
-    let mut line = Line("bifdiag classify".to_owned());
-    line.body(&point.atlas);
-    line.option("h", &point.h);
-    line.option("l", &point.l);
-    line.flag("certificate", true);
-    line.flag("json", true);
-    line.0
-}
-
-struct Line(String);
-
-impl Line {
-    /// The body, or the part of which that is.
-    fn body(&mut self, document: &AtlasDocument) {
-        let given = &document.body.given;
-        if let Some(part) = &document.body.part {
-            let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = &part.inertia;
-            self.option("inertia", &[xx, yy, zz, xy, xz, yz].map(String::as_str).join(","));
-            if [xy, xz, yz].iter().any(|product| *product != "0") {
-                self.option("products", "tensor");
-            }
-            self.option("com", &part.com.join(","));
-            self.option("mass", &part.mass);
-            self.option("units", &part.units);
-            self.option("g", &part.g);
-            self.flag("unphysical", !part.physical);
-        } else {
-            self.option("A", &given.moments.join(","));
-            self.option("r", &given.center.join(","));
-        }
-    }
-
-    /// `--name value`, as a POSIX shell reads it: a hyphen at the front is joined by `=`, what is not plain is quoted.
-    fn option(&mut self, name: &str, value: &str) {
-        let joint = if value.starts_with('-') { "=" } else { " " };
-        let is_plain = |c: char| c.is_ascii_alphanumeric() || "+-./:=,_".contains(c);
-        let value = if !value.is_empty() && value.chars().all(is_plain) {
-            value.to_owned()
-        } else {
-            format!("'{}'", value.replace('\'', r"'\''"))
-        };
-        self.0.extend([" --", name, joint, &value]);
-    }
-
-    fn flag(&mut self, name: &str, is_set: bool) {
-        if is_set {
-            self.0.extend([" --", name]);
-        }
-    }
+    let line = CommandLine::new("classify").body(&point.atlas.body.given, point.atlas.body.part.as_ref());
+    line.option("h", &point.h).option("l", &point.l).flag("certificate", true).json()
 }
 
 #[cfg(test)]

@@ -3,25 +3,11 @@
 
 use std::fmt::Display;
 
-use bifdiag_body::Body;
-use bifdiag_numbers::Number;
-use bifdiag_schema::{Head, SCHEMA_VERSION};
+use super::{GivenBody, PartDocument};
 
 /// A command line that makes the document in which it stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CommandLine(String);
-
-/// Version of the program, for its documents.
-#[must_use]
-pub fn version() -> String {
-    env!("CARGO_PKG_VERSION").to_owned()
-}
-
-/// What a document begins with; `command` makes it.
-#[must_use]
-pub fn head(command: String) -> Head {
-    Head { schema_version: SCHEMA_VERSION.to_owned(), version: version(), command }
-}
 
 impl CommandLine {
     /// `bifdiag COMMAND`, without options yet.
@@ -66,11 +52,21 @@ impl CommandLine {
         self
     }
 
-    /// Adds principal moments and centre of mass, as they were given.
+    /// Adds the options that describe a body, as it was given, or the part of which that is.
     #[must_use]
-    pub fn body(self, body: &Body) -> Self {
-        let list = |numbers: &[Number; 3]| numbers.each_ref().map(Number::text).join(",");
-        self.option("A", list(body.moments())).option("r", list(body.center()))
+    pub fn body(self, given: &GivenBody, part: Option<&PartDocument>) -> Self {
+        let Some(part) = part else {
+            return self.option("A", given.moments.join(",")).option("r", given.center.join(","));
+        };
+        let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = &part.inertia;
+        let products = [xy, xz, yz].iter().any(|product| *product != "0");
+        self.option("inertia", [xx, yy, zz, xy, xz, yz].map(String::as_str).join(","))
+            .option_if("products", products.then_some("tensor"))
+            .option("com", part.com.join(","))
+            .option("mass", &part.mass)
+            .option("units", &part.units)
+            .option("g", &part.g)
+            .flag("unphysical", !part.physical)
     }
 
     /// The text.
@@ -86,11 +82,16 @@ impl CommandLine {
     }
 }
 
+/// A shell reads it as it stands.
+#[must_use]
+pub fn is_plain(c: u8) -> bool {
+    c.is_ascii_alphanumeric() || b"+-./:=,_".contains(&c)
+}
+
 /// A value as a shell reads it.
-fn quoted(value: &str) -> String {
-    // These it reads as they stand.
-    let plain = |c: u8| c.is_ascii_alphanumeric() || b"+-./:=,_".contains(&c);
-    if !value.is_empty() && value.bytes().all(plain) {
+#[must_use]
+pub fn quoted(value: &str) -> String {
+    if !value.is_empty() && value.bytes().all(is_plain) {
         value.to_owned()
     } else {
         format!("'{}'", value.replace('\'', r"'\''"))
