@@ -12,7 +12,7 @@ const RANGE: [[f64; 2]; 2] = [[1.2, 6.4], [-1.15, 0.75]];
 const SHEAR: f64 = 0.8;
 const FRAME: [f64; 4] = [56.0, 20.0, 366.0, 250.0];
 const TEXT: f64 = 13.0;
-const COLORS: [u32; 3] = [0x12_50_a8, 0x2e_7d_32, 0xb7_1c_1c];
+const COLORS: [u32; 3] = [0x12_50_a8, 0x002e_7d32, 0xb7_1c_1c];
 
 /// The place of the point of a curve over x, in the units of the frame.
 fn place(set: &CriticalSet, curve: &Curve, x: f64) -> Point {

@@ -76,7 +76,9 @@ pub(super) fn draw(theme: Theme) -> Result<Picture, PlotError> {
                 [1, 2] => {
                     let at = |k: u32| [center[0] + EDGE * (f64::from(k) - 1.5), center[1]];
                     canvas.path(&[at(0), at(3)], LINE);
-                    (0..4).for_each(|k| vertex(canvas, at(k), k % 2 == 0));
+                    for k in 0..4 {
+                        vertex(canvas, at(k), k % 2 == 0);
+                    }
                 }
                 [k] => star(canvas, center, k, true),
                 _ => star(canvas, center, u32::try_from(list.len()).unwrap_or(u32::MAX), false),

@@ -127,14 +127,12 @@ impl RelativeEquilibria<'_> {
         let index = if is_flat { 0 } else { curve.and_then(|curve| curve.index).or(exact.index)? };
         let minimum = match exact.touch {
             _ if exact.state.tau[2].sign() == Some(Sign::Positive) => Some(true),
-            // Two points vanish into one another: the degree of the gradient is 0, and 1 at a minimum.
-            Some(Touch::Cusp) => Some(false),
+            // Two points vanish into one another: the degree of the gradient is 0, and 1 at a minimum. Where a pair leaves at a
+            // cusp, the curve has both branches of it or none on the side without the pair: the degree is even.
+            Some(Touch::Cusp | Touch::Both { is_cusp: true }) => Some(false),
             // The degree is that on the side without the pair, and of the pair.
-            // On the side without the pair the curve has both a cusp's branches or none: the degree is even.
-            Some(Touch::Both { is_cusp: true }) => Some(false),
-            Some(Touch::Both { is_cusp: false }) => None,
             Some(Touch::Pitchfork(axis)) => carrier.and_then(|id| self.pair_at(axis, id)).map(|index| index == 0),
-            None => None,
+            None | Some(Touch::Both { is_cusp: false }) => None,
         };
         let integral = curve.is_some_and(|curve| self.set.has_integral(curve));
         Some(Site {

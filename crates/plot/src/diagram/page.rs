@@ -53,9 +53,10 @@ impl<'a> Page<'a> {
         let scene = Scene::new(atlas, source, options.points.as_ref(), plan)?;
         let styles = branch_styles(atlas);
         let strokes = strokes(atlas, &styles);
-        let (panels, mut magnified) = match plan.straight {
-            true => (vec![straightened(&scene)?], Magnifications::default()),
-            false => panels(&scene, options.window)?,
+        let (panels, mut magnified) = if plan.straight {
+            (vec![straightened(&scene)?], Magnifications::default())
+        } else {
+            panels(&scene, options.window)?
         };
         let frames = frames(&panels);
         let mut texts = placement::place(&scene, &panels, &frames);
@@ -133,7 +134,7 @@ impl<'a> Page<'a> {
 }
 
 /// The panel of the straightened plane.
-fn straightened<'a>(scene: &Scene<'a>) -> Result<Panel, PlotError> {
+fn straightened(scene: &Scene<'_>) -> Result<Panel, PlotError> {
     let [_, everything] = windows(scene, None)?;
     let [width, height] = scene.plan.main;
     let rect = Rect { x: LEFT, y: TOP, width, height };

@@ -29,7 +29,9 @@ impl Straight {
     pub(super) fn new(atlas: &AtlasDocument, rect: Rect, right: f64, slabs: Vec<Slab>) -> Self {
         let mut set_of = vec![0; atlas.curves.len()];
         for (number, set) in coincidences(atlas).iter().enumerate() {
-            set.iter().for_each(|&curve| set_of[curve] = number);
+            for &curve in set {
+                set_of[curve] = number;
+            }
         }
         Self { rect, right, slabs, placed: Vec::new(), set_of }
     }
