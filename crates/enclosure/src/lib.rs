@@ -3,7 +3,7 @@
 //! The equations are quadratic ([`field`]). A step takes the Taylor polynomial p of the motion from the middle of the
 //! present set, in any arithmetic ([`scalar`]), as a guess; what the guess leaves in the equations, its **defect**
 //! d = ṗ − f(p), is bounded with every rounding in it, and the theorem in [`step`] turns that into a bound of the motion
-//! of the whole set. The set is a parallelepiped in an orthogonal frame that turns with the flow (Lohner's method), in
+//! of the whole set. The set is a parallelepiped in a frame that follows the flow (Lohner's method), in
 //! doubles, whatever the precision of its middle: [`set`]. [`orbit`] puts steps together.
 //!
 //! Bounds are sums and products of numbers that are not negative, computed in doubles and then enlarged by more than all

@@ -1,4 +1,4 @@
-//! Sets that hold a state: a middle, and a parallelepiped about it in an orthogonal frame (Lohner's representation).
+//! Sets that hold a state: a middle, and a parallelepiped about it in a frame that follows the flow (Lohner's representation).
 
 use crate::bound::{frobenius, norm, up};
 use crate::scalar::Scalar;
@@ -9,7 +9,10 @@ pub type Matrix<const N: usize> = [[f64; N]; N];
 /// Roundings of a sum of N products, N ≤ 9, of rounded entries.
 const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
 
-/// All x = middle + F e with |e_j| ≤ radius_j, F the frame, whose columns are orthonormal within rounding.
+/// A frame whose inverse is larger than this is made orthogonal.
+const STRETCH: f64 = 50.0;
+
+/// All x = middle + F e with |e_j| ≤ radius_j, F the frame, whose columns have length 1 within rounding.
 #[derive(Clone, Debug)]
 pub struct FramedSet<S, const N: usize> {
     /// The middle, a point.
@@ -39,24 +42,28 @@ impl<S: Scalar, const N: usize> FramedSet<S, N> {
         image_radii(&self.frame, &self.radii)
     }
 
-    /// The set that holds M(x − old middle) + v + `middle` for all x of this set and ‖v‖ ≤ `ball`: the frame follows M by
-    /// QR, its widest columns first. `None` when the frame degenerates.
+    /// The set that holds M(x − old middle) + v + `middle` for all x of this set and ‖v‖ ≤ `ball`. The frame follows M as it is,
+    /// so that nothing is wrapped, until its columns become too parallel; then it is made orthogonal by QR, the widest columns
+    /// first (Lohner). `None` when the frame degenerates.
     #[must_use]
     pub fn mapped(&self, map: &Matrix<N>, ball: f64, middle: [S; N]) -> Option<Self> {
         let image = product(map, &self.frame);
-        let frame = orthonormal(&image, &self.radii)?;
-        let inverse_defect = orthogonality_defect(&frame);
-        if inverse_defect > 1e-6 {
+        let (frame, inverse) = followed(&image).or_else(|| {
+            let frame = orthonormal(&image, &self.radii)?;
+            Some((frame, transposed(&frame)))
+        })?;
+        // F⁻¹ = (1 − D)⁻¹ G with D = 1 − GF, so that |F⁻¹w − Gw| ≤ ‖D‖/(1 − ‖D‖) ‖G‖ ‖w‖.
+        let defect = inverse_defect(&inverse, &frame);
+        if defect > 1e-6 {
             return None;
         }
-        // F⁻¹ = (1 − D)⁻¹ Fᵀ with D = 1 − FᵀF, so that |F⁻¹w − Fᵀw| ≤ ‖D‖/(1 − ‖D‖) ‖Fᵀ‖ ‖w‖.
-        let inward = product(&transposed(&frame), &image);
-        let rounding = up(ROUNDINGS * frobenius(map) * frobenius(&self.frame) * frobenius(&frame));
-        let widest = norm(&self.radii);
-        let length = up(frobenius(&image) * widest + ball + rounding * widest);
-        let beside = up(inverse_defect / (1.0 - inverse_defect) * frobenius(&frame) * length
-            + up(1.0 + 2.0 * inverse_defect) * ball
-            + rounding * widest);
+        let inward = product(&inverse, &image);
+        let (widest, size) = (norm(&self.radii), frobenius(&inverse));
+        // Of the image, and of what G makes of it.
+        let rounding = up(2.0 * ROUNDINGS * frobenius(map) * frobenius(&self.frame) * size * widest);
+        let beside = up(defect / (1.0 - defect) * (size * frobenius(&image) * widest + rounding)
+            + size / (1.0 - defect) * ball
+            + rounding);
         let radii =
             std::array::from_fn(|i| up((0..N).map(|j| inward[i][j].abs() * self.radii[j]).sum::<f64>() + beside));
         Some(Self { middle, frame, radii })
@@ -97,12 +104,44 @@ fn transposed<const N: usize>(matrix: &Matrix<N>) -> Matrix<N> {
     std::array::from_fn(|i| std::array::from_fn(|j| matrix[j][i]))
 }
 
-/// An upper bound of ‖1 − FᵀF‖.
-fn orthogonality_defect<const N: usize>(frame: &Matrix<N>) -> f64 {
-    let square = product(&transposed(frame), frame);
+/// An upper bound of ‖1 − GF‖.
+fn inverse_defect<const N: usize>(inverse: &Matrix<N>, frame: &Matrix<N>) -> f64 {
+    let product = product(inverse, frame);
     let defect: Matrix<N> =
-        std::array::from_fn(|i| std::array::from_fn(|j| square[i][j] - f64::from(u8::from(i == j))));
-    up(frobenius(&defect) + ROUNDINGS * N as f64 * frobenius(frame) * frobenius(frame))
+        std::array::from_fn(|i| std::array::from_fn(|j| product[i][j] - f64::from(u8::from(i == j))));
+    up(frobenius(&defect) + ROUNDINGS * N as f64 * frobenius(inverse) * frobenius(frame))
+}
+
+/// The columns of M brought to length 1, and the inverse of that; `None` where it is larger than [`STRETCH`].
+fn followed<const N: usize>(matrix: &Matrix<N>) -> Option<(Matrix<N>, Matrix<N>)> {
+    let columns = transposed(matrix).map(|column| {
+        let length = column.iter().map(|x| x * x).sum::<f64>().sqrt();
+        column.map(|x| x / length)
+    });
+    let frame = transposed(&columns);
+    let inverse = inverse(&frame)?;
+    (frobenius(&inverse) <= STRETCH).then_some((frame, inverse))
+}
+
+/// The inverse, rounded, by Gauss and Jordan with pivots.
+fn inverse<const N: usize>(matrix: &Matrix<N>) -> Option<Matrix<N>> {
+    let (mut left, mut right) = (*matrix, identity());
+    for k in 0..N {
+        let pivot = (k..N).max_by(|i, j| left[*i][k].abs().total_cmp(&left[*j][k].abs()))?;
+        left.swap(k, pivot);
+        right.swap(k, pivot);
+        let factor = 1.0 / left[k][k];
+        left[k] = left[k].map(|x| factor * x);
+        right[k] = right[k].map(|x| factor * x);
+        for i in (0..N).filter(|i| *i != k) {
+            let factor = left[i][k];
+            for m in 0..N {
+                left[i][m] -= factor * left[k][m];
+                right[i][m] -= factor * right[k][m];
+            }
+        }
+    }
+    right.as_flattened().iter().all(|x| x.is_finite()).then_some(right)
 }
 
 /// The columns of M, those first that are longest when weighted by the radii, made orthonormal by Gram and Schmidt, twice.
