@@ -44,7 +44,8 @@ const DOTS: [[f64; 2]; 9] = [
 fn diagram(preset: &Preset) -> Result<Picture, Box<dyn Error>> {
     let atlas = bifdiag_exact::atlas(&preset.body(), Accuracy::Exact)?;
     let document = bifdiag_documents::atlas::document(&atlas, &DocumentOptions::default());
-    let dots = MarkedPoints { points: DOTS.to_vec(), text: "the paper's example of a region".to_owned() };
+    let dots =
+        MarkedPoints { points: DOTS.to_vec(), text: "the paper's example of a region".to_owned(), way: Vec::new() };
     let points = (preset.name() == "paper").then_some(dots);
     let options = DiagramOptions { points, theme: THEME, ..DiagramOptions::default() };
     Ok(draw(&document, Some(&Curves(&atlas)), &options)?)

@@ -113,8 +113,8 @@ fn slots(page: &str) -> usize {
     page.lines().filter(option).count()
 }
 
-/// Options of `spin-down`, which issue 39 added: its own three and those of every body.
-const SPIN_DOWN: usize = 18;
+/// Options of `spin-down`, which issue 39 added: its own three, three of its picture and those of every body.
+const SPIN_DOWN: usize = 21;
 /// And those of `explain`, `compare`, `classify --certificate` and `orbit --euler` (issue 37): one each.
 const MATHEMATICS: usize = 4;
 /// `scan --bodies` and `--keep` (issue 40), for arrays of bodies from Python.

@@ -86,13 +86,13 @@ fn a_verdict_is_the_same_from_every_door() {
     }
 }
 
-/// With a certificate an atlas lists where the hypotheses of Arnold's theorem fail; `verify` confirms the rest.
+/// Every atlas of the whole plane lists where the hypotheses of Arnold's theorem fail, and `verify` confirms it.
 #[test]
 fn resonances_are_listed_where_arnolds_theorem_fails() {
     let text = bifdiag("--body paper --certificate --no-drawing --json").succeeds().stdout();
     let atlas: Value = serde_json::from_str(&text).unwrap();
     let changes = list(&atlas["verdict_changes"]);
-    assert!(!changes.is_empty() && changes.iter().all(|change| change["proved"] == json!(false)), "{changes:?}");
+    assert!(!changes.is_empty() && changes.iter().all(|change| change["proved"] == json!(true)), "{changes:?}");
     assert!(changes.is_sorted_by(|p, q| number(&p["l"]) <= number(&q["l"])), "{changes:?}");
     let hopf = list(&atlas["stability_changes"]).iter().filter(|one| one["kind"] == json!("hamiltonian-hopf"));
     for change in hopf {
@@ -100,9 +100,15 @@ fn resonances_are_listed_where_arnolds_theorem_fails() {
         let found = changes.iter().find(same).unwrap_or_else(|| panic!("{changes:?}"));
         assert!((number(&found["l"]) - number(&change["l"])).abs() < 1e-9, "{found} {change}");
     }
-    bifdiag("verify -").reading(text).succeeds().printing("not checked (\"proved\": false)");
+    let verified = bifdiag("verify -").reading(text).succeeds().stdout();
+    assert!(!verified.contains("not checked"), "{verified}");
     let quick = bifdiag("--body paper --no-drawing --json").succeeds().json();
-    assert_eq!(quick.get("verdict_changes"), None, "{quick}");
+    assert_eq!(quick["verdict_changes"], atlas["verdict_changes"]);
+    let part = bifdiag("--body paper --window=2:4,2:3 --no-drawing --json").succeeds().json();
+    let kinds: Vec<&Value> = list(&part["verdict_changes"]).iter().map(|change| &change["kind"]).collect();
+    assert_eq!(kinds, [&json!("1:2"), &json!("D4")]);
+    let fast = bifdiag("--body paper --accuracy fast --no-drawing --json").succeeds().json();
+    assert_eq!(fast.get("verdict_changes"), None, "{fast}");
     bifdiag("show G0.1 --body paper").succeeds().printing("  at l = ");
 }
 
@@ -139,6 +145,17 @@ fn a_rotation_that_slows_down_ends_at_rest() {
     bifdiag("spin-down --body paper --from G0.1 --l 3.25").succeeds().printing("no minimum: falls");
     bifdiag("spin-down --body paper --from R5").refused().telling("the body has no such curve");
     bifdiag("spin-down --body paper --from G2.1 --l -1").succeeds();
+}
+
+#[test]
+fn the_way_of_a_slowdown_is_drawn_over_the_diagram() {
+    let place = tempfile::tempdir().unwrap();
+    let line = format!("spin-down --body paper --from G1.3 --l 2.6 --out {}", place.path().display());
+    bifdiag(&line).succeeds().printing("spin-down.svg");
+    let picture = std::fs::read_to_string(place.path().join("spin-down.svg")).unwrap();
+    assert!(picture.contains("\"main-way\"") && picture.contains("the way"));
+    let without = bifdiag("spin-down --body paper --from G1.3 --l 2.6").succeeds().stdout();
+    assert!(!without.contains("written"), "{without}");
 }
 
 type Vector = [f64; 3];

@@ -2,8 +2,8 @@
 
 use bifdiag_documents::seal;
 use bifdiag_schema::{
-    Accuracy, AtlasDocument, CertifiedNode, DrawingDocument, EnclosureDocument, EventDocument, MarginDocument,
-    PlaceDocument,
+    Accuracy, AtlasDocument, CertifiedNode, DrawingDocument, EnclosureDocument, EventDocument, Failing, MarginDocument,
+    NonlinearVerdict, PlaceDocument, Reason, VerdictChangeDocument,
 };
 use bifdiag_verify::{Refused, Report, verify};
 use dashu_ratio::RBig;
@@ -93,6 +93,72 @@ fn false_claims_are_refused_by_the_mathematics() {
 }
 
 /// The box of a crossing with both its ends on one side of it: the gap of the curves has the right sign at one end alone.
+/// Where Arnold's theorem fails: a verdict that is turned round, a point that is left out, invented, moved, or of another kind.
+#[test]
+fn false_verdicts_are_refused() {
+    let points = |d: &mut AtlasDocument, change: &dyn Fn(&mut Vec<VerdictChangeDocument>)| {
+        change(d.verdict_changes.as_mut().unwrap());
+    };
+    let refusal = Err(Refused::Field { field: "verdict_changes" });
+    for body in [preset("paper"), body([["1.7", "2.9", "3.1"], ["0.3", "0", "0"]])] {
+        let true_one = document(&body);
+        assert_eq!(verify(&true_one).unwrap().unproved, Vec::<String>::new());
+        let changes = true_one.verdict_changes.as_ref().unwrap();
+        assert!(changes.len() >= 3 && changes.iter().all(|change| change.proved));
+        for n in 0..changes.len() {
+            let forgeries: [&dyn Fn(&mut Vec<VerdictChangeDocument>); 7] = [
+                &|list| {
+                    list[n].verdict = match list[n].verdict {
+                        NonlinearVerdict::Stable => NonlinearVerdict::Unstable,
+                        _ => NonlinearVerdict::Stable,
+                    };
+                },
+                &|list| drop(list.remove(n)),
+                &|list| list.insert(n, list[n].clone()),
+                &|list| list[n].l += 1e-11,
+                &|list| list[n].h -= 1e-11,
+                &|list| {
+                    list[n].kind =
+                        if list[n].kind == Failing::Determinant { Failing::Resonance13 } else { Failing::Determinant };
+                },
+                &|list| list[n].changes = !list[n].changes,
+            ];
+            for (number, forgery) in forgeries.into_iter().enumerate() {
+                assert_eq!(forged(&true_one, |d| points(d, forgery)), refusal, "{number} of {n}");
+            }
+        }
+        // Along a curve.
+        let refused = forged(&true_one, |d| {
+            let spans = d.curves.iter_mut().flat_map(|curve| &mut curve.stability);
+            for span in spans.filter(|span| span.nonlinear.why == Reason::Arnold) {
+                span.nonlinear.verdict = NonlinearVerdict::Unstable;
+            }
+        });
+        assert_eq!(refused, Err(Refused::Field { field: "curves.stability.nonlinear" }));
+    }
+}
+
+/// Every claim of special bodies, too, is confirmed.
+#[test]
+fn verdicts_of_special_bodies_are_confirmed() {
+    for given in [
+        [["1", "2", "3"], ["1", "1", "1"]],
+        [["1.7", "2.9", "3.1"], ["0", "0", "1"]],
+        [["1.7", "1.7", "3.1"], ["0.3", "0", "0.4"]],
+        [["1.7", "3.1", "3.1"], ["0.3", "0", "0.4"]],
+        [["1.7", "1.7", "3.1"], ["0.3", "0", "0"]],
+        [["1.15", "2.29", "1.24"], ["0", "0.65", "0.12"]],
+        [["0.80", "2.17", "2.47"], ["0.22", "0.74", "0.30"]],
+        [["2", "2", "1"], ["1", "0", "0"]],
+        [["2", "2", "1"], ["0.3", "0", "0.4"]],
+    ] {
+        let document = document(&body(given));
+        let changes = document.verdict_changes.as_ref().unwrap();
+        assert!(!changes.is_empty() && changes.iter().all(|change| change.proved), "{given:?}");
+        assert_eq!(verify(&document).unwrap().unproved, Vec::<String>::new(), "{given:?}");
+    }
+}
+
 #[test]
 fn a_crossing_beside_its_box_is_refused() {
     let true_one = document(&body([["1", "5/9", "0.5001"], ["1", "0", "0"]]));

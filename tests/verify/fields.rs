@@ -23,12 +23,6 @@ fn is_drawn(field: &str) -> bool {
     field.trim_start_matches('.').starts_with("drawing.")
 }
 
-/// Where a hypothesis of Arnold's theorem fails is not checked, which the document has to say.
-fn is_unproved(field: &str) -> bool {
-    field.trim_start_matches('.').starts_with("verdict_changes")
-        && !matches!(field.rsplit('.').next(), Some("proved" | "curve"))
-}
-
 /// Every field of the document, forged once and sealed anew, is refused: a field that is added cannot be forgotten.
 #[test]
 fn every_field_is_refused_when_it_is_forged() {
@@ -42,7 +36,7 @@ fn every_field_is_refused_when_it_is_forged() {
         for field in ["version", "certificate.checksum"] {
             fields.remove(field).expect(field);
         }
-        fields.retain(|field, _| !is_drawn(field) && !is_unproved(field));
+        fields.retain(|field, _| !is_drawn(field));
         for (field, pointer) in fields.into_iter().filter(|(field, _)| known.insert(field.clone())) {
             for forgery in forgeries(document.pointer(&pointer).unwrap()) {
                 assert!(is_refused(&document, &pointer, forgery), "{field} at {pointer}");
@@ -60,7 +54,7 @@ fn every_list_is_refused_when_it_is_forged() {
         let document = serde_json::to_value(document).unwrap();
         let mut fields = BTreeMap::new();
         lists(&document, "", "", &mut fields);
-        fields.retain(|field, _| !is_drawn(field) && !is_unproved(field));
+        fields.retain(|field, _| !is_drawn(field));
         assert!(fields.len() > 30, "{}", fields.len());
         for (field, pointers) in fields {
             let middle = pointers.len() / 2;

@@ -106,7 +106,7 @@ fn at_index_two_one_pair_grows_with_damping() {
 }
 
 /// The sleeping top survives friction iff A₃ > A₁ and l² > A₃²r/(A₃ − A₁); without friction it sleeps iff l² ≥ 4A₁r
-/// (E. J. Routh, Advanced Rigid Dynamics; V. V. Rumyantsev 1954 by integrals; R. Krechetnikov and J. E. Marsden, Rev. Mod.
+/// (E. J. Routh, Advanced Rigid Dynamics; N. G. Chetaev 1954 by integrals; R. Krechetnikov and J. E. Marsden, Rev. Mod.
 /// Phys. 79, 2007, on dissipation).
 #[test]
 fn the_sleeping_top_with_and_without_friction() {

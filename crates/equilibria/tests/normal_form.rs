@@ -80,8 +80,8 @@ fn the_triangular_points_have_deprits_determinant() {
     }
 }
 
-/// Where the frequencies of the triangular points agree (Routh's mass), they are stable (A. G. Sokolskii, Prikl. Mat. Mekh. 41,
-/// 1977): the numerator is positive there, where the determinant is infinite.
+/// Where the frequencies of the triangular points agree (Routh's mass), they are stable (A. G. Sokolskii, Pisma Astron. Zh. 4,
+/// 1978): the numerator is positive there, where the determinant is infinite.
 #[test]
 fn the_triangular_points_are_stable_at_rouths_mass() {
     let point = |x| Interval::point(x);

@@ -402,8 +402,8 @@ pub struct AtlasDocument {
     pub events: Vec<EventDocument>,
     /// Every change of the linear type along a branch, by rising l.
     pub stability_changes: Vec<StabilityChangeDocument>,
-    /// Every isolated point of a curve at which a hypothesis of Arnold's theorem fails, by rising l, then h; absent without a
-    /// certificate, and where not all of them are known.
+    /// Every isolated point of a curve at which a hypothesis of Arnold's theorem fails, by rising l, then h; absent with
+    /// `--accuracy fast`, in Python and on the page without a certificate, and where not all of them are known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub verdict_changes: Option<Vec<VerdictChangeDocument>>,
     /// Every region.

@@ -15,7 +15,7 @@
 //! equilibria   the body's curves of relative equilibria, and that none is missing
 //! order        which curve lies above which over every l, where they meet, the faces
 //! topology     the topology of U and of P in each region
-//! stability    linear types along the curves
+//! stability    linear types along the curves, verdicts, and where Arnold's theorem fails
 //! document     what a document says beside its certificate
 //! ```
 
@@ -90,7 +90,10 @@ fn checked(document: &AtlasDocument, point: Option<&PointProofDocument>) -> Resu
     totals::frame(document, &body)?;
     let check = |bits| certified(document, point, &body, bits);
     let first = usize::from(certificate.bits > PROOFS[0]);
-    BITS[first + 1..].iter().fold(check(BITS[first]), |found, &bits| found.or_else(|_undecided| check(bits)))
+    BITS[first + 1..].iter().fold(check(BITS[first]), |found, &bits| match found {
+        Err(refused) if refused != stability::VERDICTS => check(bits),
+        found => found,
+    })
 }
 
 /// What one precision confirms is true, whatever a lower one left open.
@@ -119,7 +122,7 @@ fn certified(
     curves::check(document, certificate, &orders, &slabs)?;
     listing::events(document, certificate, &events, &orders)?;
     listing::ranges(document, certificate, &cells)?;
-    let unproved = stability::check(document, &orders)?;
+    let (along, mut unproved) = stability::check(document, &orders)?;
     let samples = regions::samples(document, certificate, &orders, &slabs, &cells)?;
     topology::check(document, &orders, &slabs, &samples)?;
     samples::check(document, &orders, &slabs, &samples)?;
@@ -127,6 +130,8 @@ fn certified(
     if let Some(claim) = point {
         point::check(claim, &orders, &events)?;
     }
+    // It takes longest.
+    stability::exceptions(document, &orders, &along, &mut unproved)?;
     Ok(Report {
         regions: document.regions.len(),
         events: certificate.events.len(),

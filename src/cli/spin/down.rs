@@ -1,13 +1,18 @@
 //! `bifdiag spin-down`: how a steady rotation ends when friction slowly takes its angular momentum.
 
+use std::path::{Path, PathBuf};
+
 use bifdiag_body::Number;
-use bifdiag_documents::Subject;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_documents::{DocumentOptions, Subject};
 use bifdiag_equilibria::curves::CurveName;
 use bifdiag_exact::Accuracy;
-use bifdiag_schema::{SlowdownDocument, SlowdownEvent, SpinDownDocument};
+use bifdiag_plot::{DiagramOptions, DiagramView, MarkedPoints, draw};
+use bifdiag_schema::{SlowdownDocument, SlowdownEvent, SpinDownDocument, WindowDocument};
 use clap::Args;
 
-use crate::cli::export::answer;
+use crate::Curves;
+use crate::cli::export::{FileSet, PictureArguments, answer};
 use crate::cli::failure::{Failure, failed};
 use crate::cli::input::{BodyArguments, head, values};
 use crate::cli::terminal::{Report, Table, Timings, significant};
@@ -16,6 +21,7 @@ pub const SPIN_DOWN_EXAMPLES: &str = "\
 Examples:
   bifdiag spin-down --A 2,2,3 --r 0,0,1 --from L-.2 --l 6
   bifdiag spin-down --body paper --from G1.3 --json
+  bifdiag spin-down --body paper --from G1.3 --out way
 
 Friction in the body damps all that is not steady; friction at the pivot or in the air takes l, in the limit much more slowly. The \
 rotation then follows its curve as long as that is a minimum of U_l.";
@@ -31,6 +37,11 @@ pub struct SpinDownArguments {
     /// Its vertical angular momentum (default: the largest l of the curve; of one without end twice the l of the last event)
     #[arg(long = "l", value_name = "l", allow_hyphen_values = true, value_parser = values::number, help_heading = "Rotation")]
     pub momentum: Option<Number>,
+    /// Draw the way over the diagram, to DIR/spin-down.svg
+    #[arg(long, value_name = "DIR", help_heading = "Output")]
+    pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub picture: PictureArguments,
     /// Print the way as JSON
     #[arg(long, help_heading = "Output")]
     pub json: bool,
@@ -72,10 +83,51 @@ pub fn run(arguments: &SpinDownArguments, timings: &Timings) -> Result<(), Failu
     }
     let command = subject.command("spin-down").option("from", &id).option("l", format!("{l:?}"));
     let document = bifdiag_documents::spin_down(&subject, command, &atlas, from, l);
-    answer(arguments.json, &document, || text(&subject, &document))
+    let written = match &arguments.out {
+        Some(directory) => drawn(arguments, &subject, &atlas, &document, directory, timings)?,
+        None => Vec::new(),
+    };
+    answer(arguments.json, &document, || text(&subject, &document, &written))
 }
 
-fn text(subject: &Subject, document: &SpinDownDocument) -> String {
+/// How far the picture shows more than the way, in parts of it.
+const MARGIN: f64 = 0.15;
+
+/// The way over the diagram, with a dot where it begins and wherever it turns, falls or ends.
+fn drawn(
+    arguments: &SpinDownArguments,
+    subject: &Subject,
+    atlas: &Atlas,
+    document: &SpinDownDocument,
+    directory: &Path,
+    timings: &Timings,
+) -> Result<Vec<PathBuf>, Failure> {
+    let way = &document.path;
+    let begin = way.iter().take(1).map(|stretch| [stretch.h[0], stretch.l[0]]);
+    let is_event = |stretch: &&SlowdownDocument| stretch.event != SlowdownEvent::Crossing;
+    let ends = way.iter().filter(is_event).map(|stretch| [stretch.h[1], stretch.l[1]]);
+    let points: Vec<[f64; 2]> = begin.chain(ends).collect();
+    let over = |side: usize| {
+        let values = || way.iter().flat_map(move |stretch| if side == 0 { stretch.h } else { stretch.l });
+        let (least, most) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+        let margin = if most > least { MARGIN * (most - least) } else { MARGIN * most.abs().max(1.0) };
+        [least - margin, most + margin]
+    };
+    let window = WindowDocument { h: over(0), l: [over(1)[0].max(0.0), over(1)[1]] };
+    let marked = MarkedPoints { points, text: "where it begins, turns, falls or ends".to_owned(), way: way.clone() };
+    let theme = arguments.picture.theme;
+    let (window, points, view) = (Some(window), Some(marked), DiagramView::Plane);
+    let options = DiagramOptions { window, points, theme, view, ..DiagramOptions::default() };
+    let mut diagram = bifdiag_documents::atlas::document(atlas, &DocumentOptions::default());
+    bifdiag_documents::atlas::attach_part(&mut diagram, subject);
+    let picture = timings.stage("diagram", || draw(&diagram, Some(&Curves(atlas)), &options))?;
+    let mut files = FileSet::new(directory);
+    files.remove_pictures("spin-down");
+    files.pictures("spin-down", &picture, &arguments.picture.format, timings)?;
+    files.write()
+}
+
+fn text(subject: &Subject, document: &SpinDownDocument, written: &[PathBuf]) -> String {
     let mut report = Report::default();
     head(subject, &mut report);
     report.line("");
@@ -99,6 +151,7 @@ fn text(subject: &Subject, document: &SpinDownDocument) -> String {
     report.line("");
     report.line("regions: just below and just above in h");
     report.line("in the limit in which l is lost much more slowly than all that is not steady is damped");
+    report.written(written);
     report.text()
 }
 

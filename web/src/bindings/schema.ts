@@ -20,7 +20,7 @@ export interface Atlas {
   events: Event[];
   /** Every change of the linear type along a branch, by rising l. */
   stability_changes: StabilityChange[];
-  /** Every isolated point of a curve at which a hypothesis of Arnold's theorem fails, by rising l, then h; absent without a certificate, and where not all of them are known. */
+  /** Every isolated point of a curve at which a hypothesis of Arnold's theorem fails, by rising l, then h; absent with `--accuracy fast`, in Python and on the page without a certificate, and where not all of them are known. */
   verdict_changes?: VerdictChange[];
   /** Every region. */
   regions: Region[];

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use plotters::style::RGBColor;
 
 use super::labels::{Name, event_marker, sample_dot};
+use super::paint::WAY;
 use super::palette::{BranchStyle, ground_of, is_pole};
 use super::panel::Panel;
 use super::placement::Texts;
@@ -69,6 +70,9 @@ pub(super) fn legend(
     }
     if scene.dots.iter().any(|dot| panels.iter().any(|panel| panel.position(dot.at).is_some())) {
         entries.push((Symbol::Mark(Box::new(sample_dot)), dots.to_owned()));
+    }
+    if !scene.way.is_empty() {
+        entries.push((Symbol::Line(vec![(Some(WAY.color), 1.0)], WAY.width), "the way".to_owned()));
     }
     // Regions of one ground share a swatch.
     let mut key: Vec<(Vec<RGBColor>, String)> = Vec::new();

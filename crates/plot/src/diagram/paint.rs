@@ -6,13 +6,15 @@ use super::layout::{Frame, LETTER_SIZE, frame, is_marked, letter};
 use super::palette::ground_of;
 use super::panel::Panel;
 use super::placement::Texts;
-use super::scene::Scene;
+use super::scene::{Scene, Step};
 use super::stroke::{self, Line, Stroke, Verdict};
 use super::windows::contains;
-use crate::page::{Anchor, Canvas, INK, Ink, Point, distance, short, text_width};
+use crate::page::{Anchor, Canvas, INK, Ink, Point, clip_polyline, distance, rgb, short, text_width};
 use bifdiag_schema::EventKind;
 
 const FRAME: Ink = Ink { color: INK, width: 0.9 };
+/// A way, which shows on both sides of the curve that it follows.
+pub(super) const WAY: Ink = Ink { color: rgb(0xf2_c1_2e), width: 7.0 };
 
 /// Everything that is drawn in and at the panels, the main panel first.
 pub(super) struct Diagram<'a> {
@@ -43,6 +45,9 @@ impl Diagram<'_> {
         canvas.group(&format!("{name}-regions"), "", || self.paint_regions(canvas, panel, name));
         if let Some(straight) = &panel.straight {
             canvas.group(&format!("{name}-levels"), "curves of constant h", || straight.paint_levels(canvas));
+        }
+        if !self.scene.way.is_empty() {
+            canvas.group(&format!("{name}-way"), "the way", || self.paint_way(canvas, panel));
         }
         canvas.group(&format!("{name}-curves"), "", || self.paint_curves(canvas, panel, name));
         canvas.group(&format!("{name}-points"), "", || self.mark_points(canvas, panel, frames, name));
@@ -76,6 +81,21 @@ impl Diagram<'_> {
             let titles: Vec<String> = stroke.lines.iter().map(|line| self.line_title(line)).collect();
             let id = format!("{name}-curve-{}-{}", self.scene.atlas.curves[stroke.curve].id, number + 1);
             canvas.group(&id, &titles.join("; "), || stroke::draw(canvas, panel, stroke));
+        }
+    }
+
+    fn paint_way(&self, canvas: &Canvas, panel: &Panel) {
+        for step in &self.scene.way {
+            let parts = match step {
+                Step::Along(curve, range) => panel.curve(*curve, *range),
+                Step::Fall(ends) if panel.straight.is_none() => {
+                    clip_polyline(&panel.view.positions(ends), &panel.view.rect)
+                }
+                Step::Fall(ends) => vec![ends.iter().filter_map(|&end| panel.position(end)).collect()],
+            };
+            for part in parts.into_iter().filter(|part| part.len() > 1) {
+                canvas.path(&part, WAY);
+            }
         }
     }
 

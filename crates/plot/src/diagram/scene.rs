@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::plan::Plan;
 use super::windows::l_range;
 use crate::page::{PlotError, Theme, Width, is_proper};
-use bifdiag_schema::{AtlasDocument, RegionDocument, RelativeEquilibriumDocument, WindowDocument};
+use bifdiag_schema::{AtlasDocument, RegionDocument, RelativeEquilibriumDocument, SlowdownDocument, WindowDocument};
 
 /// In which coordinates the plane is drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -66,6 +66,16 @@ pub struct MarkedPoints {
     pub points: Vec<[f64; 2]>,
     /// What the legend says they are.
     pub text: String,
+    /// The way of a rotation that slows down, drawn below the curves.
+    pub way: Vec<SlowdownDocument>,
+}
+
+/// A piece of a way.
+pub(super) enum Step {
+    /// Along a curve, by index, over a range of l.
+    Along(usize, [f64; 2]),
+    /// From one point [h, l] to another.
+    Fall([[f64; 2]; 2]),
 }
 
 /// A point that is marked by a dot.
@@ -88,6 +98,21 @@ pub(super) struct Scene<'a> {
     pub cells: Vec<Vec<Cell>>,
     /// Points that are marked.
     pub dots: Vec<Dot>,
+    /// The way that is followed.
+    pub way: Vec<Step>,
+}
+
+/// The stretches of a way, and the falls between them.
+fn steps(way: &[SlowdownDocument], curves: &BTreeMap<&str, usize>) -> Vec<Step> {
+    let mut steps = Vec::new();
+    for (number, stretch) in way.iter().enumerate() {
+        let curve = curves.get(stretch.curve.as_str());
+        steps.extend(curve.map(|&curve| Step::Along(curve, [stretch.l[1], stretch.l[0]])));
+        if let Some(next) = way.get(number + 1) {
+            steps.push(Step::Fall([[stretch.h[1], stretch.l[1]], [next.h[0], next.l[0]]]));
+        }
+    }
+    steps
 }
 
 /// The points that were asked for, else the samples of the regions.
@@ -128,7 +153,8 @@ impl<'a> Scene<'a> {
             });
             cells.collect::<Result<Vec<Cell>, PlotError>>()
         });
-        Ok(Self { atlas, source, plan, cells: cells.collect::<Result<_, _>>()?, dots: dots(atlas, marked, plan) })
+        let way = marked.map_or_else(Vec::new, |marked| steps(&marked.way, &curves));
+        Ok(Self { atlas, source, plan, cells: cells.collect::<Result<_, _>>()?, dots: dots(atlas, marked, plan), way })
     }
 }
 

@@ -74,6 +74,25 @@ impl Polynomial {
         sign(&value)
     }
 
+    /// How often a number is a root.
+    pub fn order_at(&self, x: &RBig) -> usize {
+        let mut rest: Coefficients = self.0.iter().map(|c| RBig::from(c.clone())).collect();
+        let mut order = 0;
+        while rest.len() > 1 {
+            // Horner's scheme leaves the quotient above the remainder.
+            let mut carry = RBig::ZERO;
+            for c in rest.iter_mut().rev() {
+                carry = carry * x + &*c;
+                c.clone_from(&carry);
+            }
+            if !rest.remove(0).is_zero() {
+                break;
+            }
+            order += 1;
+        }
+        order
+    }
+
     /// The greatest common divisor of two polynomials.
     pub fn shared(&self, other: &Self) -> Self {
         let (mut a, mut b) = (self.clone(), other.clone());
@@ -154,6 +173,12 @@ mod tests {
         assert!(shared.sign_at(&RBig::from(4)) == 0 && shared.0.len() == 2);
         let simple = polynomial(&[2, 2, 2, -3, -3, 5]).squarefree();
         assert!([2, -3, 5].iter().all(|&root| simple.sign_at(&RBig::from(root)) == 0) && simple.0.len() == 4);
+    }
+
+    #[test]
+    fn roots_have_their_order() {
+        let p = Polynomial::new(&with_roots(&[2, 2, 2, -3, 0, 0]));
+        assert_eq!([2, -3, 0, 1].map(|x| p.order_at(&RBig::from(x))), [3, 1, 2, 0]);
     }
 
     #[test]

@@ -12,6 +12,8 @@ pub(crate) struct Flow {
     b: Polynomial,
     c: Polynomial,
     discriminant: Polynomial,
+    /// With the signs of 4b² − 25c and 9b² − 100c.
+    resonances: [Polynomial; 2],
     /// A circle of equilibria, along which c = 0: b alone decides the type across it.
     circle: bool,
 }
@@ -70,14 +72,24 @@ impl Flow {
         }
         let c = plus(&times(&j, &hanging), &twisted, &one);
         let product = times(&times(&j, &j), &c);
-        let discriminant = plus(&times(&b, &b), &product, &(RBig::from(-4) * determinant));
-        let [b, c, discriminant] = [b, c, discriminant].map(|polynomial| Polynomial::new(&polynomial));
-        Self { b, c, discriminant, circle }
+        let square = times(&b, &b);
+        let defect = |m: i32, n: i32| {
+            let square = plus(&[], &square, &RBig::from(m));
+            Polynomial::new(&plus(&square, &product, &(RBig::from(-n) * &determinant)))
+        };
+        let (discriminant, resonances) = (defect(1, 4), [defect(4, 25), defect(9, 100)]);
+        let [b, c] = [b, c].map(|polynomial| Polynomial::new(&polynomial));
+        Self { b, c, discriminant, resonances, circle }
     }
 
     /// Where the type changes between the ends of curves, this is zero.
     pub fn condition(&self) -> &Polynomial {
         if self.circle { &self.b } else { &self.discriminant }
+    }
+
+    /// Where one frequency is twice or three times the other, these are zero.
+    pub fn resonances(&self) -> &[Polynomial; 2] {
+        &self.resonances
     }
 
     /// The type at a parameter inside a curve.

@@ -1,13 +1,18 @@
 //! The linear type along every curve and where it changes, as a document gives them, against the signs of the linearised
 //! flow: between the ends of curves it changes where b² − 4c changes its sign (on a circle of equilibria, b), and all
-//! zeros of that are isolated.
+//! zeros of that are isolated. Where Arnold's theorem decides, its hypotheses are checked along the whole stretch by another
+//! normal form than the program's.
 
+mod amplitudes;
+mod determinant;
 mod flow;
+mod hypotheses;
 mod range;
 mod verdicts;
 
-use bifdiag_schema::{AtlasDocument, CurveDocument, Stability, StabilityChangeDocument, StabilityChangeKind};
-use dashu_int::IBig;
+use bifdiag_schema::{
+    AtlasDocument, CurveDocument, Stability, StabilityChangeDocument, StabilityChangeKind, VerdictChangeDocument,
+};
 use dashu_ratio::RBig;
 
 use crate::Refused;
@@ -19,26 +24,28 @@ use crate::numbers::fixed::Fixed;
 use crate::numbers::isolation::{Root, roots};
 use crate::order::stand::Orders;
 use flow::{Flow, without_weight};
+use hypotheses::{Exception, Stretch};
+use range::{CHANGES, apart, narrow, uncertain};
 
 /// The part of the bits to which a root's range is narrowed, relative to its distance from the ends of the branch; the others are
 /// for what cancels where the root is evaluated.
 const NARROW: [usize; 2] = [1, 2];
-/// Halvings of a root's range at most.
-const NARROWEST: usize = 2000;
-
 /// Numbers that a document rounds from doubles.
 const ROUNDED: f64 = 1e-9;
 
 /// Largest stated error, in roundings of l, h and |r|.
 const ROUNDINGS: u32 = 256;
 
-const CHANGES: Refused = Refused::Field { field: "stability_changes" };
+/// A list that is wrong is so at every precision.
+pub(crate) const VERDICTS: Refused = Refused::Field { field: "verdict_changes" };
 
 /// The types along a curve, by rising x, and the roots between them.
-struct Along {
+pub(crate) struct Along {
     curve: usize,
     types: Vec<Stability>,
     turns: Vec<[Fixed; 2]>,
+    /// Stretches with two imaginary pairs, by rising parameter.
+    elliptic: Vec<Stretch>,
 }
 
 /// What a document ought to say of one change, in the certificate's units.
@@ -52,8 +59,9 @@ struct Change {
     at: [Fixed; 2],
 }
 
-/// Checks the types and verdicts along all curves and every change; the curves with a verdict that is not checked.
-pub(crate) fn check(document: &AtlasDocument, orders: &Orders) -> Result<Vec<String>, Refused> {
+/// Checks the types and verdicts along all curves and every change; the types, and the curves with a verdict that is not
+/// checked.
+pub(crate) fn check(document: &AtlasDocument, orders: &Orders) -> Result<(Vec<Along>, Vec<String>), Refused> {
     let along = along_all(orders)?;
     let l2 = orders.spaces.square_of_momentum();
     let mut unchecked = Vec::new();
@@ -63,16 +71,9 @@ pub(crate) fn check(document: &AtlasDocument, orders: &Orders) -> Result<Vec<Str
             return Err(Refused::Field { field: "curves.stability" });
         }
         if let Some(own) = own
-            && verdicts::check(orders, curve, own.curve)?
+            && !verdicts::check(orders, curve, own.curve, &own.elliptic)?
         {
             unchecked.push(curve.id.clone());
-        }
-    }
-    // Where a hypothesis of Arnold's theorem fails is not checked either.
-    for change in document.verdict_changes.iter().flatten() {
-        orders.pieces.find(&change.curve)?;
-        if change.proved {
-            return Err(Refused::Field { field: "verdict_changes.proved" });
         }
     }
     let expected = changes(orders, &along)?;
@@ -86,13 +87,62 @@ pub(crate) fn check(document: &AtlasDocument, orders: &Orders) -> Result<Vec<Str
         let at = open.iter().position(|claim| change.is_listed(claim, orders, &l2)).ok_or(CHANGES)?;
         open.remove(at);
     }
-    Ok(unchecked)
+    Ok((along, unchecked))
+}
+
+/// Checks the points at which a hypothesis of Arnold's theorem fails; enters curves on which they cannot be told.
+pub(crate) fn exceptions(
+    document: &AtlasDocument,
+    orders: &Orders,
+    along: &[Along],
+    unchecked: &mut Vec<String>,
+) -> Result<(), Refused> {
+    let Some(claims) = &document.verdict_changes else { return Ok(()) };
+    let l2 = orders.spaces.square_of_momentum();
+    let id = |own: &Along| orders.pieces.list[own.curve].id.clone();
+    let (mut expected, mut untold) = (Vec::new(), Vec::new());
+    for own in along {
+        let curve = document.curves.iter().find(|curve| curve.id == id(own)).ok_or_else(uncertain)?;
+        if !verdicts::needs_normal_form(orders, curve, own.curve) {
+            continue;
+        }
+        let mut found = Some(Vec::new());
+        for stretch in &own.elliptic {
+            let points = stretch.points(orders.spaces, &flow_of(orders, stretch.branch)?)?;
+            found = found.zip(points).map(|(found, points)| [found, points].concat());
+        }
+        match found {
+            Some(points) => expected.extend(points.into_iter().map(|point| (own, point))),
+            None => untold.push(curve.id.clone()),
+        }
+    }
+    let (open, mut checked): (Vec<_>, Vec<_>) = claims.iter().partition(|claim| untold.contains(&claim.curve));
+    let ordered = claims.is_sorted_by(|p, q| p.l < q.l || (p.l == q.l && p.h <= q.h));
+    if open.iter().any(|claim| claim.proved) {
+        return Err(uncertain());
+    }
+    if checked.len() != expected.len() || !ordered {
+        return Err(VERDICTS);
+    }
+    for (own, exception) in &expected {
+        let branch = orders.pieces.list[own.curve].branch;
+        let at = place(orders.spaces, branch, exception.range.each_ref()).ok_or_else(uncertain)?;
+        let is_it = |claim: &&VerdictChangeDocument| {
+            claim.curve == id(own)
+                && exception.is_listed(claim)
+                && is_there(claim.l, claim.h, claim.error_bound, &at, orders, &l2)
+        };
+        let found = checked.iter().position(is_it).ok_or(VERDICTS)?;
+        checked.remove(found);
+    }
+    untold.retain(|curve| !unchecked.contains(curve));
+    unchecked.extend(untold);
+    Ok(())
 }
 
 /// The types along every critical curve.
 fn along_all(orders: &Orders) -> Result<Vec<Along>, Refused> {
     let (spaces, pieces) = (orders.spaces, orders.pieces);
-    let generic = (!spaces.active.is_empty()).then(|| Flow::generic(spaces));
     let mut branches: Vec<Branch> = Vec::new();
     for piece in pieces.list.iter().filter(|piece| piece.critical) {
         if !branches.contains(&piece.branch) {
@@ -102,19 +152,13 @@ fn along_all(orders: &Orders) -> Result<Vec<Along>, Refused> {
     let mut found = Vec::new();
     for branch in branches {
         let curves = (0..pieces.list.len()).filter(|&c| pieces.list[c].branch == branch && pieces.list[c].critical);
-        let over;
-        let flow = match branch {
-            Branch::Rotation(base) => {
-                let types = vec![without_weight(spaces, base)];
-                found.extend(curves.map(|curve| Along { curve, types: types.clone(), turns: Vec::new() }));
-                continue;
-            }
-            Branch::Over(base) => {
-                over = Flow::over(spaces, base);
-                &over
-            }
-            _ => generic.as_ref().ok_or(CHANGES)?,
-        };
+        if let Branch::Rotation(base) = branch {
+            let types = vec![without_weight(spaces, base)];
+            let still = |curve| Along { curve, types: types.clone(), turns: Vec::new(), elliptic: Vec::new() };
+            found.extend(curves.map(still));
+            continue;
+        }
+        let flow = &flow_of(orders, branch)?;
         let whole = range::of(spaces, pieces, branch, flow.condition()).ok_or(CHANGES)?;
         let mut zeros = roots(flow.condition(), whole.each_ref()).ok_or(CHANGES)?;
         for curve in curves {
@@ -122,6 +166,16 @@ fn along_all(orders: &Orders) -> Result<Vec<Along>, Refused> {
         }
     }
     Ok(found)
+}
+
+/// The linearised flow along a branch with a parameter.
+fn flow_of(orders: &Orders, branch: Branch) -> Result<Flow, Refused> {
+    match branch {
+        Branch::Over(base) => Ok(Flow::over(orders.spaces, base)),
+        Branch::Rotation(_) => Err(CHANGES),
+        _ if orders.spaces.active.is_empty() => Err(CHANGES),
+        _ => Ok(Flow::generic(orders.spaces)),
+    }
 }
 
 /// The types along one curve.
@@ -145,48 +199,33 @@ fn along(orders: &Orders, flow: &Flow, whole: &[RBig; 2], zeros: &mut [Root], cu
     }
     let mut turns = Vec::new();
     for (n, root) in inside.iter_mut().enumerate() {
+        narrow(root, whole.each_ref(), orders.spaces.bits() * NARROW[0] / NARROW[1]);
         // A zero without a change of the type is none.
         if types[n] != types[n + 1] {
-            narrow(root, whole, orders.spaces.bits() * NARROW[0] / NARROW[1]);
-            turns.push(place(orders.spaces, piece.branch, root).ok_or(CHANGES)?);
+            turns.push(place(orders.spaces, piece.branch, [&root.lo, &root.hi]).ok_or(CHANGES)?);
         }
     }
+    let at = |root: &&mut Root| [root.lo.clone(), root.hi.clone()];
+    let stations: Vec<[RBig; 2]> = [first].into_iter().chain(inside.iter().map(at)).chain([last]).collect();
+    let is_elliptic = |n: &usize| types[*n] == Stability::Elliptic;
+    let stretch = |n: usize| {
+        // A zero between two stretches is counted with the one before.
+        let before = n.checked_sub(1).filter(|before| !is_elliptic(before)).map(|_| true);
+        let after = types.get(n + 1).map(|_| !is_elliptic(&(n + 1)));
+        let ends = [stations[n].clone(), stations[n + 1].clone()];
+        Stretch { branch: piece.branch, ends, collisions: [before, after] }
+    };
+    let elliptic = (0..types.len()).filter(is_elliptic).map(stretch).collect();
     types.dedup();
     if !range::rises(piece) {
         types.reverse();
         turns.reverse();
     }
-    Ok(Along { curve, types, turns })
+    Ok(Along { curve, types, turns, elliptic })
 }
 
-/// Halves the range of a root until it is 2⁻ᵇ of its distance from the ends of the branch, by which equilibria are
-/// distinguished.
-fn narrow(root: &mut Root, [first, last]: &[RBig; 2], bits: usize) {
-    let finer = RBig::from(IBig::ONE << bits);
-    for _ in 0..NARROWEST {
-        if (&root.hi - &root.lo) * &finer <= (&root.lo - first).min(last - &root.hi) {
-            break;
-        }
-        root.halve();
-    }
-}
-
-/// Narrows a root until it lies aside of the range that holds an end of a curve; false where it is that end.
-fn apart(root: &mut Root, [low, high]: &[RBig; 2]) -> Result<bool, Refused> {
-    for _ in 0..NARROWEST {
-        if root.hi < *low || *high < root.lo {
-            return Ok(true);
-        }
-        if root.lo == root.hi && low == high {
-            return Ok(false);
-        }
-        root.halve();
-    }
-    Err(CHANGES)
-}
-
-/// x and h at a root.
-fn place(spaces: &Spaces, branch: Branch, Root { lo: t, hi: u, .. }: &Root) -> Option<[Fixed; 2]> {
+/// x and h over a range of the parameter.
+fn place(spaces: &Spaces, branch: Branch, [t, u]: [&RBig; 2]) -> Option<[Fixed; 2]> {
     let point: Point = match branch {
         Branch::Generic(number) => {
             let (base, side) = coordinates(spaces, number);
@@ -216,7 +255,7 @@ fn place(spaces: &Spaces, branch: Branch, Root { lo: t, hi: u, .. }: &Root) -> O
 fn changes(orders: &Orders, along: &[Along]) -> Result<Vec<Change>, Refused> {
     let pieces = orders.pieces;
     let mut found = Vec::new();
-    for Along { curve, types, turns } in along {
+    for Along { curve, types, turns, .. } in along {
         for (pair, at) in types.windows(2).zip(turns) {
             let [from, to] = [pair[0], pair[1]];
             let kind = match (from, to) {
@@ -261,19 +300,31 @@ fn is_circle(orders: &Orders, curve: usize) -> bool {
 impl Change {
     /// The document lists this change; l and h are right within the error that it states.
     fn is_listed(&self, claim: &StabilityChangeDocument, orders: &Orders, l2: &RBig) -> bool {
-        let energy = &orders.spaces.energy;
         let id = |curve: usize| orders.pieces.list[curve].id.as_str();
         let named = claim.curve == id(self.curve)
             && claim.onto.as_deref() == self.onto.map(id)
             && (claim.kind, claim.from, claim.to) == (self.kind, self.from, self.to);
-        let sizes = [claim.l, claim.h.abs()].map(|x| RBig::try_from(x).unwrap_or(RBig::ZERO));
-        let size = sizes.into_iter().fold(&orders.spaces.norm.ends()[1] * energy, |sum, size| sum + size);
-        named
-            && claim.l >= 0.0
-            && is_root_within(claim.l, claim.error_bound, l2, &self.at[0])
-            && is_within(claim.h, claim.error_bound, energy, &self.at[1])
-            && is_at_most(claim.error_bound, &roundings(ROUNDINGS, &size))
+        named && is_there(claim.l, claim.h, claim.error_bound, &self.at, orders, l2)
     }
+}
+
+impl Exception {
+    /// The document says the same of this point.
+    fn is_listed(&self, claim: &VerdictChangeDocument) -> bool {
+        (claim.kind, claim.verdict, claim.why) == (self.kind, self.verdict, self.why)
+            && (claim.changes, claim.proved) == (self.changes, true)
+    }
+}
+
+/// l and h are those of a place, x and h, within the error that is stated, which is that of rounding.
+fn is_there(l: f64, h: f64, error: f64, [x, height]: &[Fixed; 2], orders: &Orders, l2: &RBig) -> bool {
+    let energy = &orders.spaces.energy;
+    let sizes = [l, h.abs()].map(|x| RBig::try_from(x).unwrap_or(RBig::ZERO));
+    let size = sizes.into_iter().fold(&orders.spaces.norm.ends()[1] * energy, |sum, size| sum + size);
+    l >= 0.0
+        && is_root_within(l, error, l2, x)
+        && is_within(h, error, energy, height)
+        && is_at_most(error, &roundings(ROUNDINGS, &size))
 }
 
 /// The types along a curve are those of a document.

@@ -2,11 +2,23 @@
 //! lies on an axis, on the lines of ±r̂; z = 1/s² over a space without r.
 
 use dashu_base::Abs;
+use dashu_int::IBig;
 use dashu_ratio::RBig;
 
+use crate::Refused;
 use crate::equilibria::pieces::{Branch, End, Piece, Pieces};
 use crate::equilibria::spaces::Spaces;
+use crate::numbers::isolation::Root;
 use crate::numbers::polynomial::Polynomial;
+
+pub(super) const CHANGES: Refused = Refused::Field { field: "stability_changes" };
+
+/// Halvings of a root's range at most.
+const NARROWEST: usize = 2000;
+
+pub(super) fn uncertain() -> Refused {
+    Refused::uncertain("the places where Arnold's theorem fails cannot be enclosed")
+}
 
 /// The range of the parameter; what has no end is cut beyond every zero of the condition and every end of a curve.
 pub(crate) fn of(spaces: &Spaces, pieces: &Pieces, branch: Branch, condition: &Polynomial) -> Option<[RBig; 2]> {
@@ -57,4 +69,30 @@ pub(crate) fn ends(spaces: &Spaces, pieces: &Pieces, piece: &Piece, whole: &[RBi
     let ([first, last], [lo, hi]) = (ends, whole);
     let at = |t: &RBig| [t.clone(), t.clone()];
     [first.unwrap_or_else(|| at(lo)), last.unwrap_or_else(|| at(hi))]
+}
+
+/// Halves the range of a root until it is 2⁻ᵇ of its distance from the ends of the branch, by which equilibria are
+/// distinguished.
+pub(super) fn narrow(root: &mut Root, [first, last]: [&RBig; 2], bits: usize) {
+    let finer = RBig::from(IBig::ONE << bits);
+    for _ in 0..NARROWEST {
+        if (&root.hi - &root.lo) * &finer <= (&root.lo - first).min(last - &root.hi) {
+            break;
+        }
+        root.halve();
+    }
+}
+
+/// Narrows a root until it lies aside of the range that holds an end of a curve; false where it is that end.
+pub(super) fn apart(root: &mut Root, [low, high]: &[RBig; 2]) -> Result<bool, Refused> {
+    for _ in 0..NARROWEST {
+        if root.hi < *low || *high < root.lo {
+            return Ok(true);
+        }
+        if root.lo == root.hi && low == high {
+            return Ok(false);
+        }
+        root.halve();
+    }
+    Err(CHANGES)
 }

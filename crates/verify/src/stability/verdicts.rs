@@ -1,28 +1,40 @@
-//! Verdicts along the curves. What follows from eigenvalues, energy and further integrals is confirmed; what rests on Arnold's
-//! theorem is not, and a document has to say so.
+//! Verdicts along the curves: what follows from eigenvalues, energy and further integrals, and from Arnold's theorem.
 
 use bifdiag_schema::{CurveDocument, Damped, FrictionDocument, NonlinearDocument, NonlinearVerdict, Reason, Stability};
 
+use super::hypotheses::Stretch;
 use crate::Refused;
 use crate::equilibria::pieces::Branch;
 use crate::order::stand::Orders;
 
-/// Checks the verdicts along a curve whose Morse index and types are confirmed; true where one of them is not checked.
-pub(crate) fn check(orders: &Orders, curve: &CurveDocument, number: usize) -> Result<bool, Refused> {
+/// The normal form decides where no eigenvalue does.
+pub(super) fn needs_normal_form(orders: &Orders, curve: &CurveDocument, number: usize) -> bool {
+    curve.index == Some(2) && !has_integral(orders, number)
+}
+
+/// Checks the verdicts along a curve whose Morse index and types are confirmed; false where one of them is not checked.
+pub(super) fn check(
+    orders: &Orders,
+    curve: &CurveDocument,
+    number: usize,
+    elliptic: &[Stretch],
+) -> Result<bool, Refused> {
     let index = curve.index.ok_or(Refused::Field { field: "curves.index" })?;
     let integral = has_integral(orders, number);
-    let mut unchecked = false;
+    let is_arnold = || elliptic.iter().all(|stretch| stretch.has_determinant(orders.spaces));
+    let mut all = true;
     for span in &curve.stability {
-        let expected = expected(span.stability, index, integral);
-        let told = match expected {
-            Some((verdict, why)) => vec![NonlinearDocument::along(verdict, why, true)],
-            // Where the determinant vanishes along all of the stretch the theorem says nothing.
-            None => vec![
-                NonlinearDocument::along(NonlinearVerdict::Stable, Reason::Arnold, false),
-                NonlinearDocument::along(NonlinearVerdict::Open, Reason::Degenerate, false),
-            ],
+        let open = NonlinearDocument::along(NonlinearVerdict::Open, Reason::Degenerate, false);
+        let arnold = |proved| NonlinearDocument::along(NonlinearVerdict::Stable, Reason::Arnold, proved);
+        let told = match expected(span.stability, index, integral) {
+            Some((verdict, why)) => [NonlinearDocument::along(verdict, why, true); 2],
+            None if span.nonlinear != open && is_arnold() => [arnold(true); 2],
+            // What is left open claims nothing. Where the determinant vanishes along all of the stretch the theorem says nothing.
+            None => {
+                all = false;
+                [arnold(false), open]
+            }
         };
-        unchecked |= expected.is_none();
         if !told.contains(&span.nonlinear) {
             return Err(Refused::Field { field: "curves.stability.nonlinear" });
         }
@@ -32,7 +44,7 @@ pub(crate) fn check(orders: &Orders, curve: &CurveDocument, number: usize) -> Re
             return Err(Refused::Field { field: "curves.stability.friction" });
         }
     }
-    Ok(unchecked)
+    Ok(all)
 }
 
 /// What the linear type, the Morse index and integrals say (Proposition 13.6); `None` at two imaginary pairs of opposite sign.

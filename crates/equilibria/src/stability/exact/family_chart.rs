@@ -163,17 +163,26 @@ impl FamilyChart {
         }
     }
 
-    /// Its zeros, with their multiplicity, that are none of the determinant: pitchforks and double moments. On an axis the
-    /// former are poles of the determinant.
+    /// Its zeros, with their multiplicity, that are none of the determinant: pitchforks, double moments, and the resonance 1:2
+    /// at a moment (l = ∞). On an axis pitchforks are poles of the determinant, and the resonance is no part of it.
     pub fn zeros_of_degeneracy(&self, body: &ExactBody) -> Vec<RBig> {
-        let is_axis = body.active.len() == 1;
+        let is_axis = body.active.len() == 1 && matches!(self.family, Family::Generic(_));
         let is_double = |k: Axis| body.group.iter().filter(|group| **group == body.group[k.index()]).count() > 1;
-        let at = |k: Axis, t: RBig| vec![t; if is_double(k) { 2 - usize::from(is_axis) } else { 0 }];
+        let order = |p: &Polynomial| p.coefficients().iter().take_while(|c| c.is_zero()).count();
+        let resonant = |p: &Polynomial| if is_axis { 0 } else { order(p) };
+        let at = |k: Axis, t: RBig, resonance: &Polynomial| {
+            let double = if is_double(k) { 2 - usize::from(is_axis) } else { 0 };
+            vec![t; double + resonant(resonance)]
+        };
+        let [_, resonance, _] = &self.resonances;
         let pitchforks = self.pitchforks.iter().map(|(_, t)| t.clone()).filter(|_| !is_axis);
         let ends = match &self.coordinate {
-            Coordinate::Left(axis) | Coordinate::Right(axis) => at(*axis, RBig::ZERO),
-            Coordinate::Inner(left, right) => [at(*left, RBig::ZERO), at(*right, RBig::ONE)].concat(),
-            Coordinate::Over { .. } => vec![RBig::ONE],
+            Coordinate::Left(axis) | Coordinate::Right(axis) => at(*axis, RBig::ZERO, resonance),
+            Coordinate::Inner(left, right) => {
+                let turned = resonance.composed(&RBig::ONE, &RBig::from(-1));
+                [at(*left, RBig::ZERO, resonance), at(*right, RBig::ONE, &turned)].concat()
+            }
+            Coordinate::Over { .. } => [vec![RBig::ONE], vec![RBig::ZERO; resonant(resonance)]].concat(),
         };
         pitchforks.chain(ends).collect()
     }

@@ -1,0 +1,126 @@
+//! The points of a stretch with two imaginary pairs at index 2 at which a hypothesis of Arnold's theorem fails, and the verdict
+//! there: the resonances are zeros of polynomials, and so are those of the determinant.
+
+use bifdiag_schema::{Failing, NonlinearVerdict, Reason};
+use dashu_ratio::RBig;
+
+use super::amplitudes::NormalForm;
+use super::determinant::{Determinant, is_axis, rotation};
+use super::flow::Flow;
+use super::range::{apart, narrow, uncertain};
+use crate::Refused;
+use crate::equilibria::pieces::Branch;
+use crate::equilibria::spaces::Spaces;
+use crate::numbers::fixed::Fixed;
+use crate::numbers::isolation::roots;
+
+/// Fractional bits of normal forms; interpolation takes several for each degree, and beside special bodies more are needed.
+const BITS: [usize; 2] = [512, 1536];
+
+/// A stretch of a branch, by rising parameter.
+#[derive(Clone)]
+pub(super) struct Stretch {
+    pub branch: Branch,
+    /// Ranges that hold its ends.
+    pub ends: [[RBig; 2]; 2],
+    /// Where both frequencies are equal at an end that is counted with this stretch: the type beyond differs.
+    pub collisions: [Option<bool>; 2],
+}
+
+/// A point at which a hypothesis fails.
+#[derive(Clone)]
+pub(super) struct Exception {
+    pub kind: Failing,
+    /// A range of the parameter.
+    pub range: [RBig; 2],
+    pub verdict: NonlinearVerdict,
+    pub why: Reason,
+    /// The verdicts on both sides differ.
+    pub changes: bool,
+}
+
+impl Stretch {
+    fn whole(&self) -> [&RBig; 2] {
+        [&self.ends[0][0], &self.ends[1][1]]
+    }
+
+    /// D₄ is other than 0 somewhere, so that it vanishes at isolated points only.
+    pub fn has_determinant(&self, spaces: &Spaces) -> bool {
+        let middle = (&self.ends[0][1] + &self.ends[1][0]) / RBig::from(2);
+        BITS.iter().any(|&bits| {
+            let form = || NormalForm::new(&rotation(spaces, self.branch, &Fixed::of(&middle, bits), bits)?);
+            form().is_some_and(|form| form.arnold.strict_sign().is_some())
+        })
+    }
+
+    /// Every point, with its verdict; `None` where one of them cannot be told.
+    pub fn points(&self, spaces: &Spaces, flow: &Flow) -> Result<Option<Vec<Exception>>, Refused> {
+        for bits in BITS {
+            if let Some(determinant) = Determinant::new(spaces, self.branch, flow, self.whole(), bits)
+                && let Some(points) = self.with(spaces, flow, &determinant, bits)?
+            {
+                return Ok(Some(points));
+            }
+        }
+        Ok(None)
+    }
+
+    fn with(
+        &self,
+        spaces: &Spaces,
+        flow: &Flow,
+        determinant: &Determinant,
+        bits: usize,
+    ) -> Result<Option<Vec<Exception>>, Refused> {
+        let is_axis = is_axis(spaces, self.branch);
+        let mut points = Vec::new();
+        for (range, changes) in self.ends.iter().zip(self.collisions) {
+            let Some(changes) = changes else { continue };
+            // The right side of Theorem 13.10 has the sign of the polynomial over that of 4b² − 25c = −9c.
+            let Some(sign) = determinant.sign(range) else { return Ok(None) };
+            let verdict = if (sign > 0) == is_axis { NonlinearVerdict::Stable } else { NonlinearVerdict::Unstable };
+            let (kind, why) = (Failing::Resonance11, Reason::Resonance11);
+            points.push(Exception { kind, range: range.clone(), verdict, why, changes });
+        }
+        for (polynomial, kind) in flow.resonances().iter().zip([Failing::Resonance12, Failing::Resonance13]) {
+            let found = roots(polynomial, self.whole()).ok_or_else(uncertain)?;
+            for mut root in found {
+                let is_inside = apart(&mut root, &self.ends[0])? && apart(&mut root, &self.ends[1])?;
+                if !is_inside || root.hi < self.ends[0][1] || self.ends[1][0] < root.lo {
+                    continue;
+                }
+                narrow(&mut root, self.whole(), spaces.bits());
+                let range = [root.lo, root.hi];
+                let judged = match kind {
+                    Failing::Resonance12 => determinant.sign(&range).map(|_| match is_axis {
+                        true => (NonlinearVerdict::Stable, Reason::Arnold),
+                        false => (NonlinearVerdict::Unstable, Reason::Resonance12),
+                    }),
+                    _ => self.markeev(spaces, &range, bits),
+                };
+                let Some((verdict, why)) = judged else { return Ok(None) };
+                points.push(Exception { kind, range, verdict, why, changes: false });
+            }
+        }
+        let Some(zeros) = determinant.zeros(spaces.bits() / 2) else { return Ok(None) };
+        let meets = |zero: &[RBig; 2], range: &[RBig; 2]| zero[0] <= range[1] && range[0] <= zero[1];
+        let others: Vec<&[RBig; 2]> = points.iter().map(|point| &point.range).chain(&self.ends).collect();
+        if zeros.iter().any(|zero| others.iter().any(|range| meets(zero, range))) {
+            return Ok(None);
+        }
+        let (kind, verdict, why) = (Failing::Determinant, NonlinearVerdict::Open, Reason::Degenerate);
+        points.extend(zeros.into_iter().map(|range| Exception { kind, range, verdict, why, changes: false }));
+        Ok(Some(points))
+    }
+
+    /// At ω₁ = 3ω₂: |K₁₁ + 3K₁₂ + 9K₂₂| against 3√3|B|.
+    fn markeev(&self, spaces: &Spaces, [lo, hi]: &[RBig; 2], bits: usize) -> Option<(NonlinearVerdict, Reason)> {
+        let t = Fixed::of(lo, bits).hull(&Fixed::of(hi, bits));
+        let form = NormalForm::new(&rotation(spaces, self.branch, &t, bits)?)?;
+        let [k11, k12, k22] = &form.twist;
+        let along = &(k11 + &(&Fixed::whole(3) * k12)) + &(&Fixed::whole(9) * k22);
+        let rest = &along.square() - &(&Fixed::whole(27) * &form.quartic);
+        let verdict = if rest.strict_sign()? > 0 { NonlinearVerdict::Stable } else { NonlinearVerdict::Unstable };
+        Some((verdict, Reason::Resonance13))
+    }
+}
