@@ -99,6 +99,8 @@ macro_rules! commands {
     ($(#[doc = $about:literal] $variant:ident($arguments:ty) = $name:literal, $examples:expr;)+) => {
         /// The commands; without one, `atlas` is meant.
         #[derive(Debug)]
+        // One value is made in a run, and moved once.
+        #[allow(clippy::large_enum_variant)]
         pub enum Command {
             $(#[doc = $about] $variant($arguments)),+
         }
