@@ -4,8 +4,7 @@ use bifdiag_diagram::arrangement::RegionId;
 use bifdiag_documents::{DocumentOptions, Drawn, words};
 use bifdiag_exact::Accuracy;
 use bifdiag_schema::{
-    AtlasDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument, EventKind, Failing, NonlinearDocument,
-    Reason, RegionDocument,
+    AtlasDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument, EventKind, Reason, RegionDocument,
 };
 use clap::Args;
 
@@ -240,15 +239,8 @@ fn show_curve(report: &mut Report, document: &AtlasDocument, curve: &CurveDocume
 /// The points of a curve at which a hypothesis of Arnold's theorem fails: the verdict beside them is not theirs.
 fn isolated(report: &mut Report, document: &AtlasDocument, curve: &CurveDocument) {
     for change in document.verdict_changes.iter().flatten().filter(|change| change.curve == curve.id) {
-        let (what, why) = match change.kind {
-            Failing::Resonance11 => ("1:1 resonance", Reason::Resonance11),
-            Failing::Resonance12 => ("1:2 resonance", Reason::Resonance12),
-            Failing::Resonance13 => ("1:3 resonance", Reason::Resonance13),
-            Failing::Determinant => ("D4 = 0", Reason::Degenerate),
-        };
-        let at = NonlinearDocument::along(change.verdict, change.why, change.proved);
-        let verdict = if change.why == why { change.verdict.word().to_owned() } else { words::verdict(&at) };
-        report.line(format!("  at l = {} alone ({what}): {verdict}", significant(change.l, DIGITS)));
+        let told = words::exception(change.kind, change.verdict, change.why);
+        report.line(format!("  at l = {} alone {told}", significant(change.l, DIGITS)));
     }
     let by_arnold = curve.stability.iter().any(|span| span.nonlinear.why == Reason::Arnold);
     if by_arnold && document.verdict_changes.is_none() {

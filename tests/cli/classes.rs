@@ -90,3 +90,32 @@ fn a_body_beside_a_border_or_on_it_is_told_so() {
     let told = bifdiag("classes --at --A 1,1.4,0.75 --r 1,0,0 --lines 6").succeeds();
     told.printing("distance at most").printing("\n0               ").printing("axes by rising moments");
 }
+
+/// Borders that whole bisection found, without the two bodies that take longest.
+const KNOWN_BORDERS: [(&str, &[(&str, f64)]); 8] = [
+    ("--body katok:1", &[]),
+    ("--body katok:6", &[("aada7735f947", 0.036_608_512_1), ("09327658d519", 0.109_261_111_7)]),
+    ("--body kovalevskaya", &[("b2ed0aa3d328", 0.178_144_708_6)]),
+    ("--body goryachev-chaplygin", &[("b2ed0aa3d328", 0.395_877_130_1)]),
+    ("--A 1,1,2 --r 0.3,0.4,0.5", &[("4d2d3c8a9332", 0.457_942_540_7)]),
+    ("--A 3,2,1 --r 0,0.7,0.1", &[("578b047db931", 0.000_767_603_481_6), ("d44a57eae85d", 0.036_149_179_78)]),
+    ("--A 2,1.7,1 --r 0.4,0.5,0.6", &[("4ba1a9867682", 0.036_741_440_54), ("2c8e792e0880", 0.316_680_868_7)]),
+    (
+        "--A 1.3,1.1,1 --r 0.2,0.9,0.3",
+        &[("7b9223626649", 0.003_406_714_996), ("01036ac4a504", 0.041_463_086_22), ("1aa01b2480c4", 0.333_450_357_6)],
+    ),
+];
+
+/// The search goes to zeros of functions in place of bisecting on classes: it finds the same borders, and none farther away.
+#[test]
+fn borders_are_those_that_bisection_found() {
+    for (body, known) in KNOWN_BORDERS {
+        let found = bifdiag(&format!("classes --at {body} --json")).succeeds().json();
+        let borders = found["borders"].as_array().unwrap();
+        assert_eq!(borders.len(), known.len(), "{body} {found}");
+        for (border, (class, distance)) in borders.iter().zip(known) {
+            assert_eq!(border["class"], *class, "{body}");
+            assert!((border["distance"].as_f64().unwrap() / distance - 1.0).abs() < 1e-8, "{body} {border}");
+        }
+    }
+}

@@ -220,3 +220,64 @@ fn a_proof_at_rest_is_refused_in_its_own_words() {
     let refused = bifdiag("classify --body paper --h 3.8 --l 0 --certificate").fails();
     refused.telling("l = 0 is the border of what an atlas proves");
 }
+
+/// What the normal form decides along a family of moving axes is said of the family, but at the spins at which it is not so, and
+/// at each of those `critical --spin` beside it agrees.
+#[test]
+fn moving_axes_have_the_verdict_of_the_normal_form() {
+    let mut exceptions = 0;
+    for body in ["--body paper", "--body ten", "--A 2,1.1,1 --r 3,1,2"] {
+        bifdiag(&format!("critical-spin {body}")).succeeds().printing("by Arnold's theorem");
+        let found = bifdiag(&format!("critical-spin {body} --json")).succeeds().json();
+        for family in found["families"].as_array().unwrap() {
+            for stretch in family["stretches"].as_array().unwrap() {
+                assert_ne!(stretch["stable"], "spectrum", "{body}");
+                let isolated = stretch["isolated"].as_array().unwrap();
+                assert!(isolated.is_empty() || stretch["stable"] == "arnold", "{body} {stretch}");
+                for one in isolated {
+                    exceptions += 1;
+                    let place = match one["kind"].as_str().unwrap() {
+                        "1:2" => "/near/1:2",
+                        "1:3" => "/near/1:3",
+                        _ => "/D4_over_s",
+                    };
+                    let spin = one["spin"]["rad_per_s"].as_f64().unwrap();
+                    let beside = |factor: f64| -> Vec<f64> {
+                        let spin = format!("{} rad/s", spin * factor);
+                        let axes = bifdiag(&format!("critical {body} --json --spin")).and(spin).succeeds().json();
+                        let axes = axes["axes"].as_array().unwrap().clone();
+                        let branch = family["branch"].as_str().unwrap().to_owned();
+                        let own = axes.iter().filter(|axis| axis["branch"].as_str().unwrap().starts_with(&branch));
+                        own.filter_map(|axis| axis["nonlinear"].pointer(place)?.as_f64()).collect()
+                    };
+                    let (below, above) = (beside(1.0 - 1e-6), beside(1.0 + 1e-6));
+                    let turns = below.iter().zip(&above).any(|(p, q)| (*p > 0.0) != (*q > 0.0));
+                    assert!(turns && below.len() == above.len(), "{body} {one} {below:?} {above:?}");
+                }
+            }
+        }
+    }
+    assert!(exceptions > 0);
+}
+
+/// The footer of `classes --at`: what stays so on the lines, and what is not counted.
+#[test]
+fn the_footer_of_a_standing_says_what_was_not_looked_at() {
+    let told = bifdiag("classes --at --body paper --lines 2").succeeds();
+    told.printing("what is special about the body (equal moments, zeros of r) stays so on each line")
+        .printing("bodies that are more special are not counted");
+    let alone = bifdiag("classes --at --body euler --lines 1").succeeds().stdout();
+    assert!(alone.contains("no other class was met on the lines through it"), "{alone}");
+}
+
+/// At the pitchfork of the hanging body (Ω = 1) its equilibrium is neither minimum nor saddle: the sphere says so.
+#[test]
+fn the_sphere_names_a_degenerate_equilibrium() {
+    let place = tempfile::tempdir().unwrap();
+    let line = |l: &str| format!("sphere --A 2,1.1,1 --r 0,0,1 --h 1 --l {l}");
+    let drawn = |l: &str| {
+        bifdiag(&line(l)).inside(place.path()).succeeds();
+        std::fs::read_to_string(place.path().join("bifdiag-out/sphere.svg")).unwrap()
+    };
+    assert!(drawn("1").contains(">degenerate<") && !drawn("1.01").contains(">degenerate<"));
+}

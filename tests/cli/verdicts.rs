@@ -274,7 +274,10 @@ fn a_spin_down_begins_at_the_end_of_its_curve() {
 #[test]
 fn a_range_of_spins_admits_its_isolated_exceptions() {
     let line = "critical-spin --A 1.71,2.63,2.11 --r 0,0,1 --axis z";
-    bifdiag(line).succeeds().printing("by Arnold's theorem: but for isolated spins; `bifdiag show` lists them");
+    let told = bifdiag(line).succeeds().printing("by Arnold's theorem: at each of these spins but\n");
+    told.printing("  +axis up: 13.087694 rpm (1:2 resonance): stable (Arnold's theorem)\n")
+        .printing(" rpm (1:3 resonance): stable\n")
+        .printing(" rpm (D4 = 0): open\n");
     let found = bifdiag(&format!("{line} --json")).succeeds().json();
     let by_arnold: Vec<&Value> = found["stretches"]
         .as_array()

@@ -6,6 +6,9 @@ use bifdiag_body::Body;
 use bifdiag_body::part::{INPUT_NAMES, Measured, MeasuredPart, Part, Spin};
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::region_changes::{RotationChange, rotation_changes};
+use bifdiag_equilibria::critical::Equilibrium;
+use bifdiag_equilibria::curves::{BranchName, CurveName, Pole};
+use bifdiag_equilibria::nonlinear::VerdictChange;
 use bifdiag_equilibria::permanent::{
     AxisRotation, Near, SpinRange, SpinType, sampled_bodies, sampled_parts, sampled_shares, settled_types_of_part,
     settled_types_of_shares, spin_ranges,
@@ -18,7 +21,7 @@ use bifdiag_schema::{
 use bifdiag_survey::border::classes_of;
 use dashu_ratio::RBig;
 
-use crate::stability::{friction, nonlinear};
+use crate::stability::{friction, isolated_spins};
 
 /// A rate of turning, from rad/s.
 #[must_use]
@@ -77,13 +80,21 @@ pub fn spin_changes(rotation: &AxisRotation, up: &str, atlas: Option<&Atlas>, se
     rotation_changes(rotation, atlas).iter().map(|found| change(found, rotation, up, second)).collect()
 }
 
-/// The spins between the changes of type of a rotation, each with the verdict on rotation there: that at one spin inside, since
-/// D₄ is an analytic function of the spin, which vanishes at isolated ones only. Left out where no double lies inside.
+/// The spins between the changes of type of a rotation, each with the verdict on rotation there: where the normal form decides,
+/// Arnold's theorem but at the isolated spins among the [`exceptions`](bifdiag_equilibria::critical::RelativeEquilibria::exceptions) of the body, or where
+/// these are not known the verdict at one spin inside. Left out where no double lies inside.
 #[must_use]
-pub fn spin_stretches(rotation: &AxisRotation, up: &str, second: f64) -> Vec<SpinStretchDocument> {
+pub fn spin_stretches(
+    rotation: &AxisRotation,
+    up: &str,
+    second: f64,
+    exceptions: Option<&[(Equilibrium, VerdictChange)]>,
+) -> Vec<SpinStretchDocument> {
     /// Spins inside, relative to the ends, or to the one that there is.
     const INSIDE: [f64; 5] = [0.5, 0.41, 0.63, 0.29, 0.77];
     let changes = rotation.changes();
+    let pole = if rotation.weight > RBig::ZERO { Pole::Plus } else { Pole::Minus };
+    let on_axis = |point: &Equilibrium| matches!(point.curve, Some(CurveName::Piece { branch, .. }) if branch == BranchName::Axis(pole));
     let stretch = |k: usize| {
         let (from, to) = (k.checked_sub(1).map(|k| &changes[k]), changes.get(k));
         let place = |part: f64| match (from, to) {
@@ -93,25 +104,30 @@ pub fn spin_stretches(rotation: &AxisRotation, up: &str, second: f64) -> Vec<Spi
             (None, None) => part,
         };
         let expected = from.map(|change| change.to).or(to.map(|change| change.from));
-        let judged = INSIDE.into_iter().filter_map(|part| {
+        let (kind, judged) = INSIDE.into_iter().find_map(|part| {
             let omega = RBig::try_from(place(part)).ok()?;
-            let kind = rotation.type_at_spin(&omega)?;
-            let judged = rotation.stability_at_spin(&omega).filter(|_| expected.is_none_or(|known| known == kind))?;
-            Some((kind, judged))
-        });
-        let mut first = None;
-        let decided = judged
-            .inspect(|one| first = first.or(Some(*one)))
-            .find(|(_, judged)| judged.nonlinear.verdict != NonlinearVerdict::Open);
-        let (kind, judged) = decided.or(first)?;
-        let found = nonlinear(&judged.nonlinear);
+            let kind = rotation.type_at_spin(&omega).filter(|kind| expected.is_none_or(|known| known == *kind))?;
+            Some((kind, rotation.stability_at_spin(&omega)?))
+        })?;
+        let by_normal_form = judged.nonlinear.near.is_some();
+        let (verdict, why) = match exceptions {
+            Some(_) if by_normal_form => (NonlinearVerdict::Stable, Reason::Arnold),
+            _ => (judged.nonlinear.verdict, judged.nonlinear.why),
+        };
+        let inside = |point: &Equilibrium| {
+            by_normal_form
+                && on_axis(point)
+                && from.is_none_or(|from| from.omega < point.omega.abs())
+                && to.is_none_or(|to| point.omega.abs() < to.omega)
+        };
         Some(SpinStretchDocument {
             up: up.to_owned(),
             from: from.map(|change| spin(change.omega * second)),
             to: to.map(|change| spin(change.omega * second)),
             stability: kind.name().to_owned(),
-            // Arnold's theorem holds on the stretch but for isolated spins, which are not looked for here.
-            nonlinear: NonlinearDocument::along(found.verdict, found.why, found.proved && found.why != Reason::Arnold),
+            // `verify` does not check what follows from the normal form.
+            nonlinear: NonlinearDocument::along(verdict, why, judged.nonlinear.proved && !by_normal_form),
+            isolated: exceptions.map(|list| isolated_spins(list, second, inside)),
             friction: FrictionDocument { rates: Vec::new(), ..friction(&judged.friction, &[[0.0; 2]; 2]) },
         })
     };

@@ -1,15 +1,17 @@
 //! All steady axes over the spin as a document.
 
-use bifdiag_equilibria::critical::{Multiplicity, Place, SteadyFamily, SteadyStretch};
+use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, Place, SteadyFamily, SteadyStretch};
+use bifdiag_equilibria::nonlinear::VerdictChange;
 use bifdiag_equilibria::stability::exact::Start;
 use bifdiag_schema::{
-    AxisCountDocument, PermanentAxisDocument, SteadyFamilyDocument, SteadyPlaceDocument, SteadySpinsDocument,
-    SteadyStart, SteadyStretchDocument,
+    AxisCountDocument, NonlinearVerdict, PermanentAxisDocument, Reason, SteadyFamilyDocument, SteadyPlaceDocument,
+    SteadySpinsDocument, SteadyStart, SteadyStretchDocument,
 };
 
 use crate::body::{given, head};
 use crate::critical::stable;
 use crate::spin::spin;
+use crate::stability::isolated_spins;
 use crate::subject::Subject;
 
 /// The families of steady axes of a body, and what was found of those that are permanent.
@@ -19,12 +21,13 @@ pub fn steady_spins(
     families: &[SteadyFamily],
     permanent: Vec<PermanentAxisDocument>,
     note: Option<String>,
+    exceptions: Option<&[(Equilibrium, VerdictChange)]>,
 ) -> SteadySpinsDocument {
     SteadySpinsDocument {
         head: head(subject.command("critical-spin").json()),
         body: given(&subject.body),
         permanent,
-        families: families.iter().map(|found| family(subject, found)).collect(),
+        families: families.iter().map(|found| family(subject, found, exceptions)).collect(),
         counts: counts(families, subject.second()),
         note,
         part: subject.part.clone(),
@@ -33,8 +36,12 @@ pub fn steady_spins(
 
 /// Families of steady axes.
 #[must_use]
-pub fn steady_families(subject: &Subject, families: &[&SteadyFamily]) -> Vec<SteadyFamilyDocument> {
-    families.iter().map(|found| family(subject, found)).collect()
+pub fn steady_families(
+    subject: &Subject,
+    families: &[&SteadyFamily],
+    exceptions: Option<&[(Equilibrium, VerdictChange)]>,
+) -> Vec<SteadyFamilyDocument> {
+    families.iter().map(|found| family(subject, found, exceptions)).collect()
 }
 
 /// γ points down.
@@ -42,7 +49,18 @@ fn up(subject: &Subject, gamma: [f64; 3]) -> [f64; 3] {
     subject.to_given(gamma.map(|x| 0.0 - x))
 }
 
-fn family(subject: &Subject, found: &SteadyFamily) -> SteadyFamilyDocument {
+fn family(
+    subject: &Subject,
+    found: &SteadyFamily,
+    exceptions: Option<&[(Equilibrium, VerdictChange)]>,
+) -> SteadyFamilyDocument {
+    let own: Option<Vec<(Equilibrium, VerdictChange)>> =
+        exceptions.map(|list| list.iter().filter(|(point, _)| found.holds(&subject.body, point)).cloned().collect());
+    let ends: Vec<f64> = found.stretches.iter().map(|stretch| stretch.from.map_or(0.0, |place| place.omega)).collect();
+    let stretches = found.stretches.iter().enumerate().map(|(number, one)| {
+        let until = ends.get(number + 1).copied().unwrap_or(f64::INFINITY);
+        stretch(subject, one, [ends[number], until], own.as_deref())
+    });
     SteadyFamilyDocument {
         branch: found.branch.to_string(),
         branch_name: found.branch_name.to_string(),
@@ -55,11 +73,23 @@ fn family(subject: &Subject, found: &SteadyFamily) -> SteadyFamilyDocument {
         permanent: found.is_permanent,
         slow_axis: found.slow.map(|gamma| up(subject, gamma)),
         fast_axis: up(subject, found.fast),
-        stretches: found.stretches.iter().map(|found| stretch(subject, found)).collect(),
+        stretches: stretches.collect(),
     }
 }
 
-fn stretch(subject: &Subject, found: &SteadyStretch) -> SteadyStretchDocument {
+fn stretch(
+    subject: &Subject,
+    found: &SteadyStretch,
+    [from, to]: [f64; 2],
+    exceptions: Option<&[(Equilibrium, VerdictChange)]>,
+) -> SteadyStretchDocument {
+    let by_normal_form = found.verdict.is_none();
+    let verdict = if by_normal_form && exceptions.is_some() {
+        Some((NonlinearVerdict::Stable, Reason::Arnold))
+    } else {
+        found.verdict
+    };
+    let inside = |point: &Equilibrium| by_normal_form && from < point.omega.abs() && point.omega.abs() < to;
     let place = |place: &Place| SteadyPlaceDocument {
         spin: spin(place.omega * subject.second()),
         error_bound: place.error_bound * subject.second(),
@@ -71,7 +101,8 @@ fn stretch(subject: &Subject, found: &SteadyStretch) -> SteadyStretchDocument {
         from: found.from.as_ref().map(place),
         change: found.change,
         stability: found.kind.term(),
-        stable: stable(found.verdict, found.kind),
+        stable: stable(verdict, found.kind),
+        isolated: exceptions.map(|list| isolated_spins(list, subject.second(), inside)),
     }
 }
 

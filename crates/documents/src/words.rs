@@ -6,8 +6,8 @@ use bifdiag_equilibria::curves::CurveName;
 pub use bifdiag_numbers::decimal::counted;
 use bifdiag_numbers::table::Id;
 use bifdiag_schema::{
-    AtlasDocument, ComponentDocument, CurveDocument, CurveKind, Damped, EventDocument, FrictionDocument,
-    NonlinearDocument, Reason, RegionDocument,
+    AtlasDocument, ComponentDocument, CurveDocument, CurveKind, Damped, EventDocument, Failing, FrictionDocument,
+    NonlinearDocument, NonlinearVerdict, Reason, RegionDocument,
 };
 
 /// What lies over one component of U.
@@ -83,11 +83,30 @@ pub fn verdict(found: &NonlinearDocument) -> String {
     format!("{} ({why})", found.verdict.word())
 }
 
+/// What fails at an isolated point of a range to which Arnold's theorem applies, and the verdict there.
+#[must_use]
+pub fn exception(kind: Failing, verdict: NonlinearVerdict, why: Reason) -> String {
+    let (what, of_kind) = match kind {
+        Failing::Resonance11 => ("1:1 resonance", Reason::Resonance11),
+        Failing::Resonance12 => ("1:2 resonance", Reason::Resonance12),
+        Failing::Resonance13 => ("1:3 resonance", Reason::Resonance13),
+        Failing::Determinant => ("D4 = 0", Reason::Degenerate),
+    };
+    let verdict = if why == of_kind {
+        verdict.word().to_owned()
+    } else {
+        self::verdict(&NonlinearDocument::along(verdict, why, false))
+    };
+    format!("({what}): {verdict}")
+}
+
 /// What it is with friction that conserves l.
 #[must_use]
 pub fn with_friction(found: &FrictionDocument) -> String {
     match found.conserving_l {
         Some(Damped::Survives) => "stable".to_owned(),
+        // A degenerate point that is no minimum.
+        Some(Damped::Lost) if found.growing == 0 => "unstable".to_owned(),
         Some(Damped::Lost) => format!("unstable in {}", counted(found.growing, "direction", "directions")),
         None => "open".to_owned(),
     }

@@ -78,10 +78,10 @@ pub use section::{
 };
 pub use shown::{harmless, one_line, shown};
 pub use spin::{
-    CriticalSpinDocument, MeasuredDocument, NearestAxisDocument, SampledClassDocument, SpinChangeDocument,
-    SpinDocument, SpinRangeDocument, SpinStretchDocument, StateDocument, SteadyAxesDocument, SteadyAxisDocument,
-    SteadyDocument, SteadyFamilyDocument, SteadyPlaceDocument, SteadySpinDocument, SteadyStart, SteadyStretchDocument,
-    ToleranceDocument,
+    CriticalSpinDocument, IsolatedSpinDocument, MeasuredDocument, NearestAxisDocument, SampledClassDocument,
+    SpinChangeDocument, SpinDocument, SpinRangeDocument, SpinStretchDocument, StateDocument, SteadyAxesDocument,
+    SteadyAxisDocument, SteadyDocument, SteadyFamilyDocument, SteadyPlaceDocument, SteadySpinDocument, SteadyStart,
+    SteadyStretchDocument, ToleranceDocument,
 };
 pub use spin_down::{SlowdownDocument, SlowdownEvent, SpinDownDocument};
 pub use steady::{AxisCountDocument, PermanentAxisDocument, SteadySpinsDocument};

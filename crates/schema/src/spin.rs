@@ -4,8 +4,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    FrictionDocument, GivenBody, Head, MarginDocument, Multiplicity, NonlinearDocument, PartDocument,
-    RelativeEquilibriumDocument, Stability, StabilityChangeKind, Verdict,
+    Failing, FrictionDocument, GivenBody, Head, MarginDocument, Multiplicity, NonlinearDocument, NonlinearVerdict,
+    PartDocument, Reason, RelativeEquilibriumDocument, Stability, StabilityChangeKind, Verdict,
 };
 
 /// A rate of turning in two units.
@@ -80,6 +80,19 @@ pub struct SteadyPlaceDocument {
     pub h: f64,
 }
 
+/// A spin at which alone a hypothesis of Arnold's theorem fails, between spins to which it applies.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct IsolatedSpinDocument {
+    /// The spin.
+    pub spin: SpinDocument,
+    /// Which hypothesis fails.
+    pub kind: Failing,
+    /// The verdict on rotation at this spin.
+    pub verdict: NonlinearVerdict,
+    /// Its reason.
+    pub why: Reason,
+}
+
 /// A range of spins in which a family has one linear type, to the start of the next one or to infinity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SteadyStretchDocument {
@@ -89,8 +102,10 @@ pub struct SteadyStretchDocument {
     pub change: Option<StabilityChangeKind>,
     /// Linear type of the flow reduced by l.
     pub stability: Stability,
-    /// What is known of its stability.
+    /// What is known of its stability, but at the isolated spins.
     pub stable: Verdict,
+    /// The isolated spins inside at which Arnold's theorem does not apply; `null` where not all of them were found.
+    pub isolated: Option<Vec<IsolatedSpinDocument>>,
 }
 
 /// Steady axes that move with the spin without meeting others, from one spin to infinity.
@@ -183,8 +198,10 @@ pub struct SpinStretchDocument {
     pub to: Option<SpinDocument>,
     /// The spectral type.
     pub stability: String,
-    /// The verdict, but at isolated spins of a resonance or where D₄ = 0.
+    /// The verdict, but at the isolated spins.
     pub nonlinear: NonlinearDocument,
+    /// The isolated spins inside at which Arnold's theorem does not apply; `null` where not all of them were found.
+    pub isolated: Option<Vec<IsolatedSpinDocument>>,
     /// What friction leaves of it.
     pub friction: FrictionDocument,
 }

@@ -119,7 +119,8 @@ impl BorderSearch {
                 Some(false) => last = s,
                 Some(true) => {
                     let accuracy = if last == 0.0 { self.accuracy } else { Accuracy::Fast };
-                    let options = BorderOptions { tolerance: 1e-9, accuracy, ..BorderOptions::default() };
+                    let options =
+                        BorderOptions { tolerance: 1e-9, accuracy, by_zeros: true, ..BorderOptions::default() };
                     let border = border::find(&BodySegment::new(body_at(last)?, body_at(s)?), &options).ok()?;
                     let at = last + border.t * (s - last);
                     let (distance, body) = (line.distance(at), ReducedBody::of(line.at(at)));

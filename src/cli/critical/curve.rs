@@ -66,18 +66,24 @@ fn scene(subject: &Subject, ends: [&Spin; 2], count: u32) -> Result<SteadyScene,
             }
         }
     }
+    let are_known = prepared.exceptions().is_some();
     let curves = families.iter().zip(points).map(|(family, mut points)| {
         // The places where the type changes are exact.
         let places = family.stretches.iter().skip(1).filter_map(|stretch| stretch.from);
         points.extend(places.map(|place| (rpm(place.omega), angle(place.gamma))));
         points.sort_by(|p, q| p.0.total_cmp(&q.0));
-        SteadyCurve { name: family.branch.to_string(), runs: runs(family, &points, rpm) }
+        SteadyCurve { name: family.branch.to_string(), runs: runs(family, &points, rpm, are_known) }
     });
     Ok(SteadyScene { range: [from, to], curves: curves.collect() })
 }
 
 /// The points of each range of one verdict, the ends of it in both neighbours.
-fn runs(family: &SteadyFamily, points: &[(f64, f64)], rpm: impl Fn(f64) -> f64) -> Vec<(Steadiness, Vec<(f64, f64)>)> {
+fn runs(
+    family: &SteadyFamily,
+    points: &[(f64, f64)],
+    rpm: impl Fn(f64) -> f64,
+    are_known: bool,
+) -> Vec<(Steadiness, Vec<(f64, f64)>)> {
     let starts: Vec<f64> =
         family.stretches.iter().map(|stretch| stretch.from.map_or(0.0, |place| rpm(place.omega))).collect();
     let run = |(number, stretch): (usize, &bifdiag_equilibria::critical::SteadyStretch)| {
@@ -85,6 +91,8 @@ fn runs(family: &SteadyFamily, points: &[(f64, f64)], rpm: impl Fn(f64) -> f64) 
         let kind = match stretch.verdict {
             Some((NonlinearVerdict::Stable, _)) => Steadiness::Stable,
             Some((NonlinearVerdict::Unstable, _)) => Steadiness::Unstable,
+            // What is left to the normal form, Arnold's theorem decides but at isolated spins.
+            None if are_known => Steadiness::Stable,
             Some((NonlinearVerdict::Open, _)) | None => Steadiness::Open,
         };
         let here = points.iter().copied().filter(|(at, _)| (starts[number]..=until).contains(at));

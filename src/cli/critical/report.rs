@@ -154,10 +154,17 @@ fn with_friction(points: &[&RelativeEquilibriumDocument]) -> String {
     let damped = |left: Option<Damped>| move |friction: &FrictionDocument| friction.conserving_l == left;
     let lost = |growing: u8| {
         let is = move |f: &FrictionDocument| f.conserving_l == Some(Damped::Lost) && f.growing == growing;
-        (format!("unstable in {}", counted(growing, "direction", "directions")), curves(&is))
+        let directions = if growing == 0 {
+            // A degenerate point that is no minimum.
+            "unstable".to_owned()
+        } else {
+            format!("unstable in {}", counted(growing, "direction", "directions"))
+        };
+        (directions, curves(&is))
     };
     let all = [
         ("stable".to_owned(), curves(&damped(Some(Damped::Survives)))),
+        lost(0),
         lost(1),
         lost(2),
         ("open".to_owned(), curves(&damped(None))),

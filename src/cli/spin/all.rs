@@ -1,12 +1,14 @@
 //! `bifdiag critical-spin` without an axis: all steady axes, and every spin at which one appears or changes.
 
-use bifdiag_documents::Subject;
-use bifdiag_equilibria::critical::{RelativeEquilibria, SteadyFamily};
+use bifdiag_documents::{Subject, words};
+use bifdiag_equilibria::critical::{Equilibrium, RelativeEquilibria, SteadyFamily};
+use bifdiag_equilibria::nonlinear::VerdictChange;
 use bifdiag_equilibria::permanent::{PermanentAxis, permanent_axis};
 use bifdiag_exact::{Accuracy, Solver};
 use bifdiag_numbers::vector::{dot, norm};
 use bifdiag_schema::{
-    Multiplicity, PermanentAxisDocument, SpinDocument, SteadyFamilyDocument, SteadySpinsDocument, SteadyStart, Verdict,
+    IsolatedSpinDocument, Multiplicity, PermanentAxisDocument, SpinDocument, SteadyFamilyDocument, SteadySpinsDocument,
+    SteadyStart, Verdict,
 };
 
 use super::permanent::{AxisChanges, changes_about, one_of, table_of_changes};
@@ -16,15 +18,20 @@ use crate::cli::input::head;
 use crate::cli::terminal::{Report, Table, Timings, fixed, significant};
 
 pub fn run(subject: &Subject, json: bool, timings: &Timings) -> Result<(), Failure> {
-    let families = timings.stage("families", || RelativeEquilibria::new(&subject.body).map(|found| found.families()));
-    let families = families.map_err(failed("the steady axes could not be found"))?;
+    let prepared = RelativeEquilibria::new(&subject.body).map_err(failed("the steady axes could not be found"))?;
+    let families = timings.stage("families", || prepared.families());
     let families =
         families.ok_or_else(|| Failure::work("the steady axes could not be told apart: roots are too close"))?;
-    let document = timings.stage("spins", || document(subject, &families));
+    let exceptions = timings.stage("exceptions", || prepared.exceptions());
+    let document = timings.stage("spins", || document(subject, &families, exceptions.as_deref()));
     answer(json, &document, || text(subject, &document))
 }
 
-fn document(subject: &Subject, families: &[SteadyFamily]) -> SteadySpinsDocument {
+fn document(
+    subject: &Subject,
+    families: &[SteadyFamily],
+    exceptions: Option<&[(Equilibrium, VerdictChange)]>,
+) -> SteadySpinsDocument {
     let axes = permanent_axes(subject, families);
     let prepared = Solver::new(subject.body.clone(), Accuracy::Exact);
     let atlas = if axes.is_empty() { None } else { prepared.atlas() };
@@ -34,7 +41,7 @@ fn document(subject: &Subject, families: &[SteadyFamily]) -> SteadySpinsDocument
         let AxisChanges { of_type_and_region: changes, slow, .. } = changes_about(subject, axis, atlas);
         Some(PermanentAxisDocument { axis: subject.to_given(axis.direction), slow: slow?, changes })
     });
-    bifdiag_documents::steady_spins(subject, families, permanent.collect(), note)
+    bifdiag_documents::steady_spins(subject, families, permanent.collect(), note, exceptions)
 }
 
 /// The axes that are permanent at every spin: of each end-to-end pair the end on the side of the centre of mass, and of a
@@ -148,9 +155,14 @@ fn legend(report: &mut Report, families: &[&SteadyFamilyDocument]) {
         };
         report.line(format!("{}: {}{axes}", family.branch, family.branch_name));
     }
-    let is_open =
-        |family: &&SteadyFamilyDocument| family.stretches.iter().any(|found| found.stable == Verdict::Spectrum);
-    if families.iter().any(is_open) {
+    let has_stretch = |stable: Verdict| families.iter().any(|f| f.stretches.iter().any(|found| found.stable == stable));
+    if has_stretch(Verdict::Arnold) {
+        let own = families.iter().flat_map(|family| family.stretches.iter().map(|found| (&family.branch, found)));
+        let isolated =
+            own.flat_map(|(branch, found)| found.isolated.iter().flatten().map(|one| (branch.clone(), *one)));
+        exceptions(report, isolated);
+    }
+    if has_stretch(Verdict::Spectrum) {
         report.line(
             "spectrally only: no eigenvalue grows; whether it is stable at one spin, `bifdiag critical --spin` says",
         );
@@ -161,6 +173,22 @@ fn legend(report: &mut Report, families: &[&SteadyFamilyDocument]) {
     }
     if has(SteadyStart::Fork) {
         report.line("fork: at this spin the axes leave another steady axis");
+    }
+}
+
+/// The isolated spins at which Arnold's theorem does not apply, each with what it is a spin of.
+pub fn exceptions(report: &mut Report, isolated: impl Iterator<Item = (String, IsolatedSpinDocument)>) {
+    let mut lines: Vec<String> = Vec::new();
+    for (name, IsolatedSpinDocument { spin, kind, verdict, why }) in isolated {
+        lines.push(format!("  {name}: {} rpm {}", significant(spin.rpm, 8), words::exception(kind, verdict, why)));
+    }
+    if lines.is_empty() {
+        report.line("by Arnold's theorem: at each of these spins");
+    } else {
+        report.line("by Arnold's theorem: at each of these spins but");
+        for line in lines {
+            report.line(line);
+        }
     }
 }
 

@@ -7,7 +7,9 @@ use bifdiag_equilibria::permanent::{Near, NearestAxis, exact_spin, nearest_stead
 use bifdiag_exact::{Accuracy, Solver};
 use bifdiag_numbers::Number;
 use bifdiag_numbers::vector::dot;
-use bifdiag_schema::{CriticalSpinDocument, Multiplicity, Reason, SpinDocument, SteadySpinDocument, Verdict};
+use bifdiag_schema::{
+    CriticalSpinDocument, Multiplicity, Reason, SpinDocument, SpinStretchDocument, SteadySpinDocument, Verdict,
+};
 use clap::Args;
 use dashu_ratio::RBig;
 
@@ -142,7 +144,10 @@ fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> Criti
     let second = subject.second();
     let AxisChanges { of_type_and_region: changes, slow, rotations } = changes_about(subject, axis, atlas);
     document.changes = changes;
-    let stretches = rotations.iter().flat_map(|(up, rotation)| bifdiag_documents::spin_stretches(rotation, up, second));
+    let exceptions = RelativeEquilibria::new(&subject.body).ok().and_then(|found| found.exceptions());
+    let stretches = rotations
+        .iter()
+        .flat_map(|(up, rotation)| bifdiag_documents::spin_stretches(rotation, up, second, exceptions.as_deref()));
     document.stretches = stretches.collect();
     document.tolerance = match known {
         Known::Exactly => None,
@@ -160,14 +165,17 @@ fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> Criti
 /// What there is near an axis that is not permanent: the steady rotations that tend to the principal axis beside it at fast
 /// spins, and what the tolerances do to them.
 fn beside(document: &mut CriticalSpinDocument, subject: &Subject, given: &AxisArgument, known: &Known<'_>) {
-    let families = RelativeEquilibria::new(&subject.body).ok().and_then(|found| found.families()).unwrap_or_default();
+    let prepared = RelativeEquilibria::new(&subject.body).ok();
+    let families = prepared.as_ref().and_then(RelativeEquilibria::families).unwrap_or_default();
+    let exceptions = prepared.as_ref().and_then(RelativeEquilibria::exceptions);
     let up = subject.to_principal(given.direction);
     let near = [up, up.map(|x| -x)].map(|up| fastest_along(&families, up));
     let [Some(plus), Some(minus)] = near else { return };
     // Both ends belong to a circle of axes.
     let is_one = plus.axes == Multiplicity::Circle && minus == plus;
     let both = [&plus, &minus];
-    document.families = bifdiag_documents::steady_families(subject, &both[usize::from(is_one)..]);
+    document.families =
+        bifdiag_documents::steady_families(subject, &both[usize::from(is_one)..], exceptions.as_deref());
     document.slow = Some(
         both.map(|family| family.stretches.first().map_or_else(String::new, |first| first.kind.word().to_owned())),
     );
@@ -289,14 +297,14 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
     } else {
         report.line(table_of_changes(&document.changes, if unknown { "not known" } else { "same" }));
     }
-    report.line(stretches(document));
+    stretches(&mut report, document);
     tolerance::report(&mut report, document);
     note(&mut report, document);
     report.text()
 }
 
 /// The verdicts between the changes as a table.
-fn stretches(document: &CriticalSpinDocument) -> String {
+fn stretches(report: &mut Report, document: &CriticalSpinDocument) {
     let mut table = Table::new(&["up", "from rpm", "to rpm", "stability", "with friction"]);
     for stretch in &document.stretches {
         let rpm = |spin: &Option<SpinDocument>, none: &str| match spin {
@@ -311,13 +319,16 @@ fn stretches(document: &CriticalSpinDocument) -> String {
             words::with_friction(&stretch.friction),
         ]);
     }
-    let exceptions = document.stretches.iter().any(|stretch| stretch.nonlinear.why == Reason::Arnold);
-    let isolated = if exceptions {
-        "by Arnold's theorem: but for isolated spins; `bifdiag show` lists them as l of the rotation's curve"
-    } else {
-        ""
-    };
-    format!("\n{}{isolated}", table.text())
+    report.line(format!("\n{}", table.text().trim_end()));
+    let by_arnold = || document.stretches.iter().filter(|stretch| stretch.nonlinear.why == Reason::Arnold);
+    if by_arnold().any(|stretch| stretch.isolated.is_none()) {
+        report.line("by Arnold's theorem: but for isolated spins, which were not found");
+    } else if by_arnold().next().is_some() {
+        let named = |stretch: &SpinStretchDocument| format!("{} up", stretch.up);
+        let isolated =
+            by_arnold().flat_map(|stretch| stretch.isolated.iter().flatten().map(move |one| (named(stretch), *one)));
+        all::exceptions(report, isolated);
+    }
 }
 
 /// Without weight, the other principal axes at the same angle.

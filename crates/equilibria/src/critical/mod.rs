@@ -2,6 +2,7 @@
 
 mod beyond;
 mod continuation;
+mod exceptions;
 mod families;
 mod found;
 

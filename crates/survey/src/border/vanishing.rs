@@ -133,9 +133,9 @@ fn height(set: &CriticalSet, point: &Point, branch: Branch) -> Option<Gap> {
         .min_by(|p, q| p.value.abs().total_cmp(&q.value.abs()))
 }
 
-/// Bisection on the sign, until rounding hides it.
+/// The zero between two signs, until rounding hides it: two steps of false position (Illinois), then one of bisection.
 fn bisected(value: impl Fn(f64) -> Option<Gap>, [mut low, mut high]: [f64; 2]) -> Option<ParameterRoot> {
-    const STEPS: usize = 120;
+    const STEPS: usize = 200;
     let is_zero = |gap: &Gap| *gap == Gap { value: 0.0, error: 0.0 };
     let (first, last) = (value(low)?, value(high)?);
     if let Some((_, t)) = [(&first, low), (&last, high)].into_iter().find(|(gap, _)| is_zero(gap)) {
@@ -145,15 +145,28 @@ fn bisected(value: impl Fn(f64) -> Option<Gap>, [mut low, mut high]: [f64; 2]) -
         return None;
     }
     let slope = (last.value - first.value) / (high - low);
-    for _ in 0..STEPS {
-        let t = 0.5 * (low + high);
+    let (mut below, mut above) = (first.value, last.value);
+    // Which end stayed in the step before.
+    let mut stayed = None;
+    for step in 0..STEPS {
+        let middle = 0.5 * (low + high);
+        let chord = low + (high - low) * below / (below - above);
+        let t = if step % 3 != 2 && low < chord && chord < high { chord } else { middle };
         if t <= low || t >= high {
             break;
         }
         let found = value(t)?;
         match found.order() {
-            Some(order) if Some(order) == first.order() => low = t,
-            Some(_) => high = t,
+            Some(order) if Some(order) == first.order() => {
+                (low, below) = (t, found.value);
+                above *= if stayed == Some(Stayed::High) { 0.5 } else { 1.0 };
+                stayed = Some(Stayed::High);
+            }
+            Some(_) => {
+                (high, above) = (t, found.value);
+                below *= if stayed == Some(Stayed::Low) { 0.5 } else { 1.0 };
+                stayed = Some(Stayed::Low);
+            }
             None => {
                 if is_zero(&found) {
                     return Some(ParameterRoot { t, error: 0.0 });
@@ -164,6 +177,13 @@ fn bisected(value: impl Fn(f64) -> Option<Gap>, [mut low, mut high]: [f64; 2]) -
         }
     }
     Some(ParameterRoot { t: 0.5 * (low + high), error: high - low })
+}
+
+/// The end of an interval that a step did not move.
+#[derive(Clone, Copy, PartialEq)]
+enum Stayed {
+    Low,
+    High,
 }
 
 /// Inverse interpolation of t over f = (J − J')² of the two cusps, beyond the side on which they exist: they part like the
