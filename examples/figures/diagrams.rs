@@ -6,12 +6,12 @@ use bifdiag::Curves;
 use bifdiag_body::Preset;
 use bifdiag_documents::DocumentOptions;
 use bifdiag_exact::Accuracy;
-use bifdiag_plot::{DiagramOptions, MarkedPoints, Picture, draw};
+use bifdiag_plot::{DiagramOptions, DiagramView, MarkedPoints, Picture, draw};
 
 use crate::figure::{Figure, THEME};
 
 /// Name of the file, name of the body.
-const DIAGRAMS: [(&str, &str); 9] = [
+const DIAGRAMS: [(&str, &str); 11] = [
     ("bifurcation-kovalevskaya", "kovalevskaya"),
     ("bifurcation-nine-regions", "paper"),
     ("bifurcation-katok-1", "katok:1"),
@@ -21,11 +21,13 @@ const DIAGRAMS: [(&str, &str); 9] = [
     ("bifurcation-katok-5", "katok:5"),
     ("bifurcation-katok-6", "katok:6"),
     ("bifurcation-katok-7", "katok:7"),
+    ("bifurcation-straightened-nine", "paper"),
+    ("bifurcation-straightened-ten", "ten"),
 ];
 
 pub fn figures() -> impl Iterator<Item = Figure> {
     let diagrams = DIAGRAMS.iter().filter_map(|(stem, name)| Some((*stem, Preset::find(name)?)));
-    diagrams.map(|(stem, preset)| Figure { stem, draw: Box::new(move || diagram(preset)) })
+    diagrams.map(|(stem, preset)| Figure { stem, draw: Box::new(move || diagram(stem, preset)) })
 }
 
 /// The paper's examples of the nine regions.
@@ -41,13 +43,15 @@ const DOTS: [[f64; 2]; 9] = [
     [14.0, 7.2],
 ];
 
-fn diagram(preset: &Preset) -> Result<Picture, Box<dyn Error>> {
+fn diagram(stem: &str, preset: &Preset) -> Result<Picture, Box<dyn Error>> {
     let atlas = bifdiag_exact::atlas(&preset.body(), Accuracy::Exact)?;
     let document = bifdiag_documents::atlas::document(&atlas, &DocumentOptions::default());
     let dots =
         MarkedPoints { points: DOTS.to_vec(), text: "the paper's example of a region".to_owned(), way: Vec::new() };
-    let points = (preset.name() == "paper").then_some(dots);
-    let options = DiagramOptions { points, theme: THEME, ..DiagramOptions::default() };
+    let is_straight = stem.starts_with("bifurcation-straightened");
+    let points = (preset.name() == "paper" && !is_straight).then_some(dots);
+    let view = if is_straight { DiagramView::Straight } else { DiagramView::Plane };
+    let options = DiagramOptions { points, view, theme: THEME, ..DiagramOptions::default() };
     Ok(draw(&document, Some(&Curves(&atlas)), &options)?)
 }
 

@@ -120,7 +120,7 @@ const MATHEMATICS: usize = 4;
 /// `scan --bodies` and `--keep` (issue 40), for arrays of bodies from Python.
 const OWN_BODIES: usize = 2;
 /// And those of pictures (issue 38), on the page of `atlas` and on the first one.
-const PICTURES: usize = 2;
+const PICTURES: usize = 4;
 
 /// And `orbit --proved` with its digits and its bound (issue 42).
 const PROVED_MOTION: usize = 3;

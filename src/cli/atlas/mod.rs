@@ -96,8 +96,8 @@ pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure>
         // A window without a region would be an empty frame.
         if !arguments.no_plot && !document.regions.is_empty() {
             let (window, theme, width) = (arguments.window, arguments.picture.theme, arguments.width.width);
-            let view = arguments.diagram.view;
-            let options = DiagramOptions { window, points: None, theme, width, view };
+            let DiagramArguments { view, no_samples } = arguments.diagram;
+            let options = DiagramOptions { window, points: None, theme, width, view, no_samples };
             let picture = timings.stage("diagram", || draw(&document, Some(&Curves(&atlas)), &options))?;
             files.pictures("diagram", &picture, &arguments.picture.format, timings)?;
         }

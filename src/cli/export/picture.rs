@@ -84,6 +84,9 @@ pub struct DiagramArguments {
     #[arg(long, value_parser = named(&VIEWS), default_value = "auto", help_heading = "Output", hide_possible_values = true)]
     #[arg(value_name = "plane|straight|auto", hide_short_help = true)]
     pub view: DiagramView,
+    /// Leave the dots at the samples of the regions out
+    #[arg(long, help_heading = "Output", hide_short_help = true)]
+    pub no_samples: bool,
 }
 
 /// The widths of a journal's page.

@@ -126,7 +126,7 @@ fn columns(atlas: &AtlasDocument) -> Vec<String> {
     vec!["curve".to_owned(), format!("from {L} to {L}"), "linear type".to_owned(), "stability".to_owned(), motions]
 }
 
-/// Near both ends of the part of a stretch that a panel shows.
+/// The ends of the part of a stretch that a panel shows.
 fn seen(panel: &Panel, stroke: &Stroke) -> Option<[f64; 2]> {
     let window = &panel.view.window;
     let points = panel.traces[stroke.curve].part(stroke.l[0], stroke.l[1]);
@@ -134,13 +134,14 @@ fn seen(panel: &Panel, stroke: &Stroke) -> Option<[f64; 2]> {
         .iter()
         .filter(|[h, l]| (window.h[0]..=window.h[1]).contains(h) && (window.l[0]..=window.l[1]).contains(l));
     let [from, to] = inside.fold([f64::INFINITY, f64::NEG_INFINITY], |[from, to], [_, l]| [from.min(*l), to.max(*l)]);
-    (from < to).then_some([from + INSIDE * (to - from), to - INSIDE * (to - from)])
+    (from < to).then_some([from, to])
 }
 
 fn cells(scene: &Scene<'_>, curve: &CurveDocument, l: [f64; 2]) -> Option<Vec<String>> {
     let source = scene.source?;
     let at = |l: f64| source.equilibria(l).into_iter().find(|point| point.branch == curve.id);
-    let (first, last) = (at(l[0])?, at(l[1])?);
+    let inside = INSIDE * (l[1] - l[0]);
+    let (first, last) = (at(l[0] + inside)?, at(l[1] - inside)?);
     let name = format!("{}, {}", curve.id, curve.branch_name);
     let range = l.map(|l| short_number(l, DIGITS)).join(" … ");
     let motions = small_motions(&[first.eigenvalues, last.eigenvalues], short_time);

@@ -50,7 +50,7 @@ impl<'a> Page<'a> {
         options: &DiagramOptions,
         plan: &'static Plan,
     ) -> Result<Self, PlotError> {
-        let scene = Scene::new(atlas, source, options.points.as_ref(), plan)?;
+        let scene = Scene::new(atlas, source, options, plan)?;
         let styles = branch_styles(atlas);
         let strokes = strokes(atlas, &styles);
         let (panels, mut magnified) = if plan.straight {

@@ -33,6 +33,8 @@ pub struct DiagramOptions {
     pub width: Width,
     /// In which coordinates.
     pub view: DiagramView,
+    /// Leaves the samples of the regions out, if no points are marked in their place.
+    pub no_samples: bool,
 }
 
 /// Where polylines denser than those of the document come from.
@@ -117,9 +119,9 @@ fn steps(way: &[SlowdownDocument], curves: &BTreeMap<&str, usize>) -> Vec<Step> 
 
 /// The points that were asked for, else the samples of the regions.
 /// In the straightened plane every region is seen without its sample.
-fn dots(atlas: &AtlasDocument, marked: Option<&MarkedPoints>, plan: &Plan) -> Vec<Dot> {
+fn dots(atlas: &AtlasDocument, options: &DiagramOptions, plan: &Plan) -> Vec<Dot> {
     let place = |[h, l]: [f64; 2]| format!("h = {h}, l = {l}");
-    if let Some(marked) = marked {
+    if let Some(marked) = &options.points {
         let dot = |(number, &at): (usize, &[f64; 2])| Dot { at, id: (number + 1).to_string(), title: place(at) };
         return marked.points.iter().enumerate().map(dot).collect();
     }
@@ -127,14 +129,14 @@ fn dots(atlas: &AtlasDocument, marked: Option<&MarkedPoints>, plan: &Plan) -> Ve
         let at = [region.sample.h, region.sample.l];
         Dot { at, id: region.id.clone(), title: format!("sample of {}: {}", region.id, place(at)) }
     };
-    if plan.straight { Vec::new() } else { atlas.regions.iter().map(dot).collect() }
+    if plan.straight || options.no_samples { Vec::new() } else { atlas.regions.iter().map(dot).collect() }
 }
 
 impl<'a> Scene<'a> {
     pub(super) fn new(
         atlas: &'a AtlasDocument,
         source: Option<&'a dyn CurveSource>,
-        marked: Option<&MarkedPoints>,
+        options: &DiagramOptions,
         plan: &'static Plan,
     ) -> Result<Self, PlotError> {
         let curves: BTreeMap<&str, usize> =
@@ -153,8 +155,8 @@ impl<'a> Scene<'a> {
             });
             cells.collect::<Result<Vec<Cell>, PlotError>>()
         });
-        let way = marked.map_or_else(Vec::new, |marked| steps(&marked.way, &curves));
-        Ok(Self { atlas, source, plan, cells: cells.collect::<Result<_, _>>()?, dots: dots(atlas, marked, plan), way })
+        let way = options.points.as_ref().map_or_else(Vec::new, |marked| steps(&marked.way, &curves));
+        Ok(Self { atlas, source, plan, cells: cells.collect::<Result<_, _>>()?, dots: dots(atlas, options, plan), way })
     }
 }
 

@@ -133,7 +133,7 @@ mod tests {
     use super::straighten;
     use crate::diagram::labels::names;
     use crate::diagram::plan::Plan;
-    use crate::diagram::scene::{CurveSource, Scene, windows};
+    use crate::diagram::scene::{CurveSource, DiagramOptions, Scene, windows};
     use crate::diagram::straight::plane::{BELOW_ALL, Straight};
     use crate::page::{Point, Rect, Width};
     use bifdiag_documents::DocumentOptions;
@@ -155,7 +155,8 @@ mod tests {
             let body = random_body(&mut rng, *stratum);
             let atlas = Curves(bifdiag_diagram::fast::atlas(&body).expect("the body has an atlas"));
             let document = bifdiag_documents::atlas::document(&atlas.0, &DocumentOptions::default());
-            let scene = Scene::new(&document, Some(&atlas), None, Plan::straight(Width::Page)).unwrap();
+            let scene =
+                Scene::new(&document, Some(&atlas), &DiagramOptions::default(), Plan::straight(Width::Page)).unwrap();
             let rect = Rect { x: 50.0, y: 50.0, width: 800.0, height: 440.0 };
             let l_end = windows(&scene, None).unwrap()[1].l[1];
             let straight = straighten(&scene, rect, 40.0, l_end, &names(&document)).unwrap();
