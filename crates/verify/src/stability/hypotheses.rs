@@ -92,10 +92,12 @@ impl Stretch {
                 narrow(&mut root, self.whole(), spaces.bits());
                 let range = [root.lo, root.hi];
                 let judged = match kind {
-                    Failing::Resonance12 => determinant.sign(&range).map(|_| match is_axis {
-                        true => (NonlinearVerdict::Stable, Reason::Arnold),
-                        false => (NonlinearVerdict::Unstable, Reason::Resonance12),
-                    }),
+                    Failing::Resonance12 if is_axis => {
+                        determinant.sign(&range).map(|_| (NonlinearVerdict::Stable, Reason::Arnold))
+                    }
+                    Failing::Resonance12 => {
+                        determinant.sign(&range).map(|_| (NonlinearVerdict::Unstable, Reason::Resonance12))
+                    }
                     _ => self.markeev(spaces, &range, bits),
                 };
                 let Some((verdict, why)) = judged else { return Ok(None) };
