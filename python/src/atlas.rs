@@ -118,7 +118,13 @@ impl Atlas {
     fn to_json(&self, python: Python<'_>, ranges: Option<Ranges>, drawing: bool) -> PyResult<String> {
         let drawing = if drawing { Drawn::Everything } else { Drawn::Nothing };
         let options = DocumentOptions { window: ranges.map(window), drawing, ..DocumentOptions::default() };
-        let text = python.detach(|| Ok::<_, PyErr>(documents::layout::text(&self.document(&options)?)))?;
+        let text = python.detach(|| {
+            let mut document = self.document(&options)?;
+            if self.proved.is_none() {
+                documents::atlas::attach_verdict_changes(&mut document, self.atlas());
+            }
+            Ok::<_, PyErr>(documents::layout::text(&document))
+        })?;
         text.map_err(|error| errors::range(&error))
     }
 

@@ -47,7 +47,7 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
     let atlas = bifdiag_exact::atlas(&subject.body, Accuracy::Exact).map_err(failed("the atlas could not be made"))?;
     let options = DocumentOptions { drawing: Drawn::Nothing, ..DocumentOptions::default() };
     let mut document = bifdiag_documents::atlas::document(&atlas, &options);
-    document.verdict_changes = bifdiag_documents::atlas::verdict_changes(&atlas);
+    bifdiag_documents::atlas::attach_verdict_changes(&mut document, &atlas);
     let mut report = Report::default();
     head(&subject, &mut report);
     report.line("");

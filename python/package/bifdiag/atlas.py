@@ -169,7 +169,7 @@ class Atlas:
     def verdict_changes(self) -> Changes[VerdictChange] | None:
         """Isolated points of curves at which a hypothesis of Arnold's theorem fails, by increasing l.
 
-        None without a certificate, and where not all of them are known.
+        None where not all of them are known, and with `accuracy="fast"`.
         """
         found = self._document.get("verdict_changes")
         return None if found is None else Changes(found, VerdictChange._of)

@@ -122,11 +122,6 @@ fn atlas(arguments: &AtlasArguments, subject: &Subject, timings: &Timings) -> Re
     let options = DocumentOptions { window: arguments.window, accuracy, ..DocumentOptions::default() };
     let mut document = timings.stage("curves", || bifdiag_documents::atlas::document(&atlas, &options));
     attach_part(&mut document, subject);
-    if accuracy == Accuracy::Exact {
-        document.verdict_changes = timings.stage("verdicts", || bifdiag_documents::atlas::verdict_changes(&atlas));
-    }
-    if let (Some(WindowDocument { h, l }), Some(changes)) = (arguments.window, &mut document.verdict_changes) {
-        changes.retain(|change| h[0] <= change.h && change.h <= h[1] && l[0] <= change.l && change.l <= l[1]);
-    }
+    timings.stage("verdicts", || bifdiag_documents::atlas::attach_verdict_changes(&mut document, &atlas));
     Ok((atlas, document))
 }

@@ -13,7 +13,9 @@ pub fn text(document: &impl serde::Serialize) -> Result<String, Refused> {
 /// `bifdiag --json`.
 pub fn atlas(of: &str) -> Result<String, Refused> {
     let atlas = bifdiag::atlas(&body(of)?, Accuracy::Exact)?;
-    text(&documents::atlas::document(&atlas, &documents::DocumentOptions::default()))
+    let mut document = documents::atlas::document(&atlas, &documents::DocumentOptions::default());
+    documents::atlas::attach_verdict_changes(&mut document, &atlas);
+    text(&document)
 }
 
 /// `bifdiag --accuracy fast --json` of an atlas that is there, without outlines and widths of regions, which the page does not draw.

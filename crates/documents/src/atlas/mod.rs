@@ -10,7 +10,9 @@ mod stability;
 use std::collections::BTreeMap;
 
 use bifdiag_diagram::atlas::{Atlas, Window};
-use bifdiag_schema::{AtlasDocument, BodyDocument, EventDocument, RegionDocument, SummaryDocument, WindowDocument};
+use bifdiag_schema::{
+    Accuracy, AtlasDocument, BodyDocument, EventDocument, RegionDocument, SummaryDocument, WindowDocument,
+};
 
 use crate::body::{given, head};
 use crate::classification::accuracy_option;
@@ -20,7 +22,7 @@ use crate::subject::Subject;
 use stability::Stability;
 
 pub use options::{DocumentOptions, Drawn};
-pub use stability::verdict_changes;
+pub(crate) use stability::verdict_changes;
 
 /// The atlas as a document. Curves, events and regions come from the closed form.
 #[must_use]
@@ -96,6 +98,18 @@ pub fn attach_part(document: &mut AtlasDocument, subject: &Subject) {
     if let Some(part) = &subject.part {
         name_command(document, subject);
         document.body.part = Some(part.clone());
+    }
+}
+
+/// Adds to an exact document the points of its window where a hypothesis of Arnold's theorem fails; takes ten times as long as
+/// the rest.
+pub fn attach_verdict_changes(document: &mut AtlasDocument, atlas: &Atlas) {
+    if document.accuracy != Accuracy::Exact {
+        return;
+    }
+    document.verdict_changes = verdict_changes(atlas);
+    if let (Some(WindowDocument { h, l }), Some(changes)) = (document.window, &mut document.verdict_changes) {
+        changes.retain(|change| h[0] <= change.h && change.h <= h[1] && l[0] <= change.l && change.l <= l[1]);
     }
 }
 

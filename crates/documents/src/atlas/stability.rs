@@ -104,7 +104,7 @@ impl<'a> Stability<'a> {
 }
 
 /// Every isolated point of the curves at which a hypothesis of Arnold's theorem fails, by rising l, then h; `None` where not all
-/// of them were found. It takes ten times as long as the rest of the document.
+/// of them were found.
 #[must_use]
 pub fn verdict_changes(atlas: &Atlas) -> Option<Vec<VerdictChangeDocument>> {
     let set = &atlas.arrangement().set;
