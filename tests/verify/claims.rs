@@ -106,7 +106,8 @@ fn false_verdicts_are_refused() {
         let changes = true_one.verdict_changes.as_ref().unwrap();
         assert!(changes.len() >= 3 && changes.iter().all(|change| change.proved));
         for n in 0..changes.len() {
-            let forgeries: [&dyn Fn(&mut Vec<VerdictChangeDocument>); 7] = [
+            type Forgery<'a> = &'a dyn Fn(&mut Vec<VerdictChangeDocument>);
+            let forgeries: [Forgery<'_>; 7] = [
                 &|list| {
                     list[n].verdict = match list[n].verdict {
                         NonlinearVerdict::Stable => NonlinearVerdict::Unstable,

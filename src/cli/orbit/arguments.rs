@@ -21,7 +21,7 @@ pub const EXAMPLES: &str = "\
 Examples:
   bifdiag orbit --body paper --gamma 0.6,0,0.8 --omega 1,0.3,1
   bifdiag orbit --body paper --h 4.45 --l 3.25 --theta 1 --psi pi/2 --data m.csv
-  bifdiag orbit --body lagrange --gamma 0,0.1,1 --l-vector 0,0,3 --times -5:5:11 --json
+  bifdiag orbit --body lagrange --gamma 0,0.1,1 --l-vector 0,0,3 --times -5:5:11
   bifdiag orbit --body paper --euler pi/3,pi/2,0 --omega 1,0.3,1
   bifdiag orbit --body paper --gamma 0.6,0,0.8 --omega 1,0.3,1 --proved
   bifdiag orbit --body paper --gamma 0,0,1 --omega 1,0,2 --animate m.svg
