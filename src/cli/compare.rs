@@ -226,8 +226,6 @@ fn add_path(report: &mut Report, document: &ComparisonDocument) {
     });
     report.line("branches and components of r in axes by rising moments");
     for (number, _) in ["1", "2"].into_iter().zip(path.turned).filter(|(_, turned)| *turned) {
-        report.line(format!(
-            "{number} has equal moments: its r is turned about the axis of symmetry, to be near that of the other"
-        ));
+        report.line(format!("{number} has equal moments: its r is turned among their axes, which changes no diagram"));
     }
 }

@@ -85,7 +85,8 @@ pub fn run(arguments: &FindArguments, quiet: bool) -> Result<(), Failure> {
         return Ok(());
     }
     let tried = counted(document.tried, "body", "bodies");
-    Err(Failure::work(format!("{} was not found among {tried}", document.sought)))
+    let verb = if is_plural(&document.sought) { "were" } else { "was" };
+    Err(Failure::work(format!("{} {verb} not found among {tried}", document.sought)))
 }
 
 fn target(arguments: &FindArguments) -> Result<Target, Failure> {
@@ -151,12 +152,13 @@ fn command(arguments: &FindArguments) -> CommandLine {
 fn report(document: &FindDocument) -> String {
     let mut report = Report::default();
     if let Some(why) = &document.why {
-        let verb = if document.sought.ends_with("relative equilibria") { "do" } else { "does" };
+        let verb = if is_plural(&document.sought) { "do" } else { "does" };
         report.line(format!("{} {verb} not exist for r ≠ 0: {why}", document.sought));
         return report.text();
     }
     let Some(witness) = &document.witness else {
-        report.line(format!("{} was not found: {}", document.sought, tried(document)));
+        let verb = if is_plural(&document.sought) { "were" } else { "was" };
+        report.line(format!("{} {verb} not found: {}", document.sought, tried(document)));
         if let Some(nearest) = &document.nearest {
             let list = |values: [f64; 3]| values.map(|x| x.to_string()).join(",");
             report.line(format!(
@@ -170,10 +172,11 @@ fn report(document: &FindDocument) -> String {
         return report.text();
     };
     let body = format!("--A {} --r {}", witness.body.moments.join(","), witness.body.center.join(","));
-    let (is, command) = if witness.critical_points.is_some() {
-        ("are", format!("critical {body} --l {}", witness.l))
+    let is = if is_plural(&document.sought) { "are" } else { "is" };
+    let command = if witness.critical_points.is_some() {
+        format!("critical {body} --l {}", witness.l)
     } else {
-        ("is", format!("classify {body} --h={} --l {}", witness.h, witness.l))
+        format!("classify {body} --h={} --l {}", witness.h, witness.l)
     };
     report.line(format!("{} {is} shown by", document.sought));
     report.line(format!("  bifdiag {command}"));
@@ -199,6 +202,11 @@ fn report(document: &FindDocument) -> String {
     report.line(format!("confirmed by the {}", document.verified_by.join(" and the ")));
     report.line(tried(document));
     report.text()
+}
+
+/// True if what is sought has a plural name.
+fn is_plural(sought: &str) -> bool {
+    sought.ends_with("relative equilibria")
 }
 
 /// What was looked at.

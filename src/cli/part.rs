@@ -13,7 +13,7 @@ use clap::Args;
 use super::export::{FileSet, PictureArguments, answer};
 use super::failure::Failure;
 use super::input::{GivenPart, PartArguments, integrable, shown_of_part};
-use super::terminal::{Report, Table, Timings, significant};
+use super::terminal::{Report, Table, Timings, fixed, significant};
 
 pub const BODY_EXAMPLES: &str = "\
 Examples:
@@ -113,7 +113,7 @@ fn table(principal: &PrincipalDocument, document: &PartDocument, digits: usize, 
     let mut table = Table::new(&["axis", "moment", "direction", "angle to com", last]);
     for k in 0..3 {
         let axis = principal.axes[k];
-        let [x, y, z] = axis.map(|x| format!("{x:>9.6}"));
+        let [x, y, z] = axis.map(|x| format!("{:>9}", fixed(x, 6)));
         let cosine = dot(axis, com).abs() / distance;
         table.row([
             (k + 1).to_string(),

@@ -72,7 +72,7 @@ fn branches_of_bodies_with_other_strata_are_not_told_by_their_numbers() {
     assert_eq!(near["path"]["ends"][0]["r"], json!(["4/5", "3/5", "1"]));
     assert_eq!(near["path"]["turned"], json!([true, false]));
     let told = bifdiag("compare").and(symmetric).and("A=1,1.1,2;r=0.5,0.1,0.5").succeeds();
-    told.printing("1 has equal moments: its r is turned about the axis of symmetry");
+    told.printing("1 has equal moments: its r is turned among their axes");
 }
 
 #[test]
@@ -280,4 +280,26 @@ fn the_sphere_names_a_degenerate_equilibrium() {
         std::fs::read_to_string(place.path().join("bifdiag-out/sphere.svg")).unwrap()
     };
     assert!(drawn("1").contains(">degenerate<") && !drawn("1.01").contains(">degenerate<"));
+}
+
+/// Only the pitchfork over an axis with r_i = 0 whose moment passes that of another goes to infinity; others stay.
+#[test]
+fn a_pitchfork_that_stays_is_not_said_to_go_to_infinity() {
+    for (one, other) in [
+        ("A=1,2,2;r=1,0,0", "A=1,2,2.1;r=1,0.1,0"),
+        ("A=1,2,2;r=0,1,0", "A=1,1.99,2;r=0,1,1"),
+        ("A=1,1,2;r=1,0,0", "A=1,1.5,2;r=0.5,1,0"),
+        ("plate", "rod"),
+    ] {
+        let told = bifdiag("compare").and(one).and(other).succeeds();
+        assert!(!told.stdout().contains("through infinity"), "{one} {other}\n{}", told.stdout());
+    }
+}
+
+#[test]
+fn at_least_so_many_relative_equilibria_are_found() {
+    bifdiag("find --critical-points 5").succeeds().printing("at least 5 relative equilibria are shown by");
+    bifdiag("find --critical-points 1").succeeds().printing("at least 1 relative equilibrium is shown by");
+    let few = bifdiag("find --critical-points 12 --samples 50").fails();
+    few.telling("at least 12 relative equilibria were not found among");
 }

@@ -392,7 +392,7 @@ fn another_axis_than_the_given_one_is_told() {
         |axis: &str| bifdiag(&format!("state --A 1,2,3 --r 0,0,1 --axis={axis} --spin")).and("3 rad/s").succeeds();
     state("1e-8,0,1").printing("the nearest steady rotation, about (0, 0, 1), 5.73e-7° away, is taken");
     assert!(!state("z").stdout().contains("is taken"));
-    state("1e-3,0,1").printing("the motion is not steady");
+    state("1e-3,0,1").printing("the motion is no steady rotation about the vertical");
     let cone = "--A 2,3,1 --r 1,2,0";
     let off = bifdiag(&format!("state {cone} --axis 1,1,0 --spin")).and("5 rad/s").succeeds();
     off.printing("rotation about the vertical is steady at one spin only: 11.356091 rpm, with this end up");
@@ -552,7 +552,7 @@ fn steady_rotations_are_the_relative_equilibria() {
 #[test]
 fn a_body_at_rest_beside_its_equilibrium_is_not_steady() {
     let state = "state --A 1.3,2.1,1.6 --r 0,1,0 --omega 0,0,0 --vertical 1,-1,0";
-    let text = bifdiag(state).succeeds().printing("the motion is not steady");
+    let text = bifdiag(state).succeeds().printing("the motion is no steady rotation about the vertical");
     text.printing("(0, -1, 0), 45° from the vertical");
     assert!(bifdiag(&format!("{state} --json")).succeeds().json()["steady"].is_null());
 }

@@ -266,6 +266,20 @@ fn a_spin_down_begins_at_the_end_of_its_curve() {
         let found = bifdiag(&line).succeeds().json();
         assert!(!found["path"].as_array().unwrap().is_empty(), "{line}");
     }
+    // At a pitchfork that is a minimum the rotation goes on as one of the pair; elsewhere the regions are those beside it.
+    for (moments, curve, next) in [("2,2,3", "L-.1", "S12.1"), ("1,2,3", "L-.2", "S2.1")] {
+        let line = format!("spin-down --A {moments} --r 0,0,1 --from={curve} --json");
+        let path = bifdiag(&line).succeeds().json()["path"].clone();
+        assert_eq!(
+            (path[0]["curve"].as_str(), path[0]["event"].as_str() == Some("start")),
+            (Some(next), false),
+            "{path}"
+        );
+    }
+    // Where a pair of saddles closes upon a minimum of larger l, the point is a saddle.
+    bifdiag("spin-down --A 2,2.5,3 --r 0,0,1 --from=L-.2").succeeds().printing("no minimum: falls, to L+.1");
+    let lost = bifdiag("spin-down --body kovalevskaya --from L-.1 --json").succeeds().json();
+    assert_eq!(lost["path"][0]["regions"], json!(["R1", "R4"]), "{lost}");
     bifdiag("spin-down --A 2,3,4 --r 1,0,0 --from L+.1").succeeds().printing("hangs at rest");
     bifdiag("spin-down --A 1,2,3 --r 0,0,0 --from S3.1").succeeds().printing("comes to rest");
 }

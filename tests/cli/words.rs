@@ -157,7 +157,7 @@ fn other_spellings_lead_to_the_same_thing() {
     assert_eq!(told("Staude"), told("relative equilibria"));
     assert_eq!(told("pitchforks"), told("fork"));
     assert_eq!(told("hamiltonian hopf"), told("Hamiltonian-Hopf"));
-    bifdiag("explain pichfork").refused().telling("the nearest are pitchfork").printing_nothing();
+    bifdiag("explain pichfork").refused().telling("the nearest is pitchfork").printing_nothing();
     bifdiag("explain xyzzyxyzzy").refused().telling("has no such term; `bifdiag explain` lists");
     let atlas = |body: &str| bifdiag(&format!("--body {body} --json")).succeeds().stdout();
     for body in ["kowalevski", "Kovalevskaya", "kovalevskaja"] {

@@ -37,7 +37,7 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("--A 2,1,1 --r 1,0,0x10", &["r3: `0x10` is not a number"]),
     ("--A 2,1,1 --r=1,-inf,0", &["r2: `-inf` is not finite"]),
     // Words and comparisons.
-    ("explain pichfork", &["WORD pichfork", "the nearest are pitchfork"]),
+    ("explain pichfork", &["WORD pichfork", "the nearest is pitchfork"]),
     ("compare paper nobody", &["BODY nobody", "`bifdiag bodies` lists them"]),
     ("classify --body paper --h 1 --l 1 --certificate --no-region", &["--certificate", "leave --no-region out"]),
     ("orbit --body paper --euler 9,0,0 --omega 1,0,0", &["--euler: theta = 9", "from 0 to pi"]),

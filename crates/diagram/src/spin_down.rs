@@ -45,6 +45,16 @@ pub fn spin_down(arrangement: &Arrangement, from: CurveId, x: f64) -> Vec<(Stret
     let mut along = arrangement.slabs.pairs().filter(|(_, slab)| slab.x[0] < x && slab.order.contains(&from));
     let Some((mut slab, start)) = along.next_back() else { return way };
     let (mut curve, mut upper) = (from, x.min(start.x[1]));
+    // At its upper end the curve meets others: what is a minimum there goes on as one of them, and they bound no region there.
+    let is_end = start.x[1] - x <= 4.0 * f64::EPSILON * start.x[1];
+    let end =
+        arrangement.events.iter().nth(slab.index()).filter(|event| is_end && event.change.curves().contains(&from));
+    if let Some(Change::Close { pair, .. }) = end.map(|event| event.change)
+        && is_minimum(pair)
+    {
+        curve = pair;
+    }
+    let meets = |other: &CurveId| end.is_some_and(|event| event.change.curves().contains(other));
     // Minima of less energy at x in a slab.
     let below = |slab: SlabId, x: f64, h: f64| -> Vec<CurveId> {
         let is_below = |&other: &CurveId| is_minimum(other) && set.curves[other].point(&set.frame, x).h() < h;
@@ -85,8 +95,14 @@ pub fn spin_down(arrangement: &Arrangement, from: CurveId, x: f64) -> Vec<(Stret
             way.push((stretch, Turn::Fall(event, left.clone())));
             left
         } else {
-            let left = below(slab, upper, set.curves[curve].point(&set.frame, upper).h());
-            way.push((Stretch { x: [upper; 2], ..stretch }, Turn::Lost(left.clone())));
+            let mut left = below(slab, upper, set.curves[curve].point(&set.frame, upper).h());
+            left.retain(|other| !meets(other));
+            let order = &strip.order;
+            let lowest = order.iter().position(meets).unwrap_or(place);
+            let highest = order.iter().rposition(meets).unwrap_or(place);
+            let regions =
+                [lowest.checked_sub(1).map(|below| strip.region_above[below]), Some(strip.region_above[highest])];
+            way.push((Stretch { x: [upper; 2], regions, ..stretch }, Turn::Lost(left.clone())));
             left
         };
         let [next] = falls[..] else { break };

@@ -78,6 +78,7 @@ fn explain(glossary: &Glossary, word: &str) -> Result<ExplanationDocument, Failu
     if found.is_empty() {
         let near = match &glossary.nearest(word)[..] {
             [] => String::new(),
+            [one] => format!("; the nearest is {one}"),
             near => format!("; the nearest are {}", near.join(", ")),
         };
         return Err(Failure::input(format!(

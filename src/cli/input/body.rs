@@ -9,7 +9,7 @@ use clap::Args;
 use super::part::{GivenPart, PartArguments, shown, shown_of_part};
 use super::values::{self, Triple};
 use crate::cli::failure::Failure;
-use crate::cli::terminal::{Report, significant};
+use crate::cli::terminal::{Report, fixed, significant};
 
 /// The body, by its principal moments or by name.
 #[derive(Debug, Args)]
@@ -154,8 +154,9 @@ pub fn head(subject: &Subject, report: &mut Report) {
         let [moment, energy, momentum] = [units.moment(), units.energy(), units.momentum()];
         report.line(format!("A in {moment}, r and h in {energy}, l in {momentum}; the principal axes are the rows of"));
     }
-    for [x, y, z] in part.principal.axes {
-        report.line(format!("  ({x:>9.6}, {y:>9.6}, {z:>9.6})"));
+    for axis in part.principal.axes {
+        let [x, y, z] = axis.map(|x| fixed(x, 6));
+        report.line(format!("  ({x:>9}, {y:>9}, {z:>9})"));
     }
 }
 

@@ -274,7 +274,7 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
         not_permanent(&mut report, subject, document);
         if !document.families.is_empty() {
             report.line("");
-            report.line("the steady rotations that tend to the principal axis nearest to it at fast spins:");
+            report.line("steady rotations that tend to a principal axis beside it at fast spins:");
             all::families(&mut report, &document.families.iter().collect::<Vec<_>>(), document.part.is_some());
         }
         tolerance::report(&mut report, document);

@@ -75,9 +75,9 @@ pub fn run(arguments: &SpinDownArguments, timings: &Timings) -> Result<(), Failu
     };
     if !(lower < l && l <= upper) {
         let range = if upper.is_finite() {
-            format!("from {} to {}", significant(lower, DIGITS), significant(upper, DIGITS))
+            format!("above {}, up to {}", significant(lower, DIGITS), significant(upper, DIGITS))
         } else {
-            format!("from {} on", significant(lower, DIGITS))
+            format!("above {}", significant(lower, DIGITS))
         };
         return Err(Failure::input(format!("--l {}: the curve {id} has l {range}", significant(l, DIGITS))));
     }

@@ -253,7 +253,7 @@ fn other_text(report: &mut Report, subject: &Subject, document: &StateDocument) 
     report.line(if document.nearest.is_none() && document.margin.is_none() {
         place
     } else {
-        format!("the motion is not steady; {place}")
+        format!("the motion is no steady rotation about the vertical; {place}")
     });
     if let (Some(_), Some(margin)) = (&document.region, &document.margin) {
         report.line(format!("the nearest curve is {} in h away ({})", significant(margin.h, 6), margin.nearest));

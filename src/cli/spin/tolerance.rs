@@ -130,7 +130,8 @@ fn measured(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[S
 
 /// The ranges of steady rotations near the axis or the nominal rotation.
 fn beside(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[String; 2]>) {
-    let tilt = tolerance.tilt_deg.map_or_else(String::new, |tilt| significant(tilt, 2));
+    // Below this it is the rounding of the bounds.
+    let tilt = tolerance.tilt_deg.map_or_else(String::new, |tilt| significant(tilt.max(1e-9), 2));
     let of = if tolerance.moving { "that of the nominal part at this spin" } else { "the axis" };
     if tolerance.tilt_deg == Some(0.0) {
         report
@@ -147,6 +148,9 @@ fn beside(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[Str
 fn ranges(report: &mut Report, ranges: &[SpinRangeDocument], slow: Option<&[String; 2]>, inside: bool) {
     if !ranges.is_empty() {
         report.line(table(ranges, inside));
+        if !inside && ranges.iter().any(|range| range.from.is_some() && range.from == range.to) {
+            report.line("where `below` and `above` agree, the type inside the range was not decided");
+        }
         report.line("the ranges are those of the type; regions and frequencies may change at other spins");
     }
     for (up, slow) in ["+axis", "-axis"].into_iter().zip(slow.into_iter().flatten()) {

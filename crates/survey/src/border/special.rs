@@ -13,7 +13,13 @@ pub(super) enum SpecialBody {
     /// r = 0.
     NoWeight,
     /// The moments of these axes are equal.
-    EqualMoments(Vec<BodyAxis>),
+    EqualMoments {
+        /// The axes.
+        axes: Vec<BodyAxis>,
+        /// True if a pitchfork leaves to infinity: that of the pair over axis i, with r_i = 0 on the whole segment, where
+        /// s² = Σ r_k²/(A_k − A_i)² and r_k ≠ 0 for another of the axes.
+        pitchfork_leaves: bool,
+    },
     /// This component of r is 0.
     Component(BodyAxis),
 }
@@ -35,8 +41,12 @@ pub(super) fn special(segment: &BodySegment, t: [f64; 2]) -> Option<(SpecialBody
         for other in BodyAxis::ALL.into_iter().skip(i + 1) {
             let Some(t) = zero(|t| moment(axis, t) - moment(other, t)).filter(inside) else { continue };
             let value = moment(axis, &t);
-            let axes = BodyAxis::ALL.into_iter().filter(|axis| moment(*axis, &t) == value).collect();
-            return Some((SpecialBody::EqualMoments(axes), root(&t)));
+            let axes: Vec<BodyAxis> = BodyAxis::ALL.into_iter().filter(|axis| moment(*axis, &t) == value).collect();
+            let is_passive =
+                |axis: &BodyAxis| [RBig::ZERO, RBig::ONE].iter().all(|end| component(*axis, end).is_zero());
+            let is_active = |axis: &BodyAxis| !component(*axis, &t).is_zero();
+            let pitchfork_leaves = axes.iter().any(is_passive) && axes.iter().any(is_active);
+            return Some((SpecialBody::EqualMoments { axes, pitchfork_leaves }, root(&t)));
         }
     }
     let mut leaves = BodyAxis::ALL.into_iter().zip(&leaves);
@@ -60,12 +70,14 @@ fn root(exact: &RBig) -> ParameterRoot {
 pub(super) fn explained(special: Option<SpecialBody>, found: BorderEventKind, is_sure: bool) -> BorderEventKind {
     use BorderEventKind as Kind;
     match (special, found) {
-        // Only where moments pass each other does a pitchfork go through infinity.
         (None, Kind::PitchforkAtInfinity { .. }) => Kind::Several,
-        (None, found) | (Some(SpecialBody::EqualMoments(_)), found @ Kind::PitchforkAtInfinity { .. }) => found,
-        (Some(_), found) if is_sure && !found.is_guess() => found,
+        (None, found) => found,
+        (Some(SpecialBody::EqualMoments { pitchfork_leaves: true, .. }), found @ Kind::PitchforkAtInfinity { .. }) => {
+            found
+        }
+        (Some(_), found) if is_sure && !found.is_guess() && !matches!(found, Kind::PitchforkAtInfinity { .. }) => found,
         (Some(SpecialBody::NoWeight), _) => Kind::WeightVanishes,
-        (Some(SpecialBody::EqualMoments(axes)), _) => Kind::MomentsEqual { axes },
+        (Some(SpecialBody::EqualMoments { axes, .. }), _) => Kind::MomentsEqual { axes },
         (Some(SpecialBody::Component(axis)), _) => Kind::SymmetryBroken { axis },
     }
 }
@@ -90,13 +102,19 @@ mod tests {
         };
         assert_eq!(between(generic, with(0, 1.25)), None);
         let [first, second, third] = BodyAxis::ALL;
-        assert_eq!(between(generic, with(0, 2.0)), Some((SpecialBody::EqualMoments(vec![first, second]), 0.5, 0.0)));
+        let equal = |axes: Vec<BodyAxis>, pitchfork_leaves| SpecialBody::EqualMoments { axes, pitchfork_leaves };
+        assert_eq!(between(generic, with(0, 2.0)), Some((equal(vec![first, second], false), 0.5, 0.0)));
         assert_eq!(between(generic, with(4, -0.75)), Some((SpecialBody::Component(second), 0.25, 0.0)));
         let [a, r] = generic;
         assert_eq!(between([a, [0.0; 3]], generic), Some((SpecialBody::NoWeight, 0.0, 0.0)));
         assert_eq!(between([a, r.map(|x| -x)], generic), Some((SpecialBody::NoWeight, 0.5, 0.0)));
         // The third of two equal moments passes them; a third of the way is no double.
         let ball = between([[1.0, 1.0, 0.5], r], [[1.0, 1.0, 2.0], r]);
-        assert_eq!(ball, Some((SpecialBody::EqualMoments(vec![first, second, third]), 1.0 / 3.0, f64::EPSILON / 3.0)));
+        assert_eq!(ball, Some((equal(vec![first, second, third], false), 1.0 / 3.0, f64::EPSILON / 3.0)));
+        // A pitchfork goes to infinity if one of the two axes has r_i = 0 throughout and the other has not.
+        let passing = |r: [f64; 3], s: [f64; 3]| between([[1.0, 0.5, 2.0], r], [[1.0, 1.5, 2.0], s]);
+        assert_eq!(passing([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]), Some((equal(vec![first, second], true), 0.5, 0.0)));
+        assert_eq!(passing([0.0, 0.0, 1.0], [0.0, 0.0, 1.0]), Some((equal(vec![first, second], false), 0.5, 0.0)));
+        assert_eq!(passing([1.0, 0.0, 0.0], [1.0, 0.5, 0.0]), Some((equal(vec![first, second], false), 0.5, 0.0)));
     }
 }

@@ -123,7 +123,8 @@ impl fmt::Display for Target {
                 let names: Vec<String> = surfaces.iter().map(Surface::to_string).collect();
                 f.write_str(&names.join("+"))
             }
-            Self::CriticalPoints(count) => write!(f, "{count} relative equilibria"),
+            Self::CriticalPoints(1) => f.write_str("at least 1 relative equilibrium"),
+            Self::CriticalPoints(count) => write!(f, "at least {count} relative equilibria"),
         }
     }
 }
