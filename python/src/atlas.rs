@@ -114,13 +114,19 @@ impl Atlas {
         })
     }
 
-    /// The text of atlas.json, as the command line writes it.
-    fn to_json(&self, python: Python<'_>, ranges: Option<Ranges>, drawing: bool) -> PyResult<String> {
+    /// The text of atlas.json, as the command line writes it; a certified one has its changes of verdict in any case.
+    fn to_json(
+        &self,
+        python: Python<'_>,
+        ranges: Option<Ranges>,
+        drawing: bool,
+        verdict_changes: bool,
+    ) -> PyResult<String> {
         let drawing = if drawing { Drawn::Everything } else { Drawn::Nothing };
         let options = DocumentOptions { window: ranges.map(window), drawing, ..DocumentOptions::default() };
         let text = python.detach(|| {
             let mut document = self.document(&options)?;
-            if self.proved.is_none() {
+            if verdict_changes && self.proved.is_none() {
                 documents::atlas::attach_verdict_changes(&mut document, self.atlas());
             }
             Ok::<_, PyErr>(documents::layout::text(&document))

@@ -107,7 +107,7 @@ class Atlas:
         return atlas
 
     def _written(self) -> str:
-        return self._inner.to_json(self._ranges, self._drawing)
+        return self._inner.to_json(self._ranges, self._drawing, True)
 
     @cached_property
     def _text(self) -> str:
@@ -123,14 +123,22 @@ class Atlas:
         """The contents of `to_json` as a dict; do not modify it."""
         return self._document
 
+    @cached_property
+    def _traced(self) -> Document:
+        """The document; if it has still to be made without `verdict_changes`, which take ten times as long as the rest."""
+        if self._certified or self._loaded is not None:
+            return self._document
+        document: Document = json.loads(self._inner.to_json(self._ranges, self._drawing, False))
+        return document
+
     def _view(self) -> Document:
         """Where the diagram is seen, also of a file without a drawing."""
-        whole = self._document if self._drawing else json.loads(self._inner.to_json(self._ranges, True))
+        whole = self._traced if self._drawing else json.loads(self._inner.to_json(self._ranges, True, False))
         view: Document = whole["drawing"]["view"]
         return view
 
     def _outlines(self, region: str) -> tuple[npt.NDArray[np.float64], ...]:
-        drawn = self._document.get("drawing", {"regions": {}})["regions"].get(region, {"polygon": []})
+        drawn = self._traced.get("drawing", {"regions": {}})["regions"].get(region, {"polygon": []})
         return tuple(np.array(outline, dtype=float).reshape(-1, 2) for outline in drawn["polygon"])
 
     @cached_property
@@ -157,13 +165,13 @@ class Atlas:
 
         `polyline` gives finer points.
         """
-        drawn = self._document.get("drawing", {"curves": {}})["curves"]
-        return Curves(self._document["curves"], lambda document: Curve._of(document, drawn.get(document["id"])))
+        drawn = self._traced.get("drawing", {"curves": {}})["curves"]
+        return Curves(self._traced["curves"], lambda document: Curve._of(document, drawn.get(document["id"])))
 
     @cached_property
     def stability_changes(self) -> Changes[StabilityChange]:
         """Points of curves at which the linear type of the relative equilibria changes."""
-        return Changes(self._document["stability_changes"], StabilityChange._of)
+        return Changes(self._traced["stability_changes"], StabilityChange._of)
 
     @cached_property
     def verdict_changes(self) -> Changes[VerdictChange] | None:
@@ -177,7 +185,7 @@ class Atlas:
     @property
     def complete(self) -> bool:
         """Whether `regions` covers the whole half-plane l > 0 and nothing is undecided."""
-        return bool(self._document["summary"]["complete"])
+        return bool(self._traced["summary"]["complete"])
 
     @property
     def certificate(self) -> Document | None:
