@@ -32,7 +32,7 @@ const ORDER: [(&str, &str); 13] = [
     ),
     (
         "crates/documents/src",
-        "layout body integrals subject stability spin spin_down classification critical steady grid atlas certified scan reading border comparison classes find witnesses \
+        "layout codes body integrals subject stability spin spin_down classification critical steady grid atlas certified scan reading border comparison classes find witnesses \
          section words",
     ),
     ("crates/verify/src", "refused numbers equilibria order topology stability document"),

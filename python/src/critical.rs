@@ -3,8 +3,9 @@
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use bifdiag::documents::codes::{self, Branches, MULTIPLICITIES, place};
 use bifdiag::equilibria::critical::{CriticalError, Equilibria, Equilibrium, RelativeEquilibria};
-use bifdiag::schema::{Multiplicity, NonlinearVerdict, Reason, Stability};
+use bifdiag::schema::{NonlinearVerdict, Reason, Stability};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -19,10 +20,6 @@ use crate::{errors, work};
 const CHUNK: usize = 4096;
 /// So few momenta are answered sooner than a thread is started.
 const FEW: usize = 16;
-/// The words for multiplicities.
-const MULTIPLICITIES: [&str; 4] = ["1", "2", "circle", "sphere"];
-/// In place of the verdict that was not asked for.
-const LATER: i8 = -1;
 
 #[derive(Default)]
 struct Rows {
@@ -40,7 +37,7 @@ struct Rows {
     eigenvalues: Vec<[f64; 4]>,
     eigenvalue_error: Vec<f64>,
     branch: Vec<i32>,
-    branches: Vec<(String, String)>,
+    branches: Branches,
     error_bound: f64,
     incomplete: bool,
 }
@@ -61,16 +58,11 @@ impl Rows {
         self.gamma.push(point.gamma);
         self.omega.push(point.omega);
         self.index.push(point.index.cast_signed());
-        self.multiplicity.push(match point.multiplicity {
-            Multiplicity::Points(1) => 0,
-            Multiplicity::Points(_) => 1,
-            Multiplicity::Circle => 2,
-            Multiplicity::Sphere => 3,
-        });
+        self.multiplicity.push(codes::multiplicity(point.multiplicity));
         self.stability.push(place(Stability::ALL, &point.stability.term()));
         let found = &point.nonlinear;
         let [verdict, why] = if found.is_deferred() {
-            [LATER; 2]
+            [codes::NONE; 2]
         } else {
             [place(NonlinearVerdict::ALL, &found.verdict), place(Reason::ALL, &found.why)]
         };
@@ -80,13 +72,7 @@ impl Rows {
         let [[a, b], [c, d]] = point.eigenvalues.pairs;
         self.eigenvalues.push([a, b, c, d]);
         self.eigenvalue_error.push(point.eigenvalues.error);
-        let id = point.curve.map_or_else(String::new, |curve| curve.to_string());
-        let known = self.branches.iter().position(|(known, _)| *known == id);
-        let branch = known.unwrap_or_else(|| {
-            self.branches.push((id, point.branch_name.to_string()));
-            self.branches.len() - 1
-        });
-        self.branch.push(i32::try_from(branch).expect("curves are few"));
+        self.branch.push(self.branches.code(point));
     }
 
     fn columns(self, python: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
@@ -106,21 +92,16 @@ impl Rows {
         out.set_item("eigenvalue_error", self.eigenvalue_error.into_pyarray(python))?;
         out.set_item("branch", self.branch.into_pyarray(python))?;
         let words = PyDict::new(python);
-        words.set_item("multiplicity", MULTIPLICITIES)?;
+        words.set_item("multiplicity", MULTIPLICITIES.map(codes::multiplicity_word))?;
         words.set_item("stability", Stability::ALL.iter().map(|kind| kind.word()).collect::<Vec<_>>())?;
         words.set_item("verdict", NonlinearVerdict::ALL.iter().map(|verdict| verdict.word()).collect::<Vec<_>>())?;
         words.set_item("stable_by", Reason::ALL.iter().map(|why| why.word()).collect::<Vec<_>>())?;
-        words.set_item("branches", self.branches)?;
+        words.set_item("branches", self.branches.0)?;
         out.set_item("words", words)?;
         out.set_item("error_bound", self.error_bound)?;
         out.set_item("complete", !self.incomplete)?;
         Ok(out)
     }
-}
-
-/// The place of a word in its list.
-fn place<T: PartialEq>(words: &[T], word: &T) -> i8 {
-    words.iter().zip(0..).find(|(known, _)| *known == word).map_or(LATER, |(_, place)| place)
 }
 
 /// The relative equilibria at each l: columns, some of codes, with the words for these. Without `verdicts` those that only a

@@ -85,8 +85,7 @@ pub fn run(arguments: &FindArguments, quiet: bool) -> Result<(), Failure> {
         return Ok(());
     }
     let tried = counted(document.tried, "body", "bodies");
-    let verb = if is_plural(&document.sought) { "were" } else { "was" };
-    Err(Failure::work(format!("{} {verb} not found among {tried}", document.sought)))
+    Err(Failure::work(format!("{} among {tried}", not_found(&document.sought))))
 }
 
 fn target(arguments: &FindArguments) -> Result<Target, Failure> {
@@ -157,8 +156,7 @@ fn report(document: &FindDocument) -> String {
         return report.text();
     }
     let Some(witness) = &document.witness else {
-        let verb = if is_plural(&document.sought) { "were" } else { "was" };
-        report.line(format!("{} {verb} not found: {}", document.sought, tried(document)));
+        report.line(format!("{}: {}", not_found(&document.sought), tried(document)));
         if let Some(nearest) = &document.nearest {
             let list = |values: [f64; 3]| values.map(|x| x.to_string()).join(",");
             report.line(format!(
@@ -207,6 +205,11 @@ fn report(document: &FindDocument) -> String {
 /// True if what is sought has a plural name.
 fn is_plural(sought: &str) -> bool {
     sought.ends_with("relative equilibria")
+}
+
+fn not_found(sought: &str) -> String {
+    let verb = if is_plural(sought) { "were" } else { "was" };
+    format!("{sought} {verb} not found")
 }
 
 /// What was looked at.

@@ -6,6 +6,7 @@ mod border;
 mod certified;
 mod classes;
 mod classification;
+pub mod codes;
 mod comparison;
 mod critical;
 mod find;

@@ -10,6 +10,7 @@ use bifdiag_schema::{
 use crate::cli::input::head;
 use crate::cli::terminal::{Report, Table, bound, fixed, significant};
 use bifdiag_documents::Subject;
+use bifdiag_documents::codes::multiplicity_word;
 use bifdiag_documents::words::counted;
 
 /// Significant digits of the table.
@@ -23,7 +24,7 @@ pub fn text(subject: &Subject, document: &CriticalDocument) -> String {
             vector(point.gamma),
             significant(point.omega, 6),
             point.index.to_string(),
-            count(point.multiplicity),
+            multiplicity_word(point.multiplicity),
             point.branch.clone(),
             point.branch_name.clone(),
         ]);
@@ -54,7 +55,7 @@ pub fn steady_axes(subject: &Subject, document: &SteadyAxesDocument) -> String {
             significant(point.h, DIGITS),
             significant(*l, DIGITS),
             point.index.to_string(),
-            count(point.multiplicity),
+            multiplicity_word(point.multiplicity),
             point.branch.clone(),
             point.branch_name.clone(),
         ]);
@@ -86,14 +87,6 @@ pub fn steady_axes(subject: &Subject, document: &SteadyAxesDocument) -> String {
 fn vector(v: [f64; 3]) -> String {
     let [x, y, z] = v.map(|x| fixed(x, 6));
     format!("({x:>9}, {y:>9}, {z:>9})")
-}
-
-fn count(multiplicity: Multiplicity) -> String {
-    match multiplicity {
-        Multiplicity::Points(count) => count.to_string(),
-        Multiplicity::Circle => "circle".to_owned(),
-        Multiplicity::Sphere => "sphere".to_owned(),
-    }
 }
 
 /// Types, verdicts, small motions and eigenvalues as a table, and what its words mean.

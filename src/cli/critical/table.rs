@@ -3,7 +3,8 @@
 use bifdiag_body::part::Spin;
 use bifdiag_body::{Body, Number};
 use bifdiag_documents::Subject;
-use bifdiag_equilibria::critical::{Equilibria, Multiplicity as Points, RelativeEquilibria};
+use bifdiag_documents::codes::{self, Branches, MULTIPLICITIES, place};
+use bifdiag_equilibria::critical::{Equilibria, RelativeEquilibria};
 use bifdiag_equilibria::permanent::angle_between;
 use bifdiag_schema::{
     Multiplicity, NonlinearVerdict, Reason, SCHEMA_VERSION, SpinDocument, Stability, SteadyAxesDocument, Verdict,
@@ -58,7 +59,7 @@ struct Rows {
     survives_friction: Vec<i8>,
     eigenvalues: Vec<f64>,
     branch: Vec<i32>,
-    branches: Vec<(String, String)>,
+    branches: Branches,
     eigenvalue_error: f64,
     error_bound: f64,
     incomplete: bool,
@@ -83,11 +84,6 @@ pub fn at_spin(body: &Body, document: &SteadyAxesDocument, found: &Equilibria) -
     let axes = ("axis", Values::vectors(document.axes.iter().map(|axis| axis.axis)));
     let folds = ("fold", Values::Int8(document.axes.iter().map(|axis| i8::from(axis.fold)).collect()));
     Ok(rows.columns(body, None, Some(document.spin), [axes], [folds])?)
-}
-
-/// The place of a word in its list.
-fn place<T: PartialEq>(words: &[T], word: &T) -> i8 {
-    words.iter().zip(0..).find(|(known, _)| *known == word).map_or(-1, |(_, place)| place)
 }
 
 /// All steady axes at all spins of a range.
@@ -142,12 +138,7 @@ impl Rows {
             self.gamma.push(point.gamma);
             self.omega.push(point.omega);
             self.index.push(point.index.cast_signed());
-            self.multiplicity.push(match point.multiplicity {
-                Points::Points(1) => 0,
-                Points::Points(_) => 1,
-                Points::Circle => 2,
-                Points::Sphere => 3,
-            });
+            self.multiplicity.push(codes::multiplicity(point.multiplicity));
             let nonlinear = bifdiag_documents::nonlinear(&point.nonlinear);
             let stability = point.stability.term();
             self.stability.push(place(Stability::ALL, &stability));
@@ -157,13 +148,7 @@ impl Rows {
             self.survives_friction.push(i8::from(point.friction.survives == Some(true)));
             self.eigenvalues.extend(point.eigenvalues.pairs.as_flattened());
             self.eigenvalue_error = self.eigenvalue_error.max(point.eigenvalues.error);
-            let id = point.curve.map_or_else(String::new, |curve| curve.to_string());
-            let known = self.branches.iter().position(|(known, _)| *known == id);
-            let branch = known.unwrap_or_else(|| {
-                self.branches.push((id, point.branch_name.to_string()));
-                self.branches.len() - 1
-            });
-            self.branch.push(i32::try_from(branch).unwrap_or(i32::MAX));
+            self.branch.push(self.branches.code(point));
         }
     }
 
@@ -186,13 +171,8 @@ impl Rows {
             stable: Verdict::ALL,
             verdict: NonlinearVerdict::ALL,
             why: Reason::ALL,
-            multiplicity: [
-                Multiplicity::Points(1),
-                Multiplicity::Points(2),
-                Multiplicity::Circle,
-                Multiplicity::Sphere,
-            ],
-            branches: self.branches,
+            multiplicity: MULTIPLICITIES,
+            branches: self.branches.0,
             eigenvalue_error: self.eigenvalue_error,
             error_bound: self.error_bound,
             complete: !self.incomplete,
