@@ -19,7 +19,7 @@
 //! These names are what one needs for a start. Each layer below is a package of its own and is re-exported whole, in the
 //! order in which the data flows: [`numbers`], [`body`] (and [`body::part`], mass properties as engineers have them),
 //! [`equilibria`], [`diagram`], [`exact`] (proofs), [`dynamics`] (motion in time), [`enclosure`] (the same with
-//! proved bounds), [`survey`] (many bodies), [`schema`] and
+//! proved bounds), [`chaos`] (its share), [`periodic`] (periodic orbits), [`survey`] (many bodies), [`schema`] and
 //! [`documents`] (JSON), [`verify`], and `plot`.
 
 #[cfg(feature = "cli")]
@@ -33,9 +33,10 @@ pub use bifdiag_plot as plot;
 #[cfg(feature = "plot")]
 pub use pictures::Curves;
 pub use {
-    bifdiag_body as body, bifdiag_documents as documents, bifdiag_dynamics as dynamics, bifdiag_enclosure as enclosure,
-    bifdiag_equilibria as equilibria, bifdiag_exact as exact, bifdiag_numbers as numbers, bifdiag_schema as schema,
-    bifdiag_survey as survey, bifdiag_verify as verify,
+    bifdiag_body as body, bifdiag_chaos as chaos, bifdiag_documents as documents, bifdiag_dynamics as dynamics,
+    bifdiag_enclosure as enclosure, bifdiag_equilibria as equilibria, bifdiag_exact as exact,
+    bifdiag_numbers as numbers, bifdiag_periodic as periodic, bifdiag_schema as schema, bifdiag_survey as survey,
+    bifdiag_verify as verify,
 };
 
 /// Regions and their topology. The answers themselves are [`atlas`], [`classify`] and [`critical`].

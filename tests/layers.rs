@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 /// What lies at the top of each package's sources, in the order of the data: what stands later imports what stands
 /// earlier. `lib.rs` and `mod.rs` hold the front of a package and stand where they are used.
-const ORDER: [(&str, &str); 13] = [
+const ORDER: [(&str, &str); 15] = [
     (
         "crates/numbers/src",
         "number decimal sign enclosure interval directed fixed_float wide root polynomial vector symmetric bernstein form sequence table",
@@ -26,6 +26,8 @@ const ORDER: [(&str, &str); 13] = [
     ),
     ("crates/dynamics/src", "field integrator motion section poincare"),
     ("crates/enclosure/src", "bound scalar field set step start orbit return_map"),
+    ("crates/chaos/src", ""),
+    ("crates/periodic/src", ""),
     (
         "crates/survey/src",
         "parallel parameter design signature scan border path space strata nearest subdivision search",

@@ -1,0 +1,1 @@
+//! Periodic orbits: their families from the relative equilibria, and all short ones at a point of the (h, l) plane.
