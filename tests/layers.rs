@@ -14,7 +14,7 @@ const ORDER: [(&str, &str); 15] = [
     ),
     (
         "crates/schema/src",
-        "term shown json head integrable part command certificate classification nonlinear critical atlas point_proof find grid listing section motion spin spin_down steady scan border comparison classes",
+        "term shown json head integrable part command certificate classification nonlinear critical atlas point_proof find grid listing section motion periodic spin spin_down steady scan border comparison classes",
     ),
     ("crates/body/src", "axis rigid_body frame principal presets integrable part"),
     ("crates/equilibria/src", "curves stability nonlinear critical permanent"),
@@ -27,7 +27,7 @@ const ORDER: [(&str, &str); 15] = [
     ("crates/dynamics/src", "field integrator motion section poincare"),
     ("crates/enclosure/src", "bound scalar field set step start orbit return_map"),
     ("crates/chaos/src", ""),
-    ("crates/periodic/src", ""),
+    ("crates/periodic/src", "flow reversor shooting walk orbit"),
     (
         "crates/survey/src",
         "parallel parameter design signature scan border path space strata nearest subdivision search",

@@ -20,6 +20,7 @@ mod listing;
 mod motion;
 mod nonlinear;
 mod part;
+mod periodic;
 mod point_proof;
 mod scan;
 mod section;
@@ -66,6 +67,10 @@ pub use motion::{
 };
 pub use nonlinear::{Damped, FrictionDocument, NonlinearDocument, NonlinearVerdict, Reason, ResonancesDocument};
 pub use part::{PartAnswerDocument, PartDocument, PrincipalDocument};
+pub use periodic::{
+    FamilyEnd, FamilyEndDocument, OrbitEventDocument, OrbitEventKind, OrbitStability, PeriodicBranchDocument,
+    PeriodicFamiliesDocument, PeriodicFamilyDocument, PeriodicOrbitDocument,
+};
 pub use point_proof::{PointProofDocument, checksum};
 pub use scan::{
     BodyRecordDocument, ClassRecordDocument, DesignDocument, FamilyDocument, ParameterName, RangeDocument,

@@ -7,4 +7,4 @@ mod step;
 pub mod taylor;
 
 pub use step::{Instant, StepError, TaylorStep};
-pub use taylor::{DEFAULT_TOLERANCE, Taylor, ToleranceError, check_tolerance};
+pub use taylor::{DEFAULT_TOLERANCE, Taylor, ToleranceError, Transport, check_tolerance, transport};

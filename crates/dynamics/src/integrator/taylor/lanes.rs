@@ -139,6 +139,13 @@ impl<S: Simd> Lanes<S> {
         self.sum_series(simd);
     }
 
+    /// Ends the steps of all lanes, which [`expand`](Self::expand) has computed, after this shorter time.
+    #[inline(always)]
+    pub fn shorten(&mut self, simd: S, step: f64) {
+        self.step = [simd.splat_f64s(step)];
+        self.sum_series(simd);
+    }
+
     /// max(|γ_k|_∞, |l_k|_∞ / scale).
     #[inline(always)]
     fn coefficient_norm(&self, simd: S, k: usize) -> S::f64s {

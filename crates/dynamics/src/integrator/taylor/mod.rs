@@ -20,6 +20,7 @@ mod series;
 mod step_size;
 mod stepper;
 mod tangent;
+mod transport;
 
 pub(crate) use lanes::{Lanes, magnitude, state_of};
 pub(crate) use moments::{MOMENTS, Moments};
@@ -27,6 +28,7 @@ pub(crate) use series::{LaneVector, ROWS, lane_values, lane_values_mut};
 pub use step_size::{MAX_ORDER, order_for};
 pub use stepper::{DEFAULT_TOLERANCE, Taylor, ToleranceError, check_tolerance};
 pub(crate) use tangent::TangentLanes;
+pub use transport::{Transport, transport};
 
 use pulp::Arch;
 

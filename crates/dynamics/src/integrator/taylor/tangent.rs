@@ -2,7 +2,7 @@
 
 use pulp::Simd;
 
-use super::lanes::Lanes;
+use super::lanes::{Lanes, state_of};
 use super::series::{LaneVector, ROWS, Series, TopConstants, lane_values, lane_values_mut};
 use crate::field::State;
 use crate::integrator::product::ProductSum;
@@ -65,6 +65,12 @@ impl<S: Simd> TangentLanes<S> {
             self.set_row(simd, &lanes.constants, k + 1, products);
         }
         self.sum_series(simd, lanes);
+    }
+
+    /// A lane's vector (δγ, δl).
+    #[inline(always)]
+    pub fn vector(&self, lane: usize) -> State {
+        state_of::<S>(&[self.gamma[0], self.l[0]], lane)
     }
 
     /// |δγ|² + |δl|²/scale² of a lane.

@@ -1,0 +1,211 @@
+//! A periodic orbit and what there is to say of it.
+
+use bifdiag_dynamics::field::{Dimension, HeavyTop, State, dot};
+use bifdiag_dynamics::integrator::StepError;
+use bifdiag_schema::OrbitStability;
+use thiserror::Error;
+
+use crate::flow::{Phase, Space};
+use crate::reversor::{Reversor, reversors};
+use crate::shooting::{Keep, Ring, ShootingError, Shot};
+use crate::walk::walk;
+
+/// A periodic orbit of γ and l.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PeriodicOrbit {
+    /// A point of it: a maximum of ⟨γ,r⟩, which lies on P, if it has one.
+    pub start: State,
+    /// Energy.
+    pub h: f64,
+    /// Vertical angular momentum.
+    pub l: f64,
+    /// Period.
+    pub period: f64,
+    /// Its crossings of P in a period: zeros of S = ⟨ω, r×γ⟩, inward and outward.
+    pub crossings: u32,
+    /// The multipliers beside those that h, l and the flow make 1, each [re, im].
+    pub multipliers: [[f64; 2]; 2],
+    /// What they say.
+    pub stability: OrbitStability,
+    /// Their sum.
+    pub trace: f64,
+    /// ∮⟨l, ω⟩ dt, twice the integral of the kinetic energy.
+    pub action: f64,
+    /// A reversor takes it to itself.
+    pub symmetric: bool,
+    /// The largest defect of its parts after a period, |γ| and the largest |l| at its energy being 1.
+    pub residual: f64,
+}
+
+/// Why an orbit was not found or described.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum OrbitError {
+    /// It was not closed.
+    #[error(transparent)]
+    Shooting(#[from] ShootingError),
+    /// The motion leaves the range of `f64`.
+    #[error(transparent)]
+    Step(#[from] StepError),
+}
+
+/// What remains fixed of a guess.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fixed {
+    /// Its l, and the place of its first point along the family.
+    Momentum,
+    /// Its h, likewise.
+    Energy,
+    /// Its h and l.
+    Both,
+}
+
+/// Half the width around 1 and −1 in which a trace, over 2, has no certain side.
+const PARABOLIC: f64 = 1e-9;
+
+/// What a trace says.
+#[must_use]
+pub fn stability(trace: f64) -> OrbitStability {
+    let half = 0.5 * trace;
+    if (half.abs() - 1.0).abs() <= PARABOLIC {
+        OrbitStability::Parabolic
+    } else if half > 1.0 {
+        OrbitStability::Hyperbolic
+    } else if half < -1.0 {
+        OrbitStability::InverseHyperbolic
+    } else {
+        OrbitStability::Elliptic
+    }
+}
+
+impl PeriodicOrbit {
+    /// Describes an orbit that is closed to rounding; it is not corrected, and its residual says how well it closes.
+    ///
+    /// # Errors
+    /// [`OrbitError`] at an equilibrium, and where the motion leaves the range of `f64`.
+    pub fn new(top: &HeavyTop, start: &State, period: f64) -> Result<Self, OrbitError> {
+        let units = top.units();
+        let (space, x, time) = reduced(top, start, period);
+        let shot = spread(&space, &Ring { nodes: vec![x], period: time })?.shoot(&space)?;
+        let l = dot(start.gamma, start.reduced(units).l);
+        let about = About { space: &space, reversors: &reversors(&space.top, l), places: &[] };
+        Ok(about.describe(&shot)?.0.restored(top))
+    }
+
+    /// That of a reduced top as that of the top as given.
+    #[must_use]
+    pub fn restored(mut self, top: &HeavyTop) -> Self {
+        let units = top.units();
+        self.start = self.start.restored(units);
+        self.h = units.restore(self.h, Dimension::ENERGY);
+        self.l = units.restore(self.l, Dimension::MOMENTUM);
+        self.period = units.restore(self.period, Dimension::TIME);
+        self.action = units.restore(self.action, Dimension::MOMENTUM);
+        self
+    }
+
+    /// The product of the multipliers, as computed: 1 but for rounding.
+    #[must_use]
+    pub fn product(&self) -> f64 {
+        let [[a, b], [c, d]] = self.multipliers;
+        a * c - b * d
+    }
+}
+
+/// Corrects a guess to a closed orbit; its point and its period.
+///
+/// # Errors
+/// [`OrbitError`] where none is near, or a continuum of them.
+pub fn correct(top: &HeavyTop, start: &State, period: f64, fixed: Fixed) -> Result<(State, f64), OrbitError> {
+    let units = top.units();
+    let (space, x, time) = reduced(top, start, period);
+    let (h, l) = (space.top.energy(&space.state(&x)), x.fixed_rows::<3>(0).dot(&x.fixed_rows::<3>(3)));
+    let [_, of_l, of_h] = space.gradients(&x);
+    let place = |gradient: Phase| {
+        let unit = gradient.normalize();
+        Keep::Place(unit.push(0.0))
+    };
+    let keep = match fixed {
+        Fixed::Both => [Keep::Momentum(l), Keep::Energy(h)],
+        Fixed::Momentum => [Keep::Momentum(l), place(of_h)],
+        Fixed::Energy => [Keep::Energy(h), place(of_l)],
+    };
+    let shot = spread(&space, &Ring { nodes: vec![x], period: time })?.close(&space, keep)?;
+    let state = space.state(&shot.ring.nodes[0]).restored(units);
+    Ok((state, units.restore(shot.ring.period, Dimension::TIME)))
+}
+
+fn reduced(top: &HeavyTop, start: &State, period: f64) -> (Space, Phase, f64) {
+    let units = top.units();
+    let start = start.reduced(units);
+    let space = Space::new(top, top.reduced().energy(&start));
+    let point = space.point(&start);
+    (space, point, units.reduce(period, Dimension::TIME))
+}
+
+/// More stretching than this from node to node costs digits.
+const STRETCH: f64 = 100.0;
+const MOST_NODES: usize = 64;
+
+/// The same orbit with as many nodes as its stretching needs.
+///
+/// # Errors
+/// [`ShootingError::Step`].
+pub fn spread(space: &Space, ring: &Ring) -> Result<Ring, ShootingError> {
+    let mut ring = ring.clone();
+    loop {
+        let shot = ring.clone().shoot(space)?;
+        if shot.stretch() <= STRETCH || ring.nodes.len() >= MOST_NODES {
+            return Ok(ring);
+        }
+        ring = doubled(space, &ring)?;
+    }
+}
+
+/// The ring with a node more between any two.
+fn doubled(space: &Space, ring: &Ring) -> Result<Ring, ShootingError> {
+    let half = 0.5 * ring.period / ring.nodes.len() as f64;
+    let mut nodes = Vec::with_capacity(2 * ring.nodes.len());
+    for node in &ring.nodes {
+        nodes.extend([*node, space.pass(node, half)?.end]);
+    }
+    Ok(Ring { nodes, period: ring.period })
+}
+
+/// What the description of an orbit needs to know.
+#[derive(Clone, Copy)]
+pub struct About<'a> {
+    /// The space of its points.
+    pub space: &'a Space,
+    /// The reversors at its l.
+    pub reversors: &'a [Reversor],
+    /// Places whose distance from the orbit is wanted.
+    pub places: &'a [Phase],
+}
+
+impl About<'_> {
+    /// Describes a closed orbit, in the units of the reduced top; and how near it comes to the places.
+    ///
+    /// # Errors
+    /// [`StepError`].
+    pub fn describe(&self, shot: &Shot) -> Result<(PeriodicOrbit, Vec<f64>), StepError> {
+        let Self { space, reversors, places } = *self;
+        let (first, period) = (&shot.ring.nodes[0], shot.ring.period);
+        let seen = walk(space, first, period, reversors, places)?;
+        let reduced = shot.reduced();
+        let state = space.state(first);
+        let orbit = PeriodicOrbit {
+            start: seen.maximum.unwrap_or(state),
+            h: space.top.energy(&state),
+            l: dot(state.gamma, state.l),
+            period,
+            crossings: seen.crossings,
+            multipliers: reduced.multipliers(),
+            stability: stability(reduced.trace()),
+            trace: reduced.trace(),
+            action: seen.action,
+            symmetric: seen.symmetric,
+            residual: shot.residual,
+        };
+        Ok((orbit, seen.nearest))
+    }
+}

@@ -1,0 +1,168 @@
+//! The documents of `bifdiag periodic`.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::term::term;
+use super::{GivenBody, Head, PartDocument};
+
+term! {
+    /// What the multipliers of a periodic orbit say of its stability.
+    pub enum OrbitStability {
+        /// On the unit circle, not 1 or −1: linearly stable.
+        Elliptic = "elliptic",
+        /// Real and positive: unstable.
+        Hyperbolic = "hyperbolic",
+        /// Real and negative: unstable, and near motions turn half round it in a period.
+        InverseHyperbolic = "inverse-hyperbolic",
+        /// 1 or −1 within rounding: not decided by the linear terms.
+        Parabolic = "parabolic",
+    }
+}
+
+/// A periodic orbit of γ and ω.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PeriodicOrbitDocument {
+    /// Energy.
+    pub h: f64,
+    /// Vertical angular momentum.
+    pub l: f64,
+    /// γ at a point of it: a maximum of ⟨γ,r⟩, which lies on P, if it has one.
+    pub gamma: [f64; 3],
+    /// ω there.
+    pub omega: [f64; 3],
+    /// Crossings of P in a period, inward and outward.
+    pub crossings: u32,
+    /// Period of γ and ω.
+    pub period: f64,
+    /// The Floquet multipliers beside those that h, l and the flow make 1, each [re, im].
+    pub multipliers: [[f64; 2]; 2],
+    /// What they say.
+    pub stability: OrbitStability,
+    /// ∮⟨l, ω⟩ dt over a period, twice the integral of the kinetic energy.
+    pub action: f64,
+    /// Whether a reversor, a map that keeps h and l and turns motions round, takes it to itself.
+    pub symmetric: bool,
+    /// Whether its existence was proved.
+    pub proved: bool,
+}
+
+term! {
+    /// How a family of periodic orbits ends.
+    pub enum FamilyEnd {
+        /// It shrinks to an equilibrium.
+        Equilibrium = "equilibrium",
+        /// Its period grows without bound, as its orbits come ever nearer to equilibria.
+        Separatrix = "separatrix",
+        /// It comes back to where it began.
+        Closed = "closed",
+        /// Its orbits become ones of a part of the period, run through several times.
+        Joined = "joined",
+        /// So many members were asked for.
+        Members = "members",
+        /// The smallest step did not find a next member.
+        Lost = "lost",
+        /// It was not begun: the other pair of eigenvalues is a multiple of this one, or zero.
+        Resonant = "resonant",
+    }
+}
+
+term! {
+    /// What happens at an orbit of a family.
+    pub enum OrbitEventKind {
+        /// The family turns back: h, or l where h is fixed, is largest or smallest, and both multipliers are 1.
+        Fold = "fold",
+        /// Both multipliers are 1 and the family goes on: another family of the same period crosses it.
+        Branch = "branch",
+        /// Both multipliers are −1: a family of twice the period begins.
+        Doubling = "doubling",
+        /// The multipliers are third roots of 1: a family of three times the period passes.
+        Tripling = "tripling",
+    }
+}
+
+/// The end of a family.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct FamilyEndDocument {
+    /// How it ends.
+    pub kind: FamilyEnd,
+    /// The curves of the equilibria to which it comes, by their ids; empty for other ends.
+    pub curves: Vec<String>,
+    /// h of its last member.
+    pub h: Option<f64>,
+    /// l of its last member.
+    pub l: Option<f64>,
+    /// Period of its last member.
+    pub period: Option<f64>,
+}
+
+/// A family that begins at an orbit of another one.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PeriodicBranchDocument {
+    /// Its orbits, from the other family on.
+    pub members: Vec<PeriodicOrbitDocument>,
+    /// How it ends.
+    pub end: FamilyEndDocument,
+}
+
+/// A special orbit of a family.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct OrbitEventDocument {
+    /// What happens there.
+    pub kind: OrbitEventKind,
+    /// The number of the member after which it lies, from 0.
+    pub after: usize,
+    /// h there.
+    pub h: f64,
+    /// l there.
+    pub l: f64,
+    /// Period there.
+    pub period: f64,
+    /// Bound on how far the place was still moving, in h or, where h is fixed, l.
+    pub error: f64,
+    /// The families that begin there, if they were followed.
+    pub branches: Vec<PeriodicBranchDocument>,
+}
+
+/// A family of periodic orbits that begins at an equilibrium.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PeriodicFamilyDocument {
+    /// The curve of the equilibrium.
+    pub curve: Option<String>,
+    /// γ of the equilibrium.
+    pub gamma: [f64; 3],
+    /// h of the equilibrium.
+    pub h: f64,
+    /// l of the equilibrium.
+    pub l: f64,
+    /// The frequency ω of small oscillations, from the eigenvalues ±iω.
+    pub frequency: f64,
+    /// The period 2π/ω to which those of the family tend there.
+    pub period: f64,
+    /// The orbits, from the equilibrium on.
+    pub members: Vec<PeriodicOrbitDocument>,
+    /// Its special orbits, in order.
+    pub events: Vec<OrbitEventDocument>,
+    /// How it ends.
+    pub end: FamilyEndDocument,
+}
+
+/// The answer of `periodic family`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PeriodicFamiliesDocument {
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
+    /// The body.
+    #[serde(flatten)]
+    pub body: GivenBody,
+    /// The l that all members have, as given; `null` where h is fixed.
+    pub fixed_l: Option<String>,
+    /// The h that all members have; `null` where l is fixed.
+    pub fixed_h: Option<f64>,
+    /// The families, by equilibrium, the faster oscillation first.
+    pub families: Vec<PeriodicFamilyDocument>,
+    /// The part from which A and r were computed, when one was given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub part: Option<PartDocument>,
+}
