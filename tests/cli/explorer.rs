@@ -108,6 +108,29 @@ fn a_page_is_served_with_the_body_in_its_address() {
     assert!(served.ask("POST /").0.starts_with("HTTP/1.1 405"));
 }
 
+/// Three quarters of the module are spared on the way.
+#[test]
+fn a_browser_that_takes_brotli_gets_the_packed_file_beside_another() {
+    let place = tempfile::tempdir().unwrap();
+    for (name, content) in [("index.html", "here"), ("module.wasm", "module"), ("module.wasm.br", "packed")] {
+        fs::write(place.path().join(name), content).unwrap();
+    }
+    let served = Served::of(place.path(), &[]);
+    let ask = |path: &str, field: &str| {
+        let (head, body) = served.ask_with(&format!("GET {path}"), &format!("Host: localhost\r\n{field}"));
+        assert!(head.starts_with("HTTP/1.1 200"), "{head}");
+        (head.contains("Content-Encoding: br\r\n"), String::from_utf8(body).unwrap())
+    };
+    for field in ["Accept-Encoding: gzip, br\r\n", "accept-encoding:br;q=0.5\r\n"] {
+        let (is_packed, body) = ask("/module.wasm", field);
+        assert!(is_packed && body == "packed", "{field}: {body}");
+        assert_eq!(ask("/", field), (false, "here".to_owned()));
+    }
+    for field in ["", "Accept-Encoding: gzip\r\n", "Accept-Encoding: br;q=0, gzip\r\n", "Accept-Encoding: brx\r\n"] {
+        assert_eq!(ask("/module.wasm", field), (false, "module".to_owned()), "{field}");
+    }
+}
+
 #[test]
 fn without_a_page_the_way_to_one_is_told() {
     let place = tempfile::tempdir().unwrap();

@@ -1,5 +1,6 @@
 /** `window.bifdiag`: what tests and tools ask of the page. */
 import { AT, ROW } from "./state/orbits";
+import type { Window as View } from "./bindings/documents";
 import type { Session } from "./state/session";
 
 export interface Crossings {
@@ -12,7 +13,7 @@ export interface Crossings {
 
 declare global {
   interface Window {
-    bifdiag: { atlas: () => string; frames: () => number[]; crossings: () => Crossings; rate: () => number };
+    bifdiag: { atlas: () => string; frames: () => number[]; crossings: () => Crossings; rate: () => number; window: () => View | null; suited: () => View | null; shadow: () => boolean };
   }
 }
 
@@ -29,6 +30,9 @@ export function api(session: Session): void {
       }
       return found;
     },
+    window: () => session.drawn?.window ?? null,
+    suited: () => session.drawn?.document.drawing.view.main ?? null,
+    shadow: () => session.shadow !== null,
     rate: () => session.orbits.count / session.orbits.seconds,
   };
 }

@@ -2,27 +2,32 @@
 import "./style.css";
 import { make } from "./draw/dom";
 import { guides } from "./guide/guides";
+import { story } from "./guide/story";
 import { bodiesPanel } from "./panels/bodies";
 import { bodyPanel, presetsOf } from "./panels/body";
 import { Clock } from "./panels/clock";
 import { diagramPanel } from "./panels/diagram";
-import { headPanel } from "./panels/head";
+import { applyTheme, headPanel } from "./panels/head";
 import { messagePanel } from "./panels/message";
 import { motionPanel } from "./panels/motion";
+import { phoneBar } from "./panels/phone";
+import { presenter } from "./panels/presenter";
 import { pointPanel } from "./panels/point";
 import { regionsPanel } from "./panels/regions";
 import { sectionPanel } from "./panels/section";
 import { spherePanel } from "./panels/sphere";
 import { takePanel } from "./panels/take";
 import { api } from "./api";
-import { parse } from "./state/hash";
+import { parse, unknownKeys } from "./state/hash";
 import { Session } from "./state/session";
-import { bodyText, FIRST } from "./state/state";
+import { bodyText, FIRST, START } from "./state/state";
 
 async function begin(): Promise<void> {
   const root = document.querySelector("main")!;
   const session = new Session();
   const clock = new Clock();
+  // Before all panels, which draw in its colours.
+  session.on(["theme"], () => applyTheme(session));
   const presets = presetsOf(await session.presets());
   const diagram = diagramPanel(session);
   const sphere = spherePanel(session);
@@ -32,26 +37,30 @@ async function begin(): Promise<void> {
   const guide = guides(session);
   const sheets = { diagram: diagram.sheet, sphere: sphere.sheet, section: section.sheet, motion: motion.sheet, bodies: bodies.sheet };
   const column = (name: string, ...panels: HTMLElement[]) => make("div", { className: `column ${name}` }, ...panels);
+  const body = bodyPanel(session, presets);
   root.replaceChildren(
-    column("left", bodyPanel(session, presets), regionsPanel(session)),
+    column("left", body, regionsPanel(session)),
     column("middle", diagram.element, pointPanel(session), guide.card),
     column("right", make("div", { className: "beside" }, sphere.element, motion.element), section.element),
     column("below", bodies.element, takePanel(session, sheets)),
   );
-  document.body.prepend(headPanel(session, guide.buttons));
-  document.body.append(messagePanel(session));
+  const told = story(session);
+  document.body.prepend(headPanel(session, [told.play, ...guide.buttons]));
+  document.body.append(told.card, messagePanel(session), phoneBar({ Diagram: diagram.element, U: sphere.element, Motion: motion.element, Section: section.element, Body: body, Map: bodies.element }));
   api(session);
-  for (const [name, panel] of Object.entries({ diagram, sphere, section, motion })) panel.element.dataset.panel = name;
+  const panels = { diagram: diagram.element, sphere: sphere.element, motion: motion.element, section: section.element, bodies: bodies.element };
+  for (const [name, panel] of Object.entries(panels)) panel.dataset.panel = name;
+  presenter(session, panels, guide.step);
 
   const named = (name: string) => presets.find((preset) => preset.name === name);
   const read = () => {
     try {
-      session.set(parse(location.hash, named));
+      session.set(location.hash.length > 1 ? parse(location.hash, named) : START, true);
+      const unknown = unknownKeys(location.hash);
+      session.notice = unknown.length > 0 ? `The address has ${unknown.join(", ")}, which this page does not know.` : "";
     } catch (error) {
       // What is wrong stays in the address and is told over the paper's body.
-      const wrong = location.hash;
-      if (!session.drawn) session.set({ ...FIRST });
-      history.replaceState(null, "", wrong);
+      if (!session.drawn) session.set({ ...FIRST }, "wrong");
       session.fail(error instanceof Error ? error.message : String(error));
       document.documentElement.dataset.ready = "true";
     }

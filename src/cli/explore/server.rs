@@ -1,6 +1,6 @@
 //! As much of HTTP/1.1 as a browser on this machine needs to load a page: GET and HEAD, one request a connection. Only what
 //! lies in the page's folder when the program starts is served, under the name that it has there: regular files, none of
-//! them outside of the folder.
+//! them outside of the folder. Where `NAME.br` lies beside a file, a browser that takes Brotli gets that.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -149,25 +149,30 @@ fn head(stream: &TcpStream, until: Instant) -> io::Result<Vec<String>> {
 fn answer(stream: &TcpStream, folder: &Folder) -> io::Result<()> {
     let head = head(stream, Instant::now() + REQUEST)?;
     let (request, fields) = head.split_first().map_or(("", &[][..]), |(request, fields)| (request.as_str(), fields));
-    let hosts: Vec<bool> = fields
-        .iter()
-        .filter_map(|field| field.split_once(':').filter(|(name, _)| name.eq_ignore_ascii_case("host")))
-        .map(|(_, host)| is_own(host))
-        .collect();
+    let values = |name: &'static str| {
+        fields.iter().filter_map(move |field| field.split_once(':').filter(|(key, _)| key.eq_ignore_ascii_case(name)))
+    };
+    let hosts: Vec<bool> = values("host").map(|(_, host)| is_own(host)).collect();
+    let takes_brotli = values("accept-encoding").any(|(_, codings)| takes_brotli(codings));
     let mut words = request.split(' ');
     let (method, target) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
     let path = target.split(['?', '#']).next().unwrap_or_default();
+    let packed = takes_brotli.then(|| folder.file(&format!("{path}.br"))).flatten();
+    let mut encoding = "";
     let (status, kind, body) = match (method, folder.file(path)) {
         _ if hosts != [true] => ("421 Misdirected Request", "text/plain", b"Only localhost is served.\n".to_vec()),
-        ("GET" | "HEAD", Some((file, kind))) => match fs::read(file) {
-            Ok(body) => ("200 OK", kind, body),
+        ("GET" | "HEAD", Some((file, kind))) => match fs::read(packed.as_ref().map_or(&file, |(packed, _)| packed)) {
+            Ok(body) => {
+                encoding = if packed.is_some() { "Content-Encoding: br\r\n" } else { "" };
+                ("200 OK", kind, body)
+            }
             Err(_) => ("503 Service Unavailable", "text/plain", b"The file cannot be read now.\n".to_vec()),
         },
         ("GET" | "HEAD", None) => ("404 Not Found", "text/plain", b"There is no such file.\n".to_vec()),
         _ => ("405 Method Not Allowed", "text/plain", b"Only GET and HEAD are answered.\n".to_vec()),
     };
     let head = format!(
-        "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\nCache-Control: no-cache\r\nConnection: close\r\n\r\n",
+        "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\n{encoding}Vary: Accept-Encoding\r\nCache-Control: no-cache\r\nConnection: close\r\n\r\n",
         body.len()
     );
     let mut stream = Until(stream, Instant::now() + ANSWER);
@@ -176,6 +181,15 @@ fn answer(stream: &TcpStream, folder: &Folder) -> io::Result<()> {
         stream.write_all(&body)?;
     }
     stream.flush()
+}
+
+/// True for a list of content codings that has Brotli, and not with the weight 0.
+fn takes_brotli(codings: &str) -> bool {
+    codings.split(',').any(|coding| {
+        let (name, weight) = coding.split_once(';').unwrap_or((coding, ""));
+        let weight = weight.trim().strip_prefix("q=").map_or(Ok(1.0), str::parse::<f64>);
+        name.trim().eq_ignore_ascii_case("br") && weight.is_ok_and(|weight| weight > 0.0)
+    })
 }
 
 /// True for a name of this machine, with a port or without: a tunnel may lead here from another port.

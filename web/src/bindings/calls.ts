@@ -37,7 +37,7 @@ export type Site = [body: string, h: string, l: string];
 /** The name of a call to its arguments and its answer. */
 export interface Calls {
   presets: [[], string[]];
-  draw: [[body: string, view: Window | null, from: Window | null, height: number, width: number], Drawing];
+  draw: [[body: string, view: Window | null, height: number, width: number], Drawing];
   locate: [[body: string, h: number, l: number], Place];
   surgeries: [[body: string, from: [h: number, l: number], to: [h: number, l: number]], string[]];
   partOfFile: [[name: string, bytes: Uint8Array, density: string, mass: string, units: string, pivot: string], string];

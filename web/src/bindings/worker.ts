@@ -1,24 +1,24 @@
 /** One worker: the module and what is kept of the last question. It answers in the order in which it is asked. */
 import type { Answer, Arguments, Drawing, Name, Question, Reply, Site } from "./calls";
 import type { Atlas, Orbit, Portrait, Window } from "./documents";
-import { towards } from "./view";
 import partsUrl from "./generated/bifdiag_web_parts_bg.wasm?url";
 import init, * as guest from "./generated/bifdiag_web.js";
 
 const PORTRAIT_ROWS = 90;
 
-let diagram: { body: string; of: guest.Diagram } | undefined;
+let diagram: { body: string; of: guest.Diagram; text: string; document: Atlas } | undefined;
 let section: { site: string; of: guest.Section } | undefined;
 let classes: guest.Classes | undefined;
 let readers = false;
 
-function diagramOf(body: string): guest.Diagram {
+function diagramOf(body: string): NonNullable<typeof diagram> {
   if (diagram?.body !== body) {
     const of = new guest.Diagram(body);
+    const text = of.document();
     diagram?.of.free();
-    diagram = { body, of };
+    diagram = { body, of, text, document: JSON.parse(text) as Atlas };
   }
-  return diagram.of;
+  return diagram;
 }
 
 function sectionOf(site: Site): guest.Section {
@@ -31,13 +31,10 @@ function sectionOf(site: Site): guest.Section {
   return section.of;
 }
 
-/** `view`: what is to be seen, if that was chosen; `from`: what was seen before, if the picture is to glide. */
-function draw(body: string, view: Window | null, from: Window | null, height: number, width: number): Drawing {
-  const of = diagramOf(body);
-  const text = of.document();
-  const document = JSON.parse(text) as Atlas;
-  const suited = view ?? document.drawing.view.main;
-  const window = from && !view ? towards(from, suited) : suited;
+/** `view`: what is to be seen; null: what suits the body. */
+function draw(body: string, view: Window | null, height: number, width: number): Drawing {
+  const { of, text, document } = diagramOf(body);
+  const window = view ?? document.drawing.view.main;
   const { h, l } = window;
   const names = document.curves.map((curve) => curve.id);
   const curves = of.curves(names, Math.max(0, l[0]), l[1], (h[1] - h[0]) / width / 3);
@@ -59,11 +56,11 @@ const answers: { [N in Name]: (...values: Arguments<N>) => Answer<N> | Promise<A
   presets: () => guest.presets(),
   draw,
   locate(body, h, l) {
-    const of = diagramOf(body);
+    const { of } = diagramOf(body);
     const [region, distance] = of.locate(h, l) as unknown as [number, number];
     return { region, distance, nearest: of.nearest(h, l) };
   },
-  surgeries: (body, from, to) => diagramOf(body).surgeries(Float64Array.from(from), Float64Array.from(to)),
+  surgeries: (body, from, to) => diagramOf(body).of.surgeries(Float64Array.from(from), Float64Array.from(to)),
   partOfFile: async (...part) => (await parts()).part_of_file(...part),
   partOfTensor: async (...part) => (await parts()).part_of_tensor(...part),
   atlas: (body) => guest.atlas(body),

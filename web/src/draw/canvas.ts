@@ -47,12 +47,15 @@ export class Sheet {
   /** The place of a pointer in CSS pixels of the canvas. */
   place(event: { clientX: number; clientY: number }): [number, number] {
     const box = this.element.getBoundingClientRect();
-    return [event.clientX - box.left, event.clientY - box.top];
+    // A panel that is shown large is magnified.
+    const scale = box.width > 0 ? this.element.clientWidth / box.width : 1;
+    return [(event.clientX - box.left) * scale, (event.clientY - box.top) * scale];
   }
 
   private measure(): void {
     const { clientWidth: width, clientHeight: height } = this.element;
-    const scale = Math.min(2, window.devicePixelRatio || 1);
+    const magnified = width > 0 ? this.element.getBoundingClientRect().width / width : 1;
+    const scale = Math.min(3, (window.devicePixelRatio || 1) * magnified);
     this.size = { width, height };
     this.element.width = Math.round(width * scale);
     this.element.height = Math.round(height * scale);
@@ -64,25 +67,6 @@ export class Sheet {
     this.measure();
     this.now();
   }
-}
-
-/** Follows a pointer from its press to its release; `move` gets places in CSS pixels of the element. */
-export function drag(element: HTMLElement, handlers: { start?: (event: PointerEvent) => boolean; move: (event: PointerEvent) => void; end?: () => void }): void {
-  let held: number | undefined;
-  element.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0 || (handlers.start && !handlers.start(event))) return;
-    held = event.pointerId;
-    element.setPointerCapture(event.pointerId);
-    handlers.move(event);
-  });
-  element.addEventListener("pointermove", (event) => held === event.pointerId && handlers.move(event));
-  const stop = (event: PointerEvent) => {
-    if (held !== event.pointerId) return;
-    held = undefined;
-    handlers.end?.();
-  };
-  element.addEventListener("pointerup", stop);
-  element.addEventListener("pointercancel", stop);
 }
 
 /** Round numbers for an axis: about `count` of them in [from, to], and the text of each with digits enough to tell them apart. */

@@ -19,8 +19,22 @@ export function make<K extends keyof HTMLElementTagNameMap>(name: K, properties:
 export const button = (label: string, title: string, onclick: () => void, data: Record<string, string> = {}): HTMLButtonElement =>
   make("button", { type: "button", title, onclick, data }, label);
 
-/** A titled panel with a body. */
+/** A titled panel with a body; `help` stands under the title when it is asked for. */
 export function panel(title: string, help: string, ...children: Child[]): HTMLElement {
-  const heading = make("h2", { title: help }, title);
-  return make("section", { className: "panel", attributes: { "aria-label": title } }, make("header", {}, heading), ...children);
+  const words = make("p", { className: "help", hidden: true }, help);
+  const ask = button("?", help, () => {
+    words.hidden = !words.hidden;
+    ask.setAttribute("aria-expanded", String(!words.hidden));
+  });
+  ask.className = "ask";
+  ask.setAttribute("aria-expanded", "false");
+  ask.setAttribute("aria-label", `What is this: ${title}`);
+  return make("section", { className: "panel", attributes: { "aria-label": title } }, make("header", {}, make("h2", { title: help }, title), ask), words, ...children);
+}
+
+/** Text that is copied when its button is pressed. */
+export function copied(code: HTMLElement): HTMLElement {
+  const copy = button("Copy", "Copy to the clipboard", () => void navigator.clipboard?.writeText(code.textContent ?? "").then(() => (copy.textContent = "Copied")));
+  copy.addEventListener("blur", () => (copy.textContent = "Copy"));
+  return make("div", { className: "copied" }, code, copy);
 }

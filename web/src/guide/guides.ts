@@ -8,9 +8,9 @@ import { LESSONS, worksheetOf, type Lesson, type Task } from "./lessons";
 import { TOUR } from "./tour";
 
 /** A state over the first one; what the reader chose to look at stays. */
-const over = ({ theme, embed }: State, change: Partial<State>): State => ({ ...FIRST, theme, embed, ...change });
+const over = ({ theme, embed, present }: State, change: Partial<State>): State => ({ ...FIRST, theme, embed, present, ...change });
 
-export function guides(session: Session): { card: HTMLElement; buttons: HTMLElement[] } {
+export function guides(session: Session): { card: HTMLElement; buttons: HTMLElement[]; step: (by: number) => boolean } {
   const card = make("aside", { className: "card", hidden: true, attributes: { "aria-live": "polite" }, data: { testid: "guide" } });
   const close = () => session.update({ tour: null, lesson: null }, "guide");
   const go = (number: number) => session.set(over(session.state, { ...TOUR[number - 1]!.state, tour: number }));
@@ -30,8 +30,16 @@ export function guides(session: Session): { card: HTMLElement; buttons: HTMLElem
   addEventListener("keydown", (event) => event.key === "Escape" && !card.hidden && close());
   const glossary = glossaryDialog();
   document.body.append(glossary);
+  /** On or back in the tour, if it is open. */
+  const step = (by: number): boolean => {
+    const { tour } = session.state;
+    if (tour === null) return false;
+    go(Math.min(TOUR.length, Math.max(1, tour + by)));
+    return true;
+  };
   return {
     card,
+    step,
     buttons: [
       button("Tour", "Eight steps through the paper", () => go(1), { testid: "tour" }),
       button("Lessons", "Three lessons for a class", () => session.update({ lesson: "list", tour: null }, "guide"), { testid: "lessons" }),
@@ -52,13 +60,19 @@ function tourCard(number: number, go: (number: number) => void, close: () => voi
 }
 
 function lessonList(session: Session, close: () => void): HTMLElement[] {
-  const rows = LESSONS.map((lesson) => button(`${lesson.title} (${lesson.minutes} minutes)`, lesson.objectives.join(" "), () => session.update({ lesson: lesson.id }, "guide")));
+  const rows = LESSONS.map((lesson) => button(`${lesson.title} (${lesson.minutes} minutes)`, lesson.objectives.join(" "), () => asked(session, lesson, 0)));
   return [head("Lessons: predict, then observe", close), make("div", { className: "stack" }, ...rows)];
+}
+
+/** A question shows the body that it asks about, and not yet the point at which it is answered. */
+function asked(session: Session, lesson: Lesson, number: number): void {
+  const { A, r } = over(session.state, lesson.tasks[number]!.state);
+  session.set(over(session.state, { A, r, lesson: lesson.id }));
 }
 
 function lessonCard(session: Session, lesson: Lesson, close: () => void): HTMLElement[] {
   const place = make("div", {});
-  const turn = (number: number) => place.replaceChildren(taskCard(session, lesson, number, turn));
+  const turn = (number: number) => place.replaceChildren(taskCard(session, lesson, number, (next) => (asked(session, lesson, next), turn(next))));
   turn(0);
   return [
     head(lesson.title, close),

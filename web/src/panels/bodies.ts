@@ -1,5 +1,6 @@
 /** The space of bodies: a map of classes; the present body is a point to drag in it. */
-import { drag, Sheet } from "../draw/canvas";
+import { Sheet } from "../draw/canvas";
+import { drag, near } from "../draw/press";
 import { button, make, panel } from "../draw/dom";
 import type { Session } from "../state/session";
 import { boxOf, paintBodies } from "./bodies-paint";
@@ -15,7 +16,7 @@ export function bodiesPanel(session: Session): { element: HTMLElement; sheet: Sh
   let borders: Border[] = [];
   let asked = false;
   let known: Catalogue | undefined;
-  const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": "Map of classes of bodies: drag the point" }, data: { testid: "bodies-map" } });
+  const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": "Map of classes of bodies: drag the point, or use the arrow keys" }, data: { testid: "bodies-map" } });
   const text = make("div", { className: "note" });
   const list = make("div", { className: "note", data: { testid: "borders" } });
   const cells = new Cells(() => show());
@@ -36,6 +37,7 @@ export function bodiesPanel(session: Session): { element: HTMLElement; sheet: Sh
     text.textContent = cells.message || `${here} ${cells.classes} classes seen, ${cells.share < 0.999 ? `${Math.round(100 * cells.share)} %` : "complete"}`;
     list.textContent = borders.length > 0 ? `Nearest borders: ${borders.map((border) => border.text).join("; ")}` : "";
     stop.hidden = !cells.running;
+    if (cells.share > 0) delete element.dataset.blank;
     sheet.ask();
   };
   const seek = async () => {
@@ -57,16 +59,33 @@ export function bodiesPanel(session: Session): { element: HTMLElement; sheet: Sh
     chosen = true;
     void fill();
   });
+  const share = (value: number, [from, to]: [number, number]) => (value - from) / (to - from);
+  const take = (across: number, up: number) => {
+    const inside = (part: number, [from, to]: [number, number]) => from + Math.min(0.9999, Math.max(0.0001, part)) * (to - from);
+    const body = bodyAt(family, inside(across, family.x), inside(up, family.y), session.state);
+    if (body) session.body(body.A, body.r);
+  };
   drag(canvas, {
     start: () => ((session.dragging = "body"), true),
+    handle: (event) => {
+      const { x, y, side } = boxOf(sheet.size);
+      const place = family.place(session.state);
+      return place !== null && near(sheet.place(event), [x + side * share(place[0], family.x), y + side * (1 - share(place[1], family.y))]);
+    },
     move: (event) => {
       const { x, y, side } = boxOf(sheet.size);
       const [px, py] = sheet.place(event);
-      const inside = (share: number, [from, to]: [number, number]) => from + Math.min(0.9999, Math.max(0.0001, share)) * (to - from);
-      const body = bodyAt(family, inside((px - x) / side, family.x), inside(1 - (py - y) / side, family.y), session.state);
-      if (body) session.body(body.A, body.r);
+      take((px - x) / side, 1 - (py - y) / side);
     },
     end: () => session.release(),
+  });
+  canvas.addEventListener("keydown", (event) => {
+    const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+    const place = family.place(session.state);
+    if (!step || !place) return;
+    event.preventDefault();
+    const far = event.shiftKey ? 0.05 : 0.005;
+    take(share(place[0], family.x) + far * step[0]!, share(place[1], family.y) + far * step[1]!);
   });
   session.on(["body", "theme"], () => ((borders = []), show()));
   let seen = false;
@@ -86,6 +105,7 @@ export function bodiesPanel(session: Session): { element: HTMLElement; sheet: Sh
     seen = entries.some((entry) => entry.isIntersecting);
     if (seen && cells.share === 0 && session.atlas) void fill();
   }).observe(canvas);
-  const element = panel("The space of bodies", "Bodies of the same colour have diagrams of the same shape", make("div", { className: "bar" }, choice, stop), make("div", { className: "stage map" }, canvas), make("div", { className: "bar" }, text, list));
+  const element = panel("The space of bodies", "Bodies of the same colour have diagrams with the same regions, connected in the same way. Drag the point, or use the arrow keys, to change the body", make("div", { className: "bar" }, choice, stop), make("div", { className: "stage map" }, canvas), make("div", { className: "bar" }, text, list));
+  element.dataset.blank = "";
   return { element, sheet };
 }

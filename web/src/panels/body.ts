@@ -1,10 +1,12 @@
 /** The body: exact texts, presets, and two points to drag, A in the triangle of bodies and r on an octant of the sphere. */
 import type { Flags, Triple } from "../bindings/documents";
 import { make, panel } from "../draw/dom";
+import { mark, numberField } from "../draw/field";
 import { rounded, valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
 import { octant } from "./octant";
 import { partForm } from "./part";
+import { sweep } from "./sweep";
 import { triangle } from "./triangle";
 
 export interface Preset {
@@ -52,8 +54,7 @@ export function presetsOf(texts: string[]): Preset[] {
 }
 
 function field(name: string, hint: string, change: (text: string) => void): HTMLInputElement {
-  const input = make("input", { type: "text", inputMode: "decimal", spellcheck: false, autocomplete: "off", title: hint, attributes: { "aria-label": name }, data: { testid: `input-${name}` } });
-  input.addEventListener("change", () => change(input.value.trim()));
+  const input = numberField(name, hint, () => change(input.value));
   // A step with the arrow keys, in the last digit that is written.
   input.addEventListener("keydown", (event) => {
     if (event.key !== "ArrowUp" && event.key !== "ArrowDown") return;
@@ -84,26 +85,27 @@ export function bodyPanel(session: Session, presets: Preset[]): HTMLElement {
   choice.addEventListener("change", () => {
     const preset = presets.find(({ name }) => name === choice.value);
     if (!preset) return;
-    session.state = { ...session.state, point: null };
-    session.body(preset.A, preset.r);
+    session.adopt(preset.A, preset.r);
   });
   const notes = make("p", { className: "note" });
   const show = () => {
     const { A, r } = session.state;
-    moments.forEach((input, i) => (input.value = A[i]!));
-    center.forEach((input, i) => (input.value = r[i]!));
+    for (const [inputs, numbers] of [[moments, A], [center, r]] as const) inputs.forEach((input, i) => ((input.value = numbers[i]!), mark(input, false)));
     sliders.forEach(({ show }) => show());
     choice.value = presets.find((preset) => preset.A.join() === A.join() && preset.r.join() === r.join())?.name ?? "";
   };
   session.on(["body"], show);
+  // What is a number and yet no moment of inertia.
+  session.on(["message"], () => moments.forEach((input) => mark(input, session.message !== "" && !(valueOf(input.value) > 0))));
   session.on(["atlas"], () => (notes.textContent = session.atlas ? remarks(session.atlas.body) : ""));
   const element = panel(
     "The body",
-    "Principal moments of inertia A and centre of mass r, both about the fixed point",
+    "Principal moments of inertia A and centre of mass r, both about the fixed point. In the triangle lie all ratios A₁ : A₂ : A₃; physical bodies are in the inner one, where no moment exceeds the sum of the others. The octant shows the direction of r along the axes 1, 2, 3; the other octants give the same diagrams",
     make("div", { className: "body-controls" },
       choice,
       make("div", { className: "numbers" }, make("b", {}, "A"), ...moments),
       make("div", { className: "numbers" }, make("b", {}, "r"), ...center, make("span"), ...sliders.map(({ element }) => element)),
+      sweep(session),
       make("div", { className: "pair" }, triangle(session), octant(session)),
       notes,
     ),

@@ -2,10 +2,10 @@
 import { ticks, type Pen, type Size } from "../draw/canvas";
 import { branchColors, ink, tint, type Ink, type Rgb } from "../draw/theme";
 import { surface, valueOf } from "../state/numbers";
-import type { Drawn } from "../state/known";
+import type { Drawn, Shadow } from "../state/known";
 import type { Session } from "../state/session";
 import type { Window } from "../bindings/documents";
-import { deepest, type Place } from "./places";
+import { deepest, type Place } from "../state/places";
 import { circlesOf, typeOf } from "./regions";
 
 export interface Area {
@@ -37,6 +37,7 @@ export function paintDiagram(pen: Pen, size: Size, session: Session): void {
   pen.beginPath();
   pen.rect(area.x, area.y, area.width, area.height);
   pen.clip();
+  if (session.shadow) paintShadow(pen, area, drawn.window, session.shadow, colors);
   paintCurves(pen, area, drawn, colors, session.hover.curve);
   paintEvents(pen, area, drawn, colors);
   paintNames(pen, area, drawn, colors, deepest(drawn, area.width));
@@ -105,6 +106,15 @@ function paintCurves(pen: Pen, area: Area, { document, curves, window }: Drawn, 
     });
   }
   pen.setLineDash([]);
+}
+
+/** The curves of the body before. */
+function paintShadow(pen: Pen, area: Area, window: Window, shadow: Shadow, colors: Ink): void {
+  pen.strokeStyle = colors.faint;
+  pen.globalAlpha = 0.45;
+  pen.lineWidth = 3;
+  for (const points of shadow.values()) stroke(pen, area, window, points, -Infinity, Infinity, []);
+  pen.globalAlpha = 1;
 }
 
 /** Lines of curves by the verdict on their stability. */

@@ -1,12 +1,14 @@
 /** The (h, l) diagram: regions tinted by type, curves by branch, events, the point. Click, drag, wheel and pinch. */
 import { Sheet, type Pen, type Size } from "../draw/canvas";
 import { make, panel } from "../draw/dom";
+import { near } from "../draw/press";
 import { tipAt } from "../draw/tip";
 import { rounded, shown, surface, valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
-import type { Reason, RelativeEquilibrium, Window } from "../bindings/documents";
+import type { Window } from "../bindings/documents";
 import { paintDiagram, placeOf, plot, valueAt } from "./diagram-paint";
 import { gestures } from "./gestures";
+import { stabilityLine } from "./stability";
 
 /** A view is never narrower than this part of its distance from 0: there doubles end. */
 const NARROWEST = 1e-11;
@@ -45,6 +47,13 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
   };
   gestures(canvas, {
     ready: () => session.drawn !== null,
+    place: (event) => sheet.place(event),
+    handle: (x, y) => {
+      const { point } = session.state;
+      if (!point || !session.drawn) return false;
+      const [px, py] = placeOf(view(), plot(sheet.size), [valueOf(point.h), Math.abs(valueOf(point.l))]);
+      return near([x, y], [px, py]);
+    },
     point: choose,
     pan,
     zoom,
@@ -55,22 +64,25 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
   });
   canvas.addEventListener("keydown", (event) => keys(session, sheet, event, zoom));
   session.on(["drawing"], () => sheet.now());
-  session.on(["point", "hover", "theme"], () => sheet.ask());
+  session.on(["point", "hover", "theme", "shadow"], () => sheet.ask());
   new ResizeObserver(() => {
     session.resolution = plot(sheet.size);
     if (session.drawn) void session.redraw();
   }).observe(canvas);
+  const pin = tool("Keep", "Keep these curves in grey, to compare with another body", () => session.pin());
+  session.on(["shadow"], () => pin.setAttribute("aria-pressed", String(session.pinned)));
   const tools = make("div", { className: "tools" },
+    pin,
     tool("+", "Zoom in", () => zoom([sheet.size.width / 2, sheet.size.height / 2], 0.5)),
     tool("−", "Zoom out", () => zoom([sheet.size.width / 2, sheet.size.height / 2], 2)),
     tool("⌂", "The whole diagram", () => session.view(null)),
   );
-  const element = panel("Diagram", "The plane of energy h and vertical angular momentum l; the topology of the motion changes on the curves", make("div", { className: "stage" }, canvas, tip));
+  const element = panel("Diagram", "The plane of energy h and vertical angular momentum l, both conserved. Within a tinted region all motions have the same shape, which changes on the curves. Curves are steady rotations: solid where stable (thin: without friction only), dashed where unstable; on dotted lines the centre of mass can first hang straight down or stand straight up. Click to choose a point, drag it; a finger taps, or holds and drags; two fingers or the wheel zoom", make("div", { className: "stage" }, canvas, tip));
   element.querySelector("header")!.append(tools);
   return { element, sheet };
 }
 
-const tool = (label: string, title: string, onclick: () => void) => make("button", { type: "button", title, onclick }, label);
+const tool = (label: string, title: string, onclick: () => void) => make("button", { type: "button", title, onclick, attributes: { "aria-label": title } }, label);
 
 /** Arrow keys move the point by two pixels, with shift by twenty; + − 0 zoom. */
 function keys(session: Session, { size }: Sheet, event: KeyboardEvent, zoom: (at: [number, number], factor: number) => void): void {
@@ -115,23 +127,6 @@ async function hover(session: Session, sheet: Sheet, tip: HTMLElement, x: number
   if (curve) lines.push(...(await curveLines(session, curve, h, l)));
   tipAt(tip, sheet.size, [x, y], lines);
 }
-
-/** The verdict on a steady motion, without friction and with it. */
-export function stabilityLine({ nonlinear, friction }: Pick<RelativeEquilibrium, "nonlinear" | "friction">): string {
-  const damped = { survives: "stable too", lost: `unstable in ${friction.growing} direction${friction.growing === 1 ? "" : "s"}`, open: "open" };
-  return `${nonlinear.verdict} (${WHY[nonlinear.why]}); with friction ${damped[friction.conserving_l ?? "open"]}`;
-}
-
-const WHY: Record<Reason, string> = {
-  energy: "minimum of energy",
-  integral: "a further integral",
-  arnold: "Arnold's theorem",
-  spectrum: "eigenvalues",
-  "resonance 1:2": "1:2 resonance",
-  "resonance 1:3": "1:3 resonance",
-  "resonance 1:1": "1:1 resonance",
-  degenerate: "degenerate",
-};
 
 /** Stability of the steady motion on a curve. */
 async function curveLines(session: Session, curve: string, h: number, l: number): Promise<string[]> {

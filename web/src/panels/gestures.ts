@@ -1,10 +1,16 @@
-/** What hands do on a diagram: press and drag sets the point, with shift, two fingers or the middle button it moves the picture; wheel and pinch zoom. */
+/** What hands do on a diagram: press and drag sets the point, with shift, two fingers or the middle button it moves the picture; wheel and
+ * pinch zoom. One finger taps, drags the point by its handle or after a long press, and else scrolls the page. */
+import { Finger } from "../draw/press";
 
 interface Handlers {
   ready: () => boolean;
+  /** The place of a pointer in the picture. */
+  place: (event: MouseEvent) => Place;
+  /** Whether the point is within a finger's reach. */
+  handle: (x: number, y: number) => boolean;
   point: (x: number, y: number) => void;
   pan: (dx: number, dy: number) => void;
-  zoom: (at: [number, number], factor: number) => void;
+  zoom: (at: Place, factor: number) => void;
   start: (what: "point" | "view") => void;
   end: () => void;
   hover: (x: number, y: number) => void;
@@ -13,58 +19,47 @@ interface Handlers {
 
 type Place = [number, number];
 
-/** A finger that moves less than this, in pixels, lies still. */
-const SLIP = 4;
-
 export function gestures(canvas: HTMLCanvasElement, handlers: Handlers): void {
+  const { place } = handlers;
   const fingers = new Map<number, Place>();
   let mode: "point" | "view" | null = null;
-  /** A finger that lies still: the first of two, or one that will tap or drag. */
-  let still = false;
-  let touched: Place = [0, 0];
-  const place = (event: MouseEvent): Place => {
-    const box = canvas.getBoundingClientRect();
-    return [event.clientX - box.left, event.clientY - box.top];
-  };
   const begin = (what: "point" | "view") => {
     mode = what;
     handlers.start(what);
   };
+  const set = (event: PointerEvent) => {
+    begin("point");
+    handlers.point(...place(event));
+  };
+  const end = () => {
+    mode = null;
+    handlers.end();
+  };
+  // A point taken by its handle stays where it is until the finger moves.
+  const finger = new Finger(canvas, (event) => (handlers.handle(...place(event)) ? begin("point") : set(event)), (event) => (set(event), end()));
   canvas.addEventListener("pointerdown", (event) => {
     if (!handlers.ready() || event.button === 2) return;
     canvas.setPointerCapture(event.pointerId);
     fingers.set(event.pointerId, place(event));
-    still = event.pointerType === "touch" && fingers.size === 1;
-    touched = place(event);
-    if (still) return;
-    begin(fingers.size > 1 || event.shiftKey || event.button === 1 ? "view" : "point");
-    if (mode === "point") handlers.point(...place(event));
+    if (event.pointerType === "touch" && fingers.size === 1) return finger.down(event, handlers.handle(...place(event)));
+    finger.up();
+    if (fingers.size > 1 || event.shiftKey || event.button === 1) begin("view");
+    else set(event);
   });
   canvas.addEventListener("pointermove", (event) => {
     const now = place(event);
     const before = fingers.get(event.pointerId);
     if (!before) return handlers.hover(...now);
     fingers.set(event.pointerId, now);
-    if (still) {
-      if (Math.hypot(now[0] - touched[0], now[1] - touched[1]) < SLIP) return;
-      still = false;
-      begin("point");
-    }
+    finger.move(event);
     if (mode === "point") handlers.point(...now);
-    else if (fingers.size === 1) handlers.pan(now[0] - before[0], now[1] - before[1]);
-    else pinch(fingers, event.pointerId, before, handlers);
+    else if (mode === "view" && fingers.size === 1) handlers.pan(now[0] - before[0], now[1] - before[1]);
+    else if (mode === "view") pinch(fingers, event.pointerId, before, handlers);
   });
   const stop = (event: PointerEvent) => {
     if (!fingers.delete(event.pointerId) || fingers.size > 0) return;
-    if (still && event.type === "pointerup") {
-      begin("point");
-      handlers.point(...place(event));
-    }
-    const idle = mode === null;
-    still = false;
-    mode = null;
-    if (idle) return;
-    handlers.end();
+    if (mode !== null) end();
+    finger.up(event);
   };
   canvas.addEventListener("pointerup", stop);
   canvas.addEventListener("pointercancel", stop);

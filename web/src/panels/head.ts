@@ -11,7 +11,6 @@ export function applyTheme(session: Session): void {
 
 export function headPanel(session: Session, buttons: HTMLElement[]): HTMLElement {
   applyTheme(session);
-  session.on(["theme"], () => applyTheme(session));
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => session.emit("theme"));
   const theme = button("◐", "Dark or light", () => {
     const dark = document.documentElement.dataset.theme === "dark";

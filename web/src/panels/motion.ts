@@ -1,6 +1,7 @@
 /** The body's motion: its ellipsoid of inertia turning about the fixed point, the centre of mass, the trace of the vertical, three angles. */
 import { apply, composed, lookingAt, rotation, turned, type Turn, type Vec } from "../draw/ball";
-import { drag, Sheet, type Pen, type Size } from "../draw/canvas";
+import { Sheet, type Pen, type Size } from "../draw/canvas";
+import { drag } from "../draw/press";
 import { button, make, panel } from "../draw/dom";
 import { ink, type Ink } from "../draw/theme";
 import { valueOf } from "../state/numbers";
@@ -21,12 +22,13 @@ function axesOf(a: Vec): Vec {
 }
 
 export function motionPanel(session: Session, clock: Clock): { element: HTMLElement; sheet: Sheet } {
-  const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": "The turning body: drag to change the view, space to play or pause" }, data: { testid: "motion" } });
+  const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": "The turning body: drag or use the arrow keys to change the view, space to play or pause" }, data: { testid: "motion" } });
   let view: Turn = lookingAt([1, 0.5, 0.35], [0, 0, 1]);
   const angles = make("span", { className: "angles" });
   const sheet = new Sheet(canvas, (pen, size) => paint(pen, size, session, clock, view));
   let last: [number, number] | null = null;
   drag(canvas, {
+    sideways: true,
     start: (event) => ((last = sheet.place(event)), true),
     move: (event) => {
       const now = sheet.place(event);
@@ -44,9 +46,12 @@ export function motionPanel(session: Session, clock: Clock): { element: HTMLElem
   for (const factor of [0.25, 1, 4, 16]) speed.append(make("option", { value: String(factor), selected: factor === 1 }, `${factor}×`));
   speed.addEventListener("change", () => (clock.speed = Number(speed.value)));
   canvas.addEventListener("keydown", (event) => {
-    if (event.key !== " ") return;
+    const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
+    if (event.key !== " " && !step) return;
     event.preventDefault();
-    play.click();
+    if (!step) return play.click();
+    view = turned(turned(view, [0, 1, 0], 0.1 * step[0]!), [1, 0, 0], 0.1 * step[1]!);
+    sheet.ask();
   });
   session.on(["motion"], () => {
     const { motion } = session.orbits;
@@ -64,11 +69,12 @@ export function motionPanel(session: Session, clock: Clock): { element: HTMLElem
       const at = momentAt(motion, clock);
       angles.textContent = ["ϑ", "ψ", "φ"].map((name, i) => `${name} = ${motion[at + 10 + i]!.toFixed(2)}`).join("  ");
     } else angles.textContent = "";
-    sheet.ask();
+    // While a hand changes the body the motion is that of another one.
+    if (session.dragging !== "body") sheet.ask();
   });
   session.on(["theme", "body"], () => sheet.ask());
   const bar = make("div", { className: "bar" }, play, slider, speed, angles);
-  const element = panel("Motion", "The body as its ellipsoid of inertia; the dot is the centre of mass, the line the path of the vertical on the body", make("div", { className: "stage" }, canvas), bar);
+  const element = panel("Motion", "The body as its ellipsoid of inertia, which turns about the fixed point in its middle; 1, 2, 3 are the principal axes, the dot is the centre of mass, the red line the path of the vertical on the body. ϑ, ψ, φ are Euler’s angles", make("div", { className: "stage" }, canvas), bar);
   return { element, sheet };
 }
 
@@ -105,6 +111,40 @@ function paint(pen: Pen, size: Size, session: Session, clock: Clock, view: Turn)
   paintBody(pen, size, radius, axes, turn, colors);
   trace(pen, motion, at, axes, place, colors, true);
   center(pen, session, place, colors);
+  paintAxes(pen, axes, place, colors);
+  legend(pen, size, colors);
+}
+
+/** The principal axes where they leave the body, with their numbers. */
+function paintAxes(pen: Pen, axes: Vec, place: (v: Vec) => [number, number, number], colors: Ink): void {
+  pen.strokeStyle = pen.fillStyle = colors.faint;
+  pen.lineWidth = 1.2;
+  pen.font = "11px system-ui, sans-serif";
+  pen.textAlign = "center";
+  axes.forEach((size, i) => {
+    const along = (far: number) => place([0, 1, 2].map((k) => (k === i ? far : 0)) as Vec);
+    const [[x, y, front], [px, py]] = [along(size), along(size + 0.16)];
+    pen.globalAlpha = front < 0 ? 0.35 : 1;
+    pen.beginPath();
+    pen.moveTo(x, y);
+    pen.lineTo(px, py);
+    pen.stroke();
+    const [tx, ty] = along(size + 0.27);
+    pen.fillText(String(i + 1), tx, ty + 4);
+  });
+  pen.globalAlpha = 1;
+}
+
+/** What the signs are. */
+function legend(pen: Pen, { height }: Size, colors: Ink): void {
+  pen.font = "11px system-ui, sans-serif";
+  pen.textAlign = "left";
+  const line = (text: string, row: number, color: string) => {
+    pen.fillStyle = color;
+    pen.fillText(text, 8, height - 6 - 14 * row);
+  };
+  line("● centre of mass   ○ fixed point", 1, colors.faint);
+  line("— path of the vertical on the body", 0, colors.accent);
 }
 
 /** The ellipsoid by one ray for each pixel: |x/a| = 1 in the body's axes. */
@@ -180,6 +220,11 @@ function center(pen: Pen, session: Session, place: (v: Vec) => [number, number, 
   pen.beginPath();
   pen.arc(x, y, 4.5, 0, 2 * Math.PI);
   pen.fill();
+  pen.fillStyle = colors.panel;
+  pen.beginPath();
+  pen.arc(x0, y0, 3.5, 0, 2 * Math.PI);
+  pen.fill();
+  pen.stroke();
 }
 
 /** An arrow in the direction of gravity beside the body. */

@@ -1,6 +1,7 @@
 /** The direction of the centre of mass on an octant of the sphere; the other octants give the same diagrams. */
 import type { Triple } from "../bindings/documents";
-import { drag, Sheet, type Pen, type Size } from "../draw/canvas";
+import { Sheet, type Pen, type Size } from "../draw/canvas";
+import { drag, near } from "../draw/press";
 import { apply, back, lookingAt, unit, type Vec } from "../draw/ball";
 import { make } from "../draw/dom";
 import { ink } from "../draw/theme";
@@ -63,6 +64,11 @@ export function octant(session: Session): HTMLElement {
     session.body(session.state.A, to.map((x) => rounded(size * x, STEP)) as Triple);
   };
   drag(canvas, {
+    handle: (event) => {
+      const { radius, x, y } = frame(sheet.size);
+      const [right, up] = apply(VIEW, direction());
+      return near(sheet.place(event), [x + radius * right, y - radius * up]);
+    },
     start: () => ((session.dragging = "body"), true),
     move: (event) => {
       const [px, py] = sheet.place(event);
@@ -82,5 +88,5 @@ export function octant(session: Session): HTMLElement {
     take(back(VIEW, [right + 0.01 * step[0]!, up + 0.01 * step[1]!, front]));
   });
   session.on(["body", "theme"], () => sheet.now());
-  return make("figure", {}, canvas, make("figcaption", {}, "centre of mass, along the axes 1, 2, 3"));
+  return make("figure", {}, canvas, make("figcaption", {}, "direction of r"));
 }

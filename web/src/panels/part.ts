@@ -34,8 +34,7 @@ export function partForm(session: Session, zone: HTMLElement): HTMLElement {
       const moments = found.principal_com.moments.map((moment) => shown(moment)).join(", ");
       told.textContent = `Principal moments about the centre of mass: ${moments}; mass ${shown(Number(found.mass))} (${found.units.replace(/,/g, " ")}, g = ${found.g} m/s²). h, l and r are in these units${found.exact ? "" : "; A and r are rounded to 130 digits; symmetries are exact"}.`;
       session.fail("");
-      session.state = { ...session.state, point: null };
-      session.body(found.A, found.r);
+      session.adopt(found.A, found.r);
     } catch (error) {
       session.fail(error instanceof Error ? error.message : String(error));
     }

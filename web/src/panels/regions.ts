@@ -2,12 +2,17 @@
 import type { Region } from "../bindings/documents";
 import { make, panel } from "../draw/dom";
 import { css, ink, tint } from "../draw/theme";
+import { listed } from "../state/words";
+import { steadyTable } from "./steady";
 import { shown, surface } from "../state/numbers";
 import type { Session } from "../state/session";
 
 export const typeOf = (region: Region): string => region.signature ?? region.components.map((component) => component.accessible_region).join("+");
 
 export const circlesOf = (region: Region): number => region.components.reduce((sum, component) => sum + component.boundary_circles, 0);
+
+/** Types as signs, with what they mean beside the pointer. */
+const cell = (names: (string | null)[]): HTMLTableCellElement => make("td", { title: listed(names) }, joined(names));
 
 const joined = (names: (string | null)[]): string => names.map((name) => (name === null ? "–" : surface(name))).join(" + ");
 
@@ -19,9 +24,9 @@ function row(session: Session, region: Region, dark: boolean): HTMLTableRowEleme
     "tr",
     { tabIndex: 0, title: `Go to the sample of ${region.id}: h = ${shown(region.sample.h)}, l = ${shown(region.sample.l)}`, data: { testid: "region-row", region: region.id, signature: region.signature ?? "" } },
     make("td", {}, swatch, region.id),
-    make("td", {}, joined(components.map((component) => component.section))),
-    make("td", {}, joined(components.map((component) => component.accessible_region))),
-    make("td", {}, joined(components.map((component) => component.energy_surface))),
+    cell(components.map((component) => component.section)),
+    cell(components.map((component) => component.accessible_region)),
+    cell(components.map((component) => component.energy_surface)),
   );
   const go = () => session.point({ h: String(region.sample.h), l: String(region.sample.l) });
   element.addEventListener("click", go);
@@ -33,9 +38,9 @@ function row(session: Session, region: Region, dark: boolean): HTMLTableRowEleme
 
 export function regionsPanel(session: Session): HTMLElement {
   const body = make("tbody", {});
-  const head = make("tr", {}, ...["", "P", "U", "E"].map((name, i) => make("th", { title: ["", "the section", "the accessible region on the sphere", "the energy surface"][i]! }, name)));
+  const head = make("tr", {}, ...["", "P", "U", "E"].map((name, i) => make("th", { title: ["", "the section: S² a sphere, T² a torus, M²₂ a surface of genus 2, which has two handles", "the accessible region on the sphere: D² a disc, S² the whole sphere, S²∖2D² a sphere with two holes", "the energy surface, of three dimensions"][i]! }, name)));
   const caption = make("p", { className: "note" });
-  let shownDocument: unknown;
+  let shownDocument: string | undefined;
   const show = () => {
     const document = session.dragging === "body" ? session.drawn?.document : (session.atlas ?? session.drawn?.document);
     const { dark } = ink();
@@ -45,13 +50,15 @@ export function regionsPanel(session: Session): HTMLElement {
       caption.textContent = "";
       return;
     }
-    if (document === shownDocument) return;
-    shownDocument = document;
+    // Under the hand a body keeps its regions for many frames: rows are made anew where one differs.
+    const key = `${dark}${JSON.stringify(document.regions.map(({ id, signature, components, sample }) => [id, signature, components, session.dragging ? 0 : sample]))}`;
+    const exact = document === session.atlas;
+    caption.textContent = `${document.regions.length} regions, ${document.events.length} events; ${exact ? (document.summary.complete ? "complete, exact" : "not everything could be decided") : "while moving"}`;
+    if (key === shownDocument) return;
+    shownDocument = key;
     const focused = (globalThis.document.activeElement as HTMLElement | null)?.dataset.region;
     body.replaceChildren(...document.regions.map((region) => row(session, region, dark)));
     if (focused) body.querySelector<HTMLElement>(`[data-region="${focused}"]`)?.focus();
-    const exact = document === session.atlas;
-    caption.textContent = `${document.regions.length} regions, ${document.events.length} events; ${exact ? (document.summary.complete ? "complete" : "not everything could be decided") : "while moving"}`;
     mark();
   };
   const mark = () => {
@@ -61,5 +68,5 @@ export function regionsPanel(session: Session): HTMLElement {
   session.on(["drawing", "atlas"], show);
   session.on(["theme"], () => ((shownDocument = undefined), show()));
   session.on(["hover", "point"], mark);
-  return panel("Regions", "U (accessible region), E (energy surface) and P (Poincaré section) have the same topology throughout a region", make("div", { className: "scroll" }, make("table", {}, make("thead", {}, head), body)), caption);
+  return panel("Regions", "Within a region the motions have the same shape: U is the accessible region, E the energy surface and P the Poincaré section. Signs: D² disc, S² sphere, T² torus, M²₂ surface of genus 2, that is with two handles; + joins separate pieces. Click on a row to go there. “Decided exactly” means with certainty: by exact arithmetic wherever rounding could mislead", make("div", { className: "scroll" }, make("table", {}, make("thead", {}, head), body), steadyTable(session)), caption);
 }

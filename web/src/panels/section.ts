@@ -13,11 +13,14 @@ import { orbitLine, verdicts } from "./verdicts";
 /** A crossing no farther than this from the pointer, in pixels, is the one that is meant. */
 const REACH = 5;
 
+/** What the names of the halves mean. */
+const HALVES = ["T⁺ and T⁻ are the two halves of the section. Over each direction", "inside U lie two states with the centre of mass highest or lowest,", "one on each half; along the dark line, the edge of U, they are glued."];
+
 const COLORINGS: [Coloring, string][] = [["orbit", "colour: orbit"], ["verdict", "colour: verdict"], ["lyapunov", "colour: Lyapunov exponent"], ["rotation", "colour: rotation number"]];
 
 export function sectionPanel(session: Session, clock: Clock): { element: HTMLElement; sheet: Sheet } {
   const { orbits } = session;
-  const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": "Poincaré section: click to start an orbit" }, data: { testid: "section" } });
+  const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": "Poincaré section: click to start an orbit; arrow keys move a cross, Enter starts an orbit at it, Tab goes on" }, data: { testid: "section" } });
   let cursor: { psi: number; theta: number } | null = null;
   let still: HTMLCanvasElement | null = null;
   const paint = (pen: Pen, size: Size) => {
@@ -40,6 +43,7 @@ export function sectionPanel(session: Session, clock: Clock): { element: HTMLEle
     cursor = angles(event) ?? null;
     sheet.ask();
     const place = sheet.place(event);
+    if (place[1] < 22) return tipAt(tip, sheet.size, place, HALVES);
     const orbit = orbitAt(session, sheet.size, place);
     const found = orbit === null ? undefined : orbits.judged[orbit];
     tipAt(tip, sheet.size, place, found ? [orbitLine(found), found.reason] : []);
@@ -49,11 +53,21 @@ export function sectionPanel(session: Session, clock: Clock): { element: HTMLEle
     tip.hidden = true;
     sheet.ask();
   });
-  canvas.addEventListener("click", (event) => {
-    const place = angles(event);
+  const begin = (place: { psi: number; theta: number; sheet: number } | undefined) => {
     if (!place || !orbits.portrait) return;
     note.textContent = "";
     void orbits.start(place.theta, place.psi % TAU, place.sheet, session.state.crossings).catch((error: Error) => (note.textContent = error.message));
+  };
+  canvas.addEventListener("click", (event) => begin(angles(event)));
+  // The cross of the keyboard: on the left half, with shift on the right one.
+  canvas.addEventListener("keydown", (event) => {
+    const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
+    if (!step && event.key !== "Enter") return;
+    event.preventDefault();
+    cursor ??= { psi: Math.PI, theta: Math.PI / 2 };
+    if (step) cursor = { psi: Math.min(TAU, Math.max(0, cursor.psi + (step[0]! * TAU) / 60)), theta: Math.min(Math.PI, Math.max(0, cursor.theta + (step[1]! * Math.PI) / 60)) };
+    else begin({ ...cursor, sheet: event.shiftKey ? -1 : 1 });
+    sheet.ask();
   });
   const count = make("b", { data: { testid: "crossing-count" } }, "0");
   const note = make("span", { className: "note" });
@@ -74,7 +88,7 @@ export function sectionPanel(session: Session, clock: Clock): { element: HTMLEle
   clock.on(() => sheet.ask());
   const { legend, choice, reason } = verdicts(session);
   const bar = make("div", { className: "bar" }, count, " crossings ", stop, coloring, choice, note);
-  const element = panel("Poincaré section", "Each orbit leaves a dot whenever its centre of mass is highest or lowest; the two halves are glued along the dark line", make("div", { className: "stage" }, canvas, tip), bar, reason);
+  const element = panel("Poincaré section", "Each orbit leaves a dot whenever its centre of mass is highest or lowest. T⁺ and T⁻ are the two halves of this surface: over each direction inside U lie two such states, one on each half, and along the dark line, the edge of U, the halves are glued. Over a disc without a pole this gives a sphere S², over a disc with one pole a torus T²; M²₂ has two handles (genus 2). ψ′ and ϑ′ are angles of the vertical about the axis through the poles. Curves: regular orbits; clouds: chaotic ones", make("div", { className: "stage" }, canvas, tip), bar, reason);
   element.querySelector("header")!.append(legend);
   return { element, sheet };
 }

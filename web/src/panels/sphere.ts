@@ -1,14 +1,17 @@
 /** The accessible region U on the Poisson sphere: all directions γ of the vertical, seen from the body, that the energy allows. */
 import { castBall, apply, lookingAt, turned, unit, type Turn, type Vec } from "../draw/ball";
-import { drag, Sheet, type Pen, type Size } from "../draw/canvas";
+import { Sheet, type Pen, type Size } from "../draw/canvas";
+import { drag } from "../draw/press";
 import { make, panel } from "../draw/dom";
-import { ink, type Ink } from "../draw/theme";
+import { ink, strong, tint, type Ink, type Rgb } from "../draw/theme";
 import { valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
 import { Labels } from "./labels";
 import { potential } from "./potential";
+import { circlesOf, typeOf } from "./regions";
 
-const PARTS: Vec[] = [[0, 114, 178], [213, 94, 0], [0, 158, 115], [204, 121, 167], [230, 159, 0]];
+/** How bright the pieces of U are: all have the hue of their region. */
+const PIECES = [1, 0.8, 0.9, 0.7, 0.95];
 /** Level lines between the lowest and the highest energy on the sphere. */
 const LEVELS = 14;
 
@@ -25,6 +28,7 @@ export function spherePanel(session: Session): { element: HTMLElement; sheet: Sh
     sheet.ask();
   };
   drag(canvas, {
+    sideways: true,
     start: (event) => ((last = sheet.place(event)), true),
     move: (event) => {
       const now = sheet.place(event);
@@ -50,7 +54,7 @@ export function spherePanel(session: Session): { element: HTMLElement; sheet: Sh
   session.on(["section"], () => labels.learn());
   session.on(["point", "body", "hover", "theme", "section"], () => sheet.ask());
   session.on(["motion"], () => sheet.ask());
-  const element = panel("Accessible directions U", "The sphere of all directions of the vertical, seen from the body; coloured where accessible", make("div", { className: "stage" }, canvas));
+  const element = panel("Accessible region U", "The sphere of all directions of the vertical, seen from the body; coloured, in the colour of the region, where the energy allows it. × are the poles ±r̂, where the centre of mass hangs straight down or stands straight up; dots are steady rotations: minima, saddles and maxima of the potential, whose level lines are drawn", make("div", { className: "stage" }, canvas));
   return { element, sheet };
 }
 
@@ -78,15 +82,18 @@ function paint(pen: Pen, size: Size, session: Session, turn: Turn, labels: Label
   for (const { h: value } of session.critical) extremes.splice(0, 2, Math.min(extremes[0], value), Math.max(extremes[1], value));
   const step = Number.isFinite(extremes[0]) && extremes[1] > extremes[0] ? (extremes[1] - extremes[0]) / LEVELS : Infinity;
   const dark = colors.dark;
+  const region = session.drawn?.document.regions.find(({ id }) => id === session.known.region);
+  const hue: Rgb = region ? strong(tint(typeOf(region), circlesOf(region), dark), dark) : dark ? [120, 130, 140] : [190, 196, 202];
   castBall(image, radius, turn, (g, light, out, at) => {
     const value = u(g);
     const inside = value <= h;
     const part = inside ? (labels.at(g) ?? 0) : -1;
-    const base = inside ? PARTS[Math.max(0, part) % PARTS.length]! : dark ? [64, 72, 82] : [214, 219, 225];
+    const piece = PIECES[Math.max(0, part) % PIECES.length]!;
+    const base = inside ? hue : dark ? [64, 72, 82] : [214, 219, 225];
     const band = step < Infinity && Math.abs(value / step - Math.round(value / step)) < 0.06 ? 0.86 : 1;
     const lit = session.hover.component === undefined || session.hover.component === part ? 1 : 0.6;
-    const shade = (inside ? 0.75 + 0.35 * light : 0.85 + 0.2 * light) * band * (inside ? lit : 1);
-    for (let i = 0; i < 3; i++) out[at + i] = Math.min(255, base[i]! * shade + (inside ? 38 * light : 0));
+    const shade = (inside ? 0.75 + 0.35 * light : 0.85 + 0.2 * light) * band * (inside ? lit * piece : 1);
+    for (let i = 0; i < 3; i++) out[at + i] = Math.min(255, base[i]! * shade + (inside ? 22 * light : 0));
     out[at + 3] = 255;
   });
   scratch ??= document.createElement("canvas");

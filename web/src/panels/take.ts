@@ -2,7 +2,7 @@
 import { crossingsCsv, crossingsNpz, pictureOf, save, svgOf } from "../export/files";
 import { record } from "../export/video";
 import type { Sheet } from "../draw/canvas";
-import { button, make, panel } from "../draw/dom";
+import { button, copied, make, panel } from "../draw/dom";
 import { valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
 import { FIRST, type State } from "../state/state";
@@ -47,7 +47,7 @@ export function takePanel(session: Session, sheets: Sheets): HTMLElement {
     shell.textContent = commandLines(session.state);
     python.textContent = pythonLines(session.state);
   };
-  session.on(["body", "point", "atlas", "drawing", "theme"], refresh);
+  session.on(["body", "point", "atlas", "theme", "address"], refresh);
   const json = button("Atlas as JSON", "The document that bifdiag --json prints, byte for byte", () => save(`${nameOf(session)}.json`, session.text, "application/json"), { testid: "export-json" });
   const choice = make("select", { attributes: { "aria-label": "panel" } }, ...Object.keys(sheets).map((name) => make("option", { value: name }, name)));
   const svg = button("SVG", "The selected panel as SVG", async () => save(`${choice.value}.svg`, await svgOf(sheets[choice.value]!), "image/svg+xml"), { testid: "export-svg" });
@@ -70,8 +70,8 @@ export function takePanel(session: Session, sheets: Sheets): HTMLElement {
     "Links, documents, pictures and data",
     make("div", { className: "take" },
       make("div", {}, make("div", { className: "row" }, link, json), make("h3", {}, "Picture of"), make("div", { className: "row" }, choice, svg, png, video), make("h3", {}, "Section"), make("div", { className: "row" }, csv, npz)),
-      make("div", {}, make("h3", {}, "On the command line"), shell),
-      make("div", {}, make("h3", {}, "In Python"), python),
+      make("div", {}, make("h3", {}, "On the command line"), copied(shell)),
+      make("div", {}, make("h3", {}, "In Python"), copied(python)),
     ),
   );
 }

@@ -1,5 +1,6 @@
 /** The triangle of all ratios A1 : A2 : A3; bodies that exist lie in the inner triangle, where no moment exceeds the others' sum. */
-import { drag, Sheet, type Pen, type Size } from "../draw/canvas";
+import { Sheet, type Pen, type Size } from "../draw/canvas";
+import { drag, near } from "../draw/press";
 import { make } from "../draw/dom";
 import { ink } from "../draw/theme";
 import type { Triple } from "../bindings/documents";
@@ -67,6 +68,11 @@ export function triangle(session: Session): HTMLElement {
     session.body(kept.map((share) => rounded((sum * share) / whole, STEP)) as Triple, session.state.r);
   };
   drag(canvas, {
+    handle: (event) => {
+      const a = moments();
+      const sum = a.reduce((x, y) => x + y, 0);
+      return near(sheet.place(event), mix(a.map((x) => x / sum), corners(sheet.size)));
+    },
     start: () => ((session.dragging = "body"), true),
     move: (event) => take(sharesAt(sheet.place(event), corners(sheet.size))),
     end: () => session.release(),
@@ -80,5 +86,5 @@ export function triangle(session: Session): HTMLElement {
     take(a.map((x, i) => x / sum + 0.005 * step[i]!) as [number, number, number]);
   });
   session.on(["body", "theme"], () => sheet.now());
-  return make("figure", {}, canvas, make("figcaption", {}, "moments; inner triangle: physical bodies"));
+  return make("figure", {}, canvas, make("figcaption", {}, "ratios of A"));
 }

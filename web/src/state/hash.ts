@@ -1,10 +1,16 @@
 /** The state as the part of an address behind `#`, and back. */
-import { FIRST, type Coloring, type Panel, type State, type Theme } from "./state";
+import { FIRST, PANELS, type Coloring, type Embedded, type State, type Theme } from "./state";
 import type { Triple, Window } from "../bindings/documents";
 
-const PANELS: readonly Panel[] = ["diagram", "section", "motion"];
+const EMBEDDED: readonly Embedded[] = ["diagram", "section", "motion"];
 const THEMES: readonly Theme[] = ["dark", "light"];
 const COLORINGS: readonly Coloring[] = ["orbit", "verdict", "lyapunov", "rotation"];
+
+/** Keys of an address. */
+const KEYS = ["A", "r", "h", "l", "body", "view", "orbits", "crossings", "seed", "coloring", "theme", "embed", "present", "tour", "lesson"];
+
+/** The keys that `parse` passes over: misspelt ones, or those of a later version. */
+export const unknownKeys = (hash: string): string[] => pairs(hash).map(([name]) => name).filter((name) => !KEYS.includes(name));
 
 export function format(state: State): string {
   const parts = [`A=${state.A.join(",")}`, `r=${state.r.join(",")}`];
@@ -13,7 +19,7 @@ export function format(state: State): string {
   for (const name of ["orbits", "crossings", "seed", "coloring"] as const) {
     if (state[name] !== FIRST[name]) parts.push(`${name}=${state[name]}`);
   }
-  for (const name of ["theme", "embed", "tour", "lesson"] as const) {
+  for (const name of ["theme", "embed", "present", "tour", "lesson"] as const) {
     if (state[name] !== null) parts.push(`${name}=${state[name]}`);
   }
   return parts.join("&");
@@ -24,9 +30,7 @@ export function parse(hash: string, named: (name: string) => Pick<State, "A" | "
   const state: State = { ...FIRST };
   let h: string | undefined;
   let l: string | undefined;
-  const text = hash.replace(/^#/, "");
-  for (const part of text === "" ? [] : text.split("&")) {
-    const [name, value] = split(part);
+  for (const [name, value] of pairs(hash)) {
     if (name === "h") h = value;
     else if (name === "l") l = value;
     else if (name === "body") Object.assign(state, found(value, named(value)));
@@ -37,10 +41,12 @@ export function parse(hash: string, named: (name: string) => Pick<State, "A" | "
   return state;
 }
 
+const pairs = (hash: string): [string, string][] => hash.replace(/^#/, "").split("&").filter((part) => part !== "").map(split);
+
 function split(part: string): [string, string] {
   const at = part.indexOf("=");
   if (at < 0) throw new Error(`“${part}” has no value; write name=value, such as h=3.8`);
-  return [decodeURIComponent(part.slice(0, at)), decodeURIComponent(part.slice(at + 1)).trim()];
+  return [decodeURIComponent(part.slice(0, at)), decodeURIComponent(part.slice(at + 1)).trim().replace(/−/g, "-")];
 }
 
 function found(name: string, body: Pick<State, "A" | "r"> | undefined): Pick<State, "A" | "r"> {
@@ -56,10 +62,10 @@ function read(state: State, name: string, value: string): void {
   else if (name === "seed") state.seed = count(name, value, 0, 2 ** 32 - 1);
   else if (name === "coloring") state.coloring = word(name, value, COLORINGS);
   else if (name === "theme") state.theme = word(name, value, THEMES);
-  else if (name === "embed") state.embed = word(name, value, PANELS);
+  else if (name === "embed") state.embed = word(name, value, EMBEDDED);
+  else if (name === "present") state.present = word(name, value, PANELS);
   else if (name === "tour") state.tour = count(name, value, 1, 8);
   else if (name === "lesson") state.lesson = value;
-  // Keys of later versions are passed over.
 }
 
 function triple(name: string, value: string): Triple {

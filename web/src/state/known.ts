@@ -4,6 +4,8 @@ import type { Atlas, Classification, Component, Window } from "../bindings/docum
 /** What the diagram draws. */
 export interface Drawn {
   document: Atlas;
+  /** A and r of it. */
+  numbers: number[];
   window: Window;
   rows: Float64Array;
   rowCount: number;
@@ -19,5 +21,8 @@ export interface Known {
   margin: { h: number; nearest: string } | null;
   exact: boolean;
 }
+
+/** Curves of the body before, which stay in sight for a while so that one sees what moved. */
+export type Shadow = Map<string, Float64Array>;
 
 export const NOTHING: Known = { status: "open", region: null, signature: "", components: null, margin: null, exact: false };

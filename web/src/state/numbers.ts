@@ -15,6 +15,15 @@ export function valueOf(text: string): number {
   return denominator === undefined ? Number(numerator) : Number(numerator) / Number(denominator);
 }
 
+/** A number as people type it, as it is read: a decimal comma and the typographic minus are taken, blanks are dropped. */
+export function typed(text: string): string {
+  const plain = text.replace(/[−–]/g, "-").replace(/\s/g, "");
+  return /^[^.,]*,[^.,]*$/.test(plain) ? plain.replace(",", ".") : plain;
+}
+
+/** Whether a text is a decimal or a quotient of two. */
+export const isNumber = (text: string): boolean => text.split("/").length <= 2 && text.split("/").every((part) => /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(part));
+
 /** A few significant digits for reading. */
 export function shown(value: number, digits = 4): string {
   if (value === 0) return "0";

@@ -4,14 +4,20 @@ import type { Arguments, Place } from "../bindings/calls";
 import type { Atlas, Classification, Critical, PartBlock, Triple, Window } from "../bindings/documents";
 import { Emitter } from "./emitter";
 import { format } from "./hash";
-import { NOTHING, type Drawn, type Known } from "./known";
-import { valueOf } from "./numbers";
+import { NOTHING, type Drawn, type Known, type Shadow } from "./known";
+import { rounded, valueOf } from "./numbers";
 import { Orbits } from "./orbits";
-import { bodyText, FIRST, type Point, type State } from "./state";
+import { deepest } from "./places";
+import { bodyText, FIRST, START, type Point, type State } from "./state";
 import { signatureOf } from "./signature";
+import { between, same } from "./view";
 
 /** Durations that are kept. */
 const FRAMES = 600;
+/** Milliseconds that the axes take to their new place, that old curves stay, and within which steps are one entry of the history. */
+const [GLIDE, SHADOW, STEPS] = [350, 1000, 700];
+/** A point that the page chooses is at least so many pixels from every curve, if one is. */
+const CLEAR = 8;
 
 export class Session extends Emitter {
   state: State = FIRST;
@@ -26,6 +32,13 @@ export class Session extends Emitter {
   /** The region or curve under the pointer, wherever it is pointed at. */
   hover: { region?: string; curve?: string; component?: number } = {};
   message = "";
+  /** What is told beside errors. */
+  notice = "";
+  shadow: Shadow | null = null;
+  /** True while the shadow stays, to compare with. */
+  pinned = false;
+  /** True while the page shows something by itself: the address stays. */
+  quiet = false;
   dragging: "body" | "point" | "view" | null = null;
   readonly frames: number[] = [];
   readonly orbits: Orbits;
@@ -34,6 +47,17 @@ export class Session extends Emitter {
   private readonly pencil = new Channel(20);
   private readonly scholar = new Channel(60);
   private generation = 0;
+  /** The window that is kept while the body moves. */
+  private held: Window | null = null;
+  private fading: ReturnType<typeof setTimeout> | undefined;
+  /** Whether a point is chosen where none is given, and whether the address was just opened, or stays as it is wrong. */
+  private choosing = true;
+  private opened: boolean | "wrong" = true;
+  private written = 0;
+  private failed = false;
+  /** The fast document that is drawn, and its text. */
+  private sketched: Atlas | null = null;
+  private sketchText = "";
   /** The drawing that was asked for last. */
   private drawing: Promise<void> = Promise.resolve();
 
@@ -44,10 +68,14 @@ export class Session extends Emitter {
 
   presets = () => this.pencil.ask("presets");
 
-  /** Everything anew, as after loading. */
-  set(state: State): void {
+  /** Everything anew; `opened`: from the address, which is not another step then. A wrong one stays. */
+  set(state: State, opened: boolean | "wrong" = false): void {
     this.state = state;
-    this.sentence = "";
+    this.opened = opened;
+    this.choosing = true;
+    this.held = null;
+    if (!this.pinned) this.shadow = null;
+    this.sentence = this.notice = "";
     this.emit("theme");
     this.emit("guide");
     this.emit("body");
@@ -59,7 +87,17 @@ export class Session extends Emitter {
     this.emit("message");
   }
 
+  /** Another body, whose point the page chooses. */
+  adopt(A: Triple, r: Triple): void {
+    this.state = { ...this.state, point: null };
+    this.choosing = true;
+    this.body(A, r);
+  }
+
   body(A: Triple, r: Triple): void {
+    clearTimeout(this.fading);
+    this.shadow ??= this.drawn?.curves ?? null;
+    this.held ??= this.state.view ? null : (this.drawn?.window ?? null);
     this.state = { ...this.state, A, r, view: this.dragging === "body" ? this.state.view : null };
     this.emit("body");
     void (this.dragging ? this.sketch() : this.settle());
@@ -67,6 +105,7 @@ export class Session extends Emitter {
 
   point(point: Point | null): void {
     const from = this.state.point;
+    this.choosing = false;
     this.state = { ...this.state, point };
     this.emit("point");
     if (!this.dragging) return void this.settle(false);
@@ -76,22 +115,27 @@ export class Session extends Emitter {
 
   view(view: Window | null): void {
     this.state = { ...this.state, view };
-    if (!this.dragging) this.write();
+    if (!this.dragging) this.write(true);
     void this.redraw();
   }
 
   /** Changes without new work: colours, embedding, guides. */
   update(change: Partial<State>, what: "theme" | "guide" | "orbits"): void {
     this.state = { ...this.state, ...change };
-    this.write();
+    this.write(true);
     this.emit(what);
+  }
+
+  /** The address says what is shown. */
+  settled(): void {
+    this.write();
   }
 
   /** The hand has come to rest. */
   release(): void {
     const was = this.dragging;
     this.dragging = null;
-    if (was === "view") this.write();
+    if (was === "view") this.write(true);
     else void this.settle(was === "body");
   }
 
@@ -105,12 +149,29 @@ export class Session extends Emitter {
 
   equilibria = async (l: string): Promise<Critical> => JSON.parse(await this.pencil.latest("critical", bodyText(this.state), l)) as Critical;
 
+  /** Where the class of bodies changes between two of them, and by what. */
+  border = (from: number[], to: number[]) => this.scholar.ask("border", Float64Array.from(from), Float64Array.from(to));
+
   partOfFile = async (...part: Arguments<"partOfFile">): Promise<PartBlock> => JSON.parse(await this.pencil.ask("partOfFile", ...part)) as PartBlock;
 
   partOfTensor = async (...part: Arguments<"partOfTensor">): Promise<PartBlock> => JSON.parse(await this.pencil.ask("partOfTensor", ...part)) as PartBlock;
 
-  private write(): void {
-    history.replaceState(null, "", `#${format(this.state)}`);
+  /** Keeps the curves that are drawn now to compare others with, or lets them go. */
+  pin(): void {
+    this.pinned = !this.pinned;
+    this.shadow = this.pinned ? (this.drawn?.curves ?? null) : null;
+    this.emit("shadow");
+  }
+
+  /** The address follows what is settled; each rest is a step to go back to, unless it only looks at the same in another way. */
+  private write(replace = false): void {
+    const hash = `#${format(this.state)}`;
+    if (this.quiet || this.failed || this.opened === "wrong" || hash === location.hash) return;
+    const now = performance.now();
+    if (replace || this.opened || now - this.written < STEPS) history.replaceState(null, "", hash);
+    else history.pushState(null, "", hash);
+    this.written = now;
+    this.emit("address");
   }
 
   /** The exact answer to all that the state asks for. */
@@ -118,27 +179,37 @@ export class Session extends Emitter {
     const generation = ++this.generation;
     document.documentElement.dataset.ready = "false";
     this.message = "";
-    this.write();
+    if (!this.opened) this.notice = "";
+    this.failed = false;
     try {
+      // The point first, so that its section need not wait for the atlas with all verdicts.
+      const early = newBody && this.state.point ? this.classify(generation) : null;
+      early?.catch(() => undefined);
       if (newBody) {
         this.atlas = null;
-        await Promise.all([this.picture(), this.document(generation)]);
+        await Promise.all([this.picture(generation), this.document(generation)]);
       }
-      if (generation === this.generation) await this.classify(generation);
+      if (generation === this.generation) await (early ?? this.classify(generation));
+      if (generation === this.generation) {
+        this.write();
+        this.opened = false;
+      }
     } catch (error) {
       if (error instanceof Superseded || generation !== this.generation) return;
       this.message = error instanceof Error ? error.message : String(error);
+      this.failed = true;
       if (newBody && !this.atlas) this.clear();
     }
     if (generation !== this.generation) return;
     this.emit("message");
+    if (newBody) this.fade();
     await new Promise((painted) => requestAnimationFrame(() => requestAnimationFrame(painted)));
     if (generation === this.generation) document.documentElement.dataset.ready = "true";
   }
 
   /** Nothing of an older body stays beside a message. */
   private clear(): void {
-    this.drawn = null;
+    this.drawn = this.held = null;
     this.text = "";
     this.critical = [];
     this.orbits.close();
@@ -182,8 +253,49 @@ export class Session extends Emitter {
     }
   }
 
+  private fade(): void {
+    clearTimeout(this.fading);
+    if (!this.pinned) this.fading = setTimeout(() => this.dragging !== "body" && ((this.shadow = null), this.emit("shadow")), SHADOW);
+  }
+
+  /** Draws what the state asks for; axes that were held glide to what suits the body. */
+  private async picture(generation: number): Promise<void> {
+    await this.latestDrawing();
+    const from = this.held;
+    if (from && this.drawn) {
+      const to = this.drawn.document.drawing.view.main;
+      const calm = same(from, to) || matchMedia("(prefers-reduced-motion: reduce)").matches;
+      const begun = performance.now();
+      for (let share = 0; !calm && share < 1 && !this.state.view; ) {
+        if (this.dragging === "body" || generation !== this.generation) return;
+        share = Math.min(1, (performance.now() - begun) / GLIDE);
+        this.held = between(from, to, share);
+        await this.latestDrawing();
+      }
+      this.held = null;
+      if (calm) await this.latestDrawing();
+    }
+    if (generation === this.generation) this.choose();
+  }
+
+  /** Where no point is given: one deep inside a region over which U has many components. */
+  private choose(): void {
+    const { state, drawn } = this;
+    if (state.point || !drawn || !this.choosing || state.embed === "diagram" || (state.lesson !== null && state.lesson !== "list")) return;
+    const paper = bodyText(state) === bodyText(START) && !state.view;
+    const { width } = this.resolution;
+    const { regions } = drawn.document;
+    const worth = (region: number, depth: number) => (depth < CLEAR ? 0 : (regions[region]?.components.length ?? 0) * (regions[region]?.signature ? 10 : 1)) + depth / 1e4;
+    const [best] = [...deepest(drawn, width)].sort(([a, { depth: x }], [b, { depth: y }]) => worth(b, y) - worth(a, x));
+    if (!best) return;
+    const { h, l } = drawn.window;
+    const at = ([from, to]: [number, number], share: number, pixels: number) => rounded(from + share * (to - from), (to - from) / pixels / 2);
+    const [, { x, y }] = best;
+    this.state = { ...state, point: paper ? START.point : { h: at(h, x / width, width), l: at(l, 1 - y / drawn.rowCount, drawn.rowCount) } };
+  }
+
   /** Until the present state is drawn, whoever asked for it last. */
-  private async picture(): Promise<void> {
+  private async latestDrawing(): Promise<void> {
     for (let mine = this.draw(); ; mine = this.drawing) {
       try {
         return await mine;
@@ -199,8 +311,8 @@ export class Session extends Emitter {
 
   private async drawOnce(): Promise<void> {
     const { width, height } = this.resolution;
-    const from = this.dragging === "body" ? (this.drawn?.window ?? null) : null;
-    const drawing = await this.pencil.latest("draw", bodyText(this.state), this.state.view, from, Math.round(height), width);
+    const numbers = [...this.state.A, ...this.state.r].map(valueOf);
+    const drawing = await this.pencil.latest("draw", bodyText(this.state), this.state.view ?? this.held, Math.round(height), width);
     const curves = new Map<string, Float64Array>();
     let at = 0;
     for (const name of drawing.names) {
@@ -209,7 +321,9 @@ export class Session extends Emitter {
       at += 2 * count;
     }
     const { window, rows, rowCount } = drawing;
-    this.drawn = { document: JSON.parse(drawing.text) as Atlas, window, rows, rowCount, curves };
+    // The same body in another window has the same document.
+    if (drawing.text !== this.sketchText) this.sketched = JSON.parse((this.sketchText = drawing.text)) as Atlas;
+    this.drawn = { document: this.sketched!, numbers, window, rows, rowCount, curves };
     this.emit("drawing");
     // The picture may have got another size while this was made.
     if (rowCount !== Math.round(this.resolution.height)) await this.draw();
@@ -269,8 +383,8 @@ export class Session extends Emitter {
       return;
     }
     const body = bodyText(this.state);
-    const found = JSON.parse(await this.scholar.ask("classify", body, point.h, point.l)) as Classification;
-    const critical = JSON.parse(await this.scholar.ask("critical", body, point.l)) as Critical;
+    const found = JSON.parse(await this.scholar.latest("classify", body, point.h, point.l)) as Classification;
+    const critical = JSON.parse(await this.scholar.latest("critical", body, point.l)) as Critical;
     if (generation !== this.generation) return;
     this.critical = critical.critical;
     const { status, region, components, margin } = found;

@@ -7,7 +7,9 @@ export interface Point {
   l: string;
 }
 
-export type Panel = "diagram" | "section" | "motion";
+export const PANELS = ["diagram", "sphere", "motion", "section", "bodies"] as const;
+export type Panel = (typeof PANELS)[number];
+export type Embedded = "diagram" | "section" | "motion";
 export type Theme = "dark" | "light";
 export type Coloring = "orbit" | "verdict" | "lyapunov" | "rotation";
 
@@ -22,7 +24,9 @@ export interface State {
   seed: number;
   coloring: Coloring;
   theme: Theme | null;
-  embed: Panel | null;
+  embed: Embedded | null;
+  /** The panel that fills the screen. */
+  present: Panel | null;
   /** The step of the tour that is open, from 1. */
   tour: number | null;
   lesson: string | null;
@@ -40,9 +44,13 @@ export const FIRST: State = {
   coloring: "orbit",
   theme: null,
   embed: null,
+  present: null,
   tour: null,
   lesson: null,
 };
+
+/** What an address without a state shows: the paper's body where U falls into two discs. */
+export const START: State = { ...FIRST, point: { h: "3.8", l: "3.25" } };
 
 /** A body as the workers read it. */
 export const bodyText = ({ A, r }: Pick<State, "A" | "r">): string => `A=${A.join(",")}&r=${r.join(",")}`;

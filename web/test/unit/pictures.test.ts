@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { towards } from "../../src/bindings/view";
+import { between, same } from "../../src/state/view";
 import { apply, back, castBall, composed, lookingAt, rotation, turned, type Vec } from "../../src/draw/ball";
 import { ticks } from "../../src/draw/canvas";
 import { LESSONS } from "../../src/guide/lessons";
@@ -41,12 +41,10 @@ test("an array of NumPy begins its data at a multiple of 64", () => {
   expect(new TextDecoder().decode(bytes.subarray(1, 6))).toBe("NUMPY");
 });
 
-test("a view glides towards another", () => {
-  let view = { h: [0, 1] as [number, number], l: [0, 1] as [number, number] };
-  const to = { h: [2, 3] as [number, number], l: [0, 4] as [number, number] };
-  expect(towards(view, to).l[1]).toBeCloseTo(1.6);
-  for (let k = 0; k < 80; k++) view = towards(view, to);
-  expect(view.h[0]).toBeCloseTo(2, 6);
+test("a view glides from one window to another, and ends there exactly", () => {
+  const [from, to] = [{ h: [0, 1], l: [0, 1] }, { h: [2, 3.3], l: [0, 4] }] as { h: [number, number]; l: [number, number] }[];
+  expect(between(from!, to!, 0.5).l[1]).toBeCloseTo(2.5);
+  expect(same(between(from!, to!, 1), to!) && same(between(from!, to!, 0), from!)).toBe(true);
 });
 
 describe("planes of bodies", () => {

@@ -1,7 +1,8 @@
 import { describe, expect, test } from "vitest";
-import { format, parse } from "../../src/state/hash";
-import { rounded, shown, surface, valueOf } from "../../src/state/numbers";
+import { format, parse, unknownKeys } from "../../src/state/hash";
+import { isNumber, rounded, shown, surface, typed, valueOf } from "../../src/state/numbers";
 import { FIRST } from "../../src/state/state";
+import { inWords, listed } from "../../src/state/words";
 import { commandLines, pythonLines } from "../../src/panels/take";
 
 const named = (name: string) => (name === "rod" ? { A: ["1/1000", "1", "1"] as [string, string, string], r: ["1", "0", "0"] as [string, string, string] } : undefined);
@@ -33,13 +34,23 @@ describe("the hash", () => {
     ["nonsense", "“nonsense” has no value"],
   ])("%s is refused", (text, message) => expect(() => parse(text, named)).toThrow(message));
 
-  test("keys of later versions are passed over", () => expect(parse("later=1", named)).toEqual(FIRST));
+  test("keys of later versions are passed over, and told", () => {
+    expect(parse("later=1", named)).toEqual(FIRST);
+    expect(unknownKeys("#later=1&A=2,1,1&hh=3")).toEqual(["later", "hh"]);
+  });
+  test("a typographic minus is one", () => expect(parse("r=1,0,−2&h=−1&l=1", named)).toMatchObject({ r: ["1", "0", "-2"], point: { h: "-1", l: "1" } }));
 });
 
 describe("numbers", () => {
   test("a hand's number is short", () => {
     expect([rounded(0.123456, 0.001), rounded(2, 0.01), rounded(-1e-9, 1e-3), rounded(1234.5, 10)]).toEqual(["0.123", "2", "0", "1235"]);
   });
+  test("typed as people do", () => {
+    expect(["3,8", "−1", " 11 / 10 ", "1,5e–3", "1,000.5"].map(typed)).toEqual(["3.8", "-1", "11/10", "1.5e-3", "1,000.5"]);
+    expect(["3.8", "-1", "11/10", "1.5e-3", ".5", "+2"].every(isNumber)).toBe(true);
+    expect(["", "two", "1,000.5", "1/2/3", "1/", "0x10", "Infinity", "1 2"].some(isNumber)).toBe(false);
+  });
+  test("surfaces in words", () => expect([inWords("M3"), inWords("S2-2D2"), inWords("S2-D2"), listed(["S2", "T2"]), listed([null])]).toEqual(["surface of genus 3, with 3 handles", "sphere with 2 holes", "sphere with one hole", "sphere and torus", "none"]));
   test("quotients have values", () => expect([valueOf("11/10"), valueOf("1e-3"), valueOf(""), valueOf("1/")]).toEqual([1.1, 1e-3, NaN, NaN]));
   test("a few digits for reading", () => expect([shown(0.000012345), shown(3.14159), shown(0)]).toEqual(["1.234e-5", "3.142", "0"]));
   test("surfaces", () => expect(["S2", "M3", "S2-2D2", "(S1xS2)#(S1xS2)", "RP3", "#3(S1xS2)"].map(surface)).toEqual(["S²", "M²₃", "S²∖2D²", "(S¹×S²)#(S¹×S²)", "RP³", "#3(S¹×S²)"]));

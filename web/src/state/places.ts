@@ -1,5 +1,5 @@
 /** Where a region's name stands: the place deepest inside it, on a grid of a few pixels. */
-import type { Drawn } from "../state/known";
+import type { Drawn } from "./known";
 
 /** Pixels of a cell. */
 export const CELL = 4;

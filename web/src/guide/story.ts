@@ -1,0 +1,103 @@
+/** A minute that plays itself: what the page shows, one panel after the other. A touch, a key or another address ends it. */
+import { button, make } from "../draw/dom";
+import { valueOf } from "../state/numbers";
+import type { Session } from "../state/session";
+import { FIRST, START, type State } from "../state/state";
+
+/** The page begins by itself after so many milliseconds without a touch. */
+const PATIENCE = 5000;
+
+interface Scene {
+  seconds: number;
+  text: string;
+  /** The panel that the scene is about. */
+  panel: string;
+  state?: Partial<State>;
+  /** What a hand does from the scene's state on: the point or r moves there. */
+  point?: [h: number, l: number];
+  r?: [number, number, number];
+}
+
+const HERE = { h: "3.53", l: "2.862" };
+const VIEW: State["view"] = { h: [1, 6], l: [1.7, 4] };
+
+export const STORY: Scene[] = [
+  { seconds: 7, panel: "motion", state: { point: START.point }, text: "A heavy body turns about a fixed point. The red line shows where the vertical has pierced it." },
+  { seconds: 7, panel: "section", text: "Whenever its centre of mass is highest or lowest, the motion leaves a dot. Dots along a curve belong to a regular motion." },
+  { seconds: 7, panel: "sphere", text: "Seen from the body, the vertical wanders on a sphere. The energy keeps it in the coloured part: here one of two discs." },
+  { seconds: 7, panel: "diagram", text: "Energy h and momentum l are conserved: one point of this diagram. All motions in a tinted region have the same shape." },
+  { seconds: 9, panel: "diagram", state: { point: START.point, view: VIEW }, point: [Number(HERE.h), Number(HERE.l)], text: "As the point crosses a curve, the shape changes: the two discs join, and the section gets two handles." },
+  { seconds: 9, panel: "diagram", state: { point: START.point, view: { h: [-2, 14], l: [0, 6] } }, r: [0.7, 0.3, 0.65], text: "Another centre of mass, another diagram. In grey: where the curves were." },
+  { seconds: 7, panel: "section", state: { point: { h: "6", l: "2" }, coloring: "verdict" }, text: "With more energy many motions are chaotic: their dots fill areas." },
+  { seconds: 7, panel: "section", state: { A: ["2", "2", "1"], r: ["1", "0", "0"], point: { h: "2", l: "1" } }, text: "Kovalevskaya’s top is the exception: it has one more conserved quantity, and no chaos at all. Now it is your turn." },
+];
+
+export function story(session: Session): { card: HTMLElement; play: HTMLElement } {
+  const text = make("p", {});
+  const bar = make("div", { className: "progress" });
+  const stop = button("×", "End the story", () => end());
+  const card = make("aside", { className: "story", hidden: true, attributes: { role: "status" }, data: { testid: "story" } }, text, stop, bar);
+  let run = 0;
+  const lit = (name: string | null) => {
+    for (const panel of document.querySelectorAll<HTMLElement>("[data-panel]")) panel.classList.toggle("told", panel.dataset.panel === name);
+  };
+  const end = () => {
+    if (card.hidden) return;
+    run++;
+    card.hidden = true;
+    lit(null);
+    session.quiet = false;
+    if (session.dragging) session.release();
+    else session.settled();
+  };
+  const play = async () => {
+    const own = ++run;
+    card.hidden = false;
+    session.quiet = true;
+    for (const [i, scene] of STORY.entries()) {
+      if (own !== run) return;
+      const { theme, embed, present } = session.state;
+      if (scene.state) session.set({ ...FIRST, theme, embed, present, ...scene.state });
+      text.textContent = scene.text;
+      bar.style.width = `${(100 * (i + 1)) / STORY.length}%`;
+      lit(scene.panel);
+      const panel = document.querySelector(`[data-panel="${scene.panel}"]`);
+      if (panel && panel.getBoundingClientRect().bottom > innerHeight) panel.scrollIntoView({ behavior: "smooth", block: "center" });
+      await move(session, scene, () => own === run);
+    }
+    end();
+  };
+  // On the way down, before any panel has it.
+  for (const kind of ["pointerdown", "keydown", "wheel"] as const) addEventListener(kind, () => (idle(), end()), { capture: true, passive: true });
+  addEventListener("hashchange", () => (idle(), end()));
+  let clock: ReturnType<typeof setTimeout> | undefined;
+  const idle = () => clearTimeout(clock);
+  if (location.hash.length <= 1 && !matchMedia("(prefers-reduced-motion: reduce)").matches) clock = setTimeout(() => void play(), PATIENCE);
+  return { card, play: button("▶ Story", "A minute that plays itself", () => void play(), { testid: "play-story" }) };
+}
+
+/** A scene's time, in which a hand moves slowly, holds, and lets go. */
+async function move(session: Session, { seconds, point, r }: Scene, current: () => boolean): Promise<void> {
+  const begun = performance.now();
+  const last = () => new Promise((next) => setTimeout(next, Math.min(100, 1000 * seconds)));
+  const from = session.state;
+  let moved = false;
+  for (let share = 0; share < 1 && current(); share = (performance.now() - begun) / 1000 / seconds) {
+    const way = Math.min(1, Math.max(0, (share - 0.2) / 0.5));
+    if ((point || r) && way > 0 && way < 1) {
+      moved = true;
+      session.dragging = point ? "point" : "body";
+      const between = (a: number, b: number) => (a + way * (b - a)).toFixed(4);
+      if (point && from.point) session.point({ h: between(valueOf(from.point.h), point[0]), l: between(valueOf(from.point.l), point[1]) });
+      if (r) session.body(from.A, r.map((x, i) => between(valueOf(from.r[i]!), x)) as State["r"]);
+      await new Promise((next) => setTimeout(next, 33));
+      continue;
+    }
+    if (moved && session.dragging) {
+      if (point) session.point({ h: String(point[0]), l: String(point[1]) });
+      session.release();
+      moved = false;
+    }
+    await last();
+  }
+}

@@ -1,0 +1,278 @@
+/** Fingers, keys, voices: a phone, the keyboard, the address and its history. */
+import { expect, test } from "vitest";
+import type { Page } from "playwright-core";
+import { STORY } from "../../src/guide/story";
+import { data, go, open, picture, ready, serve } from "./open";
+
+serve();
+
+const PAPER = "A=2,1.1,1&r=0.94868,0,0.61623";
+const POINT = `${PAPER}&h=3.8&l=3.25`;
+const PHONES = [{ width: 390, height: 844 }, { width: 360, height: 640 }];
+const phone = (viewport: { width: number; height: number }) => ({ viewport, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
+
+/** A finger: down, along places, up. */
+async function swipe(page: Page, places: [number, number][], hold = 0): Promise<void> {
+  const devtools = await page.context().newCDPSession(page);
+  const send = (type: "touchStart" | "touchMove" | "touchEnd", place?: [number, number]) => devtools.send("Input.dispatchTouchEvent", { type, touchPoints: place ? [{ x: place[0], y: place[1] }] : [] });
+  await send("touchStart", places[0]!);
+  if (hold > 0) await page.waitForTimeout(hold);
+  for (const place of places.slice(1)) await send("touchMove", place);
+  await send("touchEnd");
+}
+
+const upwards = (x: number, y: number, far: number): [number, number][] => Array.from({ length: 11 }, (_, k) => [x, y - (far * k) / 10]);
+const scrolled = (page: Page) => page.evaluate(() => scrollY);
+const middle = async (page: Page, id: string) => {
+  const box = (await page.getByTestId(id).boundingBox())!;
+  return [box.x + box.width / 2, box.y + box.height / 2, box.width, box.height] as const;
+};
+
+test.each(PHONES)("a phone of $width × $height: swipes scroll over every canvas, and change nothing", async (viewport) => {
+  const page = await open(POINT, phone(viewport));
+  const before = page.url();
+  for (const id of ["diagram", "sphere", "motion", "section", "triangle", "octant"]) {
+    await page.getByTestId(id).evaluate((element) => element.scrollIntoView({ block: "center" }));
+    const [from, [x, y]] = [await scrolled(page), await middle(page, id)];
+    await swipe(page, upwards(x + 30, y + 60, 200));
+    await expect.poll(() => scrolled(page), { message: id }).toBeGreaterThan(from + 100);
+  }
+  expect(page.url()).toBe(before);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(viewport.width);
+  await page.close();
+});
+
+test("a phone: a tap chooses a point, a long press drags it, and so does its handle", async () => {
+  const page = await open(POINT, phone(PHONES[0]!));
+  const [x, y, width, height] = await middle(page, "diagram");
+  await page.touchscreen.tap(x + 0.2 * width, y + 0.2 * height);
+  await ready(page);
+  expect(await data(page, "point-region", "region")).toBe("R4");
+  const tapped = page.url();
+  await swipe(page, upwards(x, y, 120), 600);
+  await page.waitForFunction((before) => location.href !== before, tapped);
+  await ready(page);
+  expect(await scrolled(page)).toBe(0);
+  const pressed = page.url();
+  const at = async (name: string) => Number(await page.getByTestId(`input-${name}`).inputValue());
+  const l = await at("l");
+  // The finger of before lifted where the point is now: it goes on from there without a pause.
+  await swipe(page, upwards(x, y - 120, 60));
+  await page.waitForFunction((before) => location.href !== before, pressed);
+  await ready(page);
+  expect(await at("l")).toBeGreaterThan(l);
+  expect(await scrolled(page)).toBe(0);
+  await page.close();
+});
+
+test("a phone: targets are 44 pixels high, and the bar leads to each panel", async () => {
+  const page = await open(POINT, phone(PHONES[0]!));
+  const small = await page.evaluate(() => [...document.querySelectorAll("button, select, input, summary, tbody tr")].filter((element) => element.getClientRects().length > 0 && (element as HTMLInputElement).type !== "file" && element.getBoundingClientRect().height < 44).map((element) => element.outerHTML.slice(0, 80)));
+  expect(small).toEqual([]);
+  for (const [name, id] of [["Section", "section"], ["Body", "triangle"], ["Motion", "motion"], ["Diagram", "diagram"]]) {
+    await page.getByTestId("stack-bar").getByRole("button", { name: name! }).click();
+    await expect.poll(async () => (await page.getByTestId(id!).boundingBox())!.y, { message: name! }).toBeLessThan(300);
+  }
+  await page.close();
+});
+
+test("the first view moves by itself, and its story ends at a touch", async () => {
+  const page = await open("");
+  expect(await data(page, "point-region", "region")).toBe("R5");
+  const before = await picture(page, "motion");
+  await expect.poll(() => picture(page, "motion")).not.toBe(before);
+  await expect.poll(() => page.getByTestId("story").isVisible(), { timeout: 15_000 }).toBe(true);
+  await expect.poll(() => page.getByTestId("story").textContent()).toContain(STORY[0]!.text);
+  await page.keyboard.press("Shift");
+  expect(await page.getByTestId("story").isVisible()).toBe(false);
+  await page.close();
+});
+
+test("the story shows what it says", async () => {
+  const page = await open(POINT);
+  await page.getByTestId("play-story").click();
+  const regions: (string | null)[] = [];
+  for (const { text, point, r } of STORY) {
+    await expect.poll(() => page.getByTestId("story").textContent(), { timeout: 30_000 }).toContain(text);
+    // The hand has let go towards the end of a scene.
+    await page.waitForTimeout(point || r ? 7500 : 2500);
+    await ready(page);
+    regions.push(await data(page, "point-signature", "signature"));
+  }
+  expect([regions[0], regions[4]]).toEqual(["S2+T2", "M2"]);
+  await expect.poll(() => page.getByTestId("story").isVisible(), { timeout: 15_000 }).toBe(false);
+  await ready(page);
+  expect(page.url()).toContain("A=2,2,1&r=1,0,0&h=2&l=1");
+  await page.close();
+}, 180_000);
+
+test("where no point is given, the page chooses one that has a section", async () => {
+  for (const hash of ["body=kovalevskaya", "body=lagrange", "A=3,2.2,1.1&r=0.3,0.2,0.9", `${PAPER}&embed=section`]) {
+    const page = await open(hash);
+    expect(await data(page, "point-status", "status"), hash).toBe("regular");
+    expect(Number(await page.getByTestId("crossing-count").textContent()), hash).toBeGreaterThan(100);
+    await page.close();
+  }
+});
+
+test("axes hold while the body is dragged, ease to the new view, and the old curves stay for a second", async () => {
+  const page = await open(PAPER);
+  const axes = () => page.evaluate(() => window.bifdiag.window());
+  const [x, y] = await middle(page, "octant");
+  const before = await axes();
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let k = 1; k <= 6; k++) {
+    await page.mouse.move(x + 2 * k, y - 3 * k);
+    await page.evaluate(() => new Promise(requestAnimationFrame));
+    expect(await axes()).toEqual(before);
+  }
+  expect(await page.evaluate(() => window.bifdiag.shadow())).toBe(true);
+  await page.mouse.up();
+  await ready(page);
+  expect(await axes()).not.toEqual(before);
+  expect(await axes()).toEqual(await page.evaluate(() => window.bifdiag.suited()));
+  await expect.poll(() => page.evaluate(() => window.bifdiag.shadow())).toBe(false);
+  await page.close();
+});
+
+test("numbers as people type them are read; what is none is marked, told and kept out of the address", async () => {
+  const page = await open(POINT);
+  const type = async (id: string, text: string) => {
+    await page.getByTestId(id).fill(text);
+    await page.getByTestId(id).press("Enter");
+  };
+  await type("input-h", "3,9");
+  await page.waitForFunction(() => location.hash.includes("h=3.9&"));
+  await type("input-r3", "−0.6");
+  await page.waitForFunction(() => location.hash.includes("r=0.94868,0,-0.6&"));
+  await ready(page);
+  const good = page.url();
+  await type("input-A1", "two");
+  expect(await page.getByTestId("input-A1").getAttribute("aria-invalid")).toBe("true");
+  expect(page.url()).toBe(good);
+  await type("input-A1", "0");
+  await expect.poll(() => page.getByTestId("error").textContent()).toContain("A1 = 0");
+  expect(await page.getByTestId("input-A1").getAttribute("aria-invalid")).toBe("true");
+  expect(page.url()).toBe(good);
+  await type("input-A1", "2");
+  await ready(page);
+  expect(await page.getByTestId("input-A1").getAttribute("aria-invalid")).toBe(null);
+  expect(await page.getByTestId("error").count()).toBe(0);
+  await page.close();
+});
+
+test("unknown keys of the address are told", async () => {
+  const page = await open(`${POINT}&colour=verdict`);
+  expect(await page.getByTestId("notice").textContent()).toContain("colour");
+  await page.getByTestId("region-row").nth(3).click();
+  await ready(page);
+  expect(await page.getByTestId("notice").count()).toBe(0);
+  await page.close();
+});
+
+test("back and forward step through settled states", async () => {
+  const page = await open(POINT);
+  await page.getByTestId("region-row").nth(3).click();
+  await page.waitForFunction(() => !location.hash.includes("h=3.8&"));
+  await ready(page);
+  await page.waitForTimeout(800);
+  await page.getByTestId("presets").selectOption("lagrange");
+  await page.waitForFunction(() => !location.hash.includes("A=2,1.1,1"));
+  await ready(page);
+  const regions = async (step: () => Promise<unknown>) => {
+    await step();
+    await page.waitForTimeout(100);
+    await ready(page);
+    return data(page, "point-region", "region");
+  };
+  expect(await regions(() => page.goBack())).toBe("R4");
+  expect(await regions(() => page.goBack())).toBe("R5");
+  expect(await regions(() => page.goForward())).toBe("R4");
+  await page.close();
+});
+
+test("every canvas has its keys, and a voice says region and type", async () => {
+  const page = await open(POINT);
+  expect(await page.getByTestId("told").textContent()).toBe("Region R5. Section: sphere and torus. Accessible: disc and disc.");
+  for (const id of ["sphere", "motion", "triangle", "octant"]) {
+    await page.getByTestId("play").evaluate((button) => button.textContent === "❚❚" && (button as HTMLElement).click());
+    await page.waitForTimeout(100);
+    const before = await picture(page, id);
+    await page.getByTestId(id).focus();
+    await page.keyboard.press("ArrowLeft");
+    await expect.poll(() => picture(page, id), { message: id }).not.toBe(before);
+    await ready(page);
+  }
+  await go(page, POINT);
+  const count = async () => Number(await page.getByTestId("crossing-count").textContent());
+  const before = await count();
+  await page.getByTestId("section").focus();
+  await page.keyboard.press("ArrowUp");
+  for (let k = 0; k < 16; k++) await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("Enter");
+  await expect.poll(count).toBe(before + 501);
+  await page.close();
+});
+
+test("after a change of theme nothing keeps the old colours", async () => {
+  const ids = ["triangle", "octant", "diagram", "sphere"];
+  const pictures = async (page: Page) => Promise.all(ids.map((id) => picture(page, id)));
+  const swatch = (page: Page) => page.locator(".swatch").first().evaluate((element) => (element as HTMLElement).style.background);
+  const dark = await open(`${POINT}&theme=dark`);
+  const changed = await open(`${POINT}&theme=light`);
+  await changed.getByTestId("theme").click();
+  await changed.mouse.move(1, 1);
+  await expect.poll(() => pictures(changed)).toEqual(await pictures(dark));
+  expect(await swatch(changed)).toBe(await swatch(dark));
+  await dark.close();
+  await changed.close();
+});
+
+test("on paper canvases keep their shape, and there are no buttons", async () => {
+  const page = await open(POINT);
+  await page.emulateMedia({ media: "print" });
+  expect(await page.locator("button:visible, select:visible").count()).toBe(0);
+  expect(await page.getByTestId("sphere").evaluate((element) => getComputedStyle(element).objectFit)).toBe("contain");
+  expect(await page.getByTestId("bodies-map").isVisible()).toBe(false);
+  await page.close();
+});
+
+test("steady rotations at the point's momentum are listed with their verdicts", async () => {
+  const page = await open(POINT);
+  const rows = await page.getByTestId("steady-row").allTextContents();
+  expect(rows.length).toBe(6);
+  expect(rows.at(0)).toBe("G2.11.64stablestable");
+  expect(rows.at(-1)).toContain("stableunstable");
+  expect(await page.getByTestId("verdict-changes").textContent()).toContain("1:2 on G0.1 at l = 2.237 (unstable)");
+  await page.close();
+});
+
+test("for a lecture one panel fills the screen, and keys go on", async () => {
+  const page = await open(POINT);
+  await page.getByTestId("present-diagram").click();
+  const { width, height } = (await page.locator("[data-panel=diagram]").boundingBox())!;
+  expect([Math.round(width), Math.round(height)]).toEqual([1280, 720]);
+  expect(page.url()).toContain("present=diagram");
+  // A press is where it is seen, though the panel is magnified.
+  const box = (await page.getByTestId("diagram").boundingBox())!;
+  await page.mouse.click(box.x + 0.8 * box.width, box.y + 0.7 * box.height);
+  await ready(page);
+  expect(await data(page, "point-region", "region")).toBe("R4");
+  await page.keyboard.press("PageDown");
+  expect((await page.locator("[data-panel=sphere]").boundingBox())!.width).toBeGreaterThan(1270);
+  await page.keyboard.press("Escape");
+  await expect.poll(async () => (await page.locator("[data-panel=sphere]").boundingBox())!.width).toBeLessThan(600);
+  expect(page.url()).not.toContain("present");
+  await page.close();
+});
+
+test("a sweep of one number tells what the diagram goes through, and comes back", async () => {
+  const page = await open(POINT);
+  await page.getByTestId("sweep").click();
+  await expect.poll(() => page.getByTestId("passed").textContent(), { timeout: 20_000 }).toMatch(/^r2 = 0\.\d+: \S/);
+  await expect.poll(() => page.getByTestId("sweep").textContent(), { timeout: 30_000 }).toContain("Sweep");
+  await ready(page);
+  expect(page.url()).toContain(PAPER);
+  await page.close();
+});
