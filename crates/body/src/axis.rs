@@ -16,18 +16,21 @@ macro_rules! axes {
 
             /// The axis after this one; the first after the last.
             #[must_use]
+            #[inline]
             pub fn next(self) -> Self {
                 Self((self.0 + 1) % 3)
             }
 
             /// The other two axes, in cyclic order.
             #[must_use]
+            #[inline]
             pub fn others(self) -> [Self; 2] {
                 [self.next(), self.next().next()]
             }
 
             /// Its place in the order, from 0.
             #[must_use]
+            #[inline]
             pub fn index(self) -> usize {
                 usize::from(self.0)
             }
@@ -36,12 +39,14 @@ macro_rules! axes {
         impl<T> Index<$name> for [T; 3] {
             type Output = T;
 
+            #[inline]
             fn index(&self, axis: $name) -> &T {
                 &self[axis.index()]
             }
         }
 
         impl<T> IndexMut<$name> for [T; 3] {
+            #[inline]
             fn index_mut(&mut self, axis: $name) -> &mut T {
                 &mut self[axis.index()]
             }

@@ -14,7 +14,7 @@ fn attraction(mass: Interval, from: [Interval; 2]) -> Series<Interval> {
         let coordinate = Series::variable(k, from[k], one);
         coordinate.times(&coordinate)
     });
-    let square = squares[0].plus(&squares[1]);
+    let square = squares[0].clone().plus(squares[1].clone());
     let start = from[0].square() + from[1].square();
     // x^(−1/2) at the start.
     let mut value = one / start.sqrt();
@@ -34,11 +34,11 @@ fn at_the_triangular_point(mu: Interval) -> Series<Interval> {
     let height = point(3.0).sqrt() * half;
     let [x, y, px, py] =
         [(0, half - mu), (1, height), (2, -height), (3, half - mu)].map(|(k, at)| Series::variable(k, at, one));
-    let kinetic = px.times(&px).plus(&py.times(&py)).scaled(&half);
-    let turning = y.times(&px).plus(&x.times(&py).scaled(&minus));
+    let kinetic = px.times(&px).plus(py.times(&py)).scaled(&half);
+    let turning = y.times(&px).plus(x.times(&py).scaled(&minus));
     let far = attraction(one - mu, [half, height]).scaled(&minus);
     let near = attraction(mu, [-half, height]).scaled(&minus);
-    kinetic.plus(&turning).plus(&far).plus(&near)
+    kinetic.plus(turning).plus(far).plus(near)
 }
 
 /// Triangular points of the restricted three-body problem: Deprit and Deprit-Bartholomé (Astron. J. 72, 1967). With

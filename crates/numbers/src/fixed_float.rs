@@ -22,12 +22,14 @@ pub struct FixedFloat<const N: usize> {
 }
 
 /// The low word and the carry of x y + p + q, which is less than 2^128.
+#[inline]
 fn product(x: u64, y: u64, p: u64, q: u64) -> (u64, u64) {
     halves(u128::from(x) * u128::from(y) + u128::from(p) + u128::from(q))
 }
 
 /// The low and the high word.
 #[allow(clippy::cast_possible_truncation)]
+#[inline]
 fn halves(wide: u128) -> (u64, u64) {
     (wide as u64, (wide >> 64) as u64)
 }
@@ -56,6 +58,7 @@ fn subtract(a: &mut [u64], b: &[u64]) -> bool {
 
 /// Bits of N words, as an exponent.
 #[allow(clippy::cast_possible_wrap)]
+#[inline]
 const fn width(words: usize) -> i64 {
     64 * words as i64
 }

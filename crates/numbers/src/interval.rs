@@ -25,18 +25,21 @@ pub struct Interval {
 ///
 /// Rump, Zimmermann, Boldo, Melquiond, "Computing predecessor and successor in rounding to nearest" (BIT 49, 2009):
 /// x ± step(x), rounded, is the next double or, for |x| near 10^−308, the second next.
+#[inline]
 fn step(x: f64) -> f64 {
     const TINIEST: f64 = f64::from_bits(1);
     x.abs() * (UNIT_ROUNDOFF * (1.0 + f64::EPSILON)) + TINIEST
 }
 
 /// A lower bound below a rounded number: none for NaN and after an overflow.
+#[inline]
 fn down(x: f64) -> f64 {
     let below = x - step(x);
     if below.is_nan() { f64::NEG_INFINITY } else { below }
 }
 
 /// An upper bound above a rounded number: none for NaN and after an overflow.
+#[inline]
 fn up(x: f64) -> f64 {
     let above = x + step(x);
     if above.is_nan() { f64::INFINITY } else { above }
@@ -69,12 +72,14 @@ impl Interval {
 
     /// The interval between two doubles, in any order.
     #[must_use]
+    #[inline]
     pub fn between(a: f64, b: f64) -> Self {
         Self { lo: a.min(b), hi: a.max(b) }
     }
 
     /// A number that is known to one unit in the last place; zero is exact.
     #[must_use]
+    #[inline]
     pub fn rounded(x: f64) -> Self {
         if x == 0.0 { Self::ZERO } else { Self { lo: down(x), hi: up(x) } }
     }
@@ -94,12 +99,14 @@ impl Interval {
 
     /// The largest |x| of its members.
     #[must_use]
+    #[inline]
     pub fn magnitude(self) -> f64 {
         self.hi.max(-self.lo)
     }
 
     /// The sign, if it is the same (and not zero) for all members.
     #[must_use]
+    #[inline]
     pub fn is_positive(self) -> Option<bool> {
         if self.lo > 0.0 {
             Some(true)
@@ -110,10 +117,12 @@ impl Interval {
         }
     }
 
+    #[inline]
     fn is_zero(self) -> bool {
         self.lo == 0.0 && self.hi == 0.0
     }
 
+    #[inline]
     fn holds_zero(self) -> bool {
         self.lo <= 0.0 && self.hi >= 0.0
     }
@@ -121,6 +130,7 @@ impl Interval {
 
 impl Add for Interval {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
         if self.is_zero() {
             return other;
@@ -134,6 +144,7 @@ impl Add for Interval {
 
 impl Sub for Interval {
     type Output = Self;
+    #[inline]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -141,6 +152,7 @@ impl Sub for Interval {
 
 impl Neg for Interval {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
         Self { lo: -self.hi, hi: -self.lo }
     }
@@ -152,11 +164,23 @@ impl Mul for Interval {
         if self.is_zero() || other.is_zero() {
             return Self::ZERO;
         }
-        // What `span` gives where it is known which products are least and greatest.
-        if self.lo >= 0.0 && other.lo >= 0.0 && self.hi < f64::INFINITY && other.hi < f64::INFINITY {
-            return Self { lo: down(self.lo * other.lo), hi: up(self.hi * other.hi) };
+        let ([a, b], [c, d]) = ([self.lo, self.hi], [other.lo, other.hi]);
+        // What `span` gives where the signs tell which products are least and greatest, and these are finite.
+        let [low, high] = if a >= 0.0 {
+            [if c >= 0.0 { a * c } else { b * c }, if d >= 0.0 { b * d } else { a * d }]
+        } else if b <= 0.0 {
+            [if d >= 0.0 { a * d } else { b * d }, if c >= 0.0 { b * c } else { a * c }]
+        } else if c >= 0.0 {
+            [a * d, b * d]
+        } else if d <= 0.0 {
+            [b * c, a * c]
+        } else {
+            [f64::NAN; 2]
+        };
+        if low.abs() < f64::INFINITY && high.abs() < f64::INFINITY {
+            return Self { lo: down(low), hi: up(high) };
         }
-        span([self.lo * other.lo, self.lo * other.hi, self.hi * other.lo, self.hi * other.hi])
+        span([a * c, a * d, b * c, b * d])
     }
 }
 
@@ -197,6 +221,7 @@ impl Arithmetic for Interval {
         }
     }
 
+    #[inline]
     fn double(value: f64, (): ()) -> Self {
         if value.is_finite() { Self::point(value) } else { Self::LINE }
     }
@@ -226,6 +251,7 @@ impl Arithmetic for Interval {
 }
 
 impl Enclosure for Interval {
+    #[inline]
     fn sign(&self) -> Option<Sign> {
         if self.is_zero() {
             Some(Sign::Zero)
@@ -234,14 +260,17 @@ impl Enclosure for Interval {
         }
     }
 
+    #[inline]
     fn hull(&self, other: &Self) -> Self {
         Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
+    #[inline]
     fn lower(&self) -> Self {
         Self::double(self.lo, ())
     }
 
+    #[inline]
     fn upper(&self) -> Self {
         Self::double(self.hi, ())
     }
@@ -252,6 +281,7 @@ impl Enclosure for Interval {
         Self::double(middle.clamp(self.lo, self.hi), ())
     }
 
+    #[inline]
     fn bounds(&self) -> [f64; 2] {
         [self.lo, self.hi]
     }

@@ -22,12 +22,14 @@ impl Sign {
 
     /// This sign, unless it is that of zero.
     #[must_use]
+    #[inline]
     pub fn strict(self) -> Option<Self> {
         (self != Self::Zero).then_some(self)
     }
 
     /// −x for −1, otherwise x.
     #[must_use]
+    #[inline]
     pub fn orient<T: Neg<Output = T>>(self, x: T) -> T {
         if self == Self::Negative { -x } else { x }
     }
@@ -35,6 +37,7 @@ impl Sign {
 
 impl From<Ordering> for Sign {
     /// The sign of a − b from the order of a and b.
+    #[inline]
     fn from(order: Ordering) -> Self {
         match order {
             Ordering::Less => Self::Negative,
@@ -45,12 +48,14 @@ impl From<Ordering> for Sign {
 }
 
 impl From<&IBig> for Sign {
+    #[inline]
     fn from(x: &IBig) -> Self {
         x.cmp(&IBig::ZERO).into()
     }
 }
 
 impl From<Sign> for i8 {
+    #[inline]
     fn from(sign: Sign) -> Self {
         match sign {
             Sign::Negative => -1,
@@ -61,6 +66,7 @@ impl From<Sign> for i8 {
 }
 
 impl From<Sign> for f64 {
+    #[inline]
     fn from(sign: Sign) -> Self {
         i8::from(sign).into()
     }
@@ -69,6 +75,7 @@ impl From<Sign> for f64 {
 impl Neg for Sign {
     type Output = Self;
 
+    #[inline]
     fn neg(self) -> Self {
         match self {
             Self::Negative => Self::Positive,
@@ -81,6 +88,7 @@ impl Neg for Sign {
 impl Mul for Sign {
     type Output = Self;
 
+    #[inline]
     fn mul(self, other: Self) -> Self {
         match self {
             Self::Negative => -other,

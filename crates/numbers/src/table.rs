@@ -23,10 +23,12 @@ macro_rules! ids {
         pub struct $name(usize);
 
         impl $crate::table::Id for $name {
+            #[inline]
             fn at(index: usize) -> Self {
                 Self(index)
             }
 
+            #[inline]
             fn index(self) -> usize {
                 self.0
             }

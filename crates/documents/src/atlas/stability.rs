@@ -1,5 +1,7 @@
 //! The linear type along the curves of an atlas, and where it changes.
 
+use std::cell::OnceCell;
+
 use bifdiag_diagram::atlas::{Atlas, Window};
 use bifdiag_equilibria::critical::RelativeEquilibria;
 use bifdiag_equilibria::curves::{CurveId, CurveName};
@@ -17,7 +19,8 @@ use crate::stability::damped;
 pub(super) struct Stability<'a> {
     atlas: &'a Atlas,
     types: LinearTypes<'a>,
-    equilibria: Option<RelativeEquilibria<'a>>,
+    /// Made where a normal form decides.
+    equilibria: OnceCell<Option<RelativeEquilibria<'a>>>,
 }
 
 /// Places on a stretch, relative to its length or, without end, its beginning.
@@ -25,12 +28,12 @@ const INSIDE: [f64; 3] = [0.5, 0.41, 0.63];
 
 impl<'a> Stability<'a> {
     pub fn new(atlas: &'a Atlas) -> Self {
-        let body = atlas.body();
-        Self {
-            atlas,
-            types: LinearTypes::new(body, &atlas.arrangement().set),
-            equilibria: RelativeEquilibria::new(body).ok(),
-        }
+        let types = LinearTypes::new(atlas.body(), &atlas.arrangement().set);
+        Self { atlas, types, equilibria: OnceCell::new() }
+    }
+
+    fn equilibria(&self) -> Option<&RelativeEquilibria<'a>> {
+        self.equilibria.get_or_init(|| RelativeEquilibria::new(self.atlas.body()).ok()).as_ref()
     }
 
     /// The types along a curve; what is missing is entered as undecided.
@@ -71,11 +74,10 @@ impl<'a> Stability<'a> {
     /// The verdict along a stretch of a curve with two imaginary pairs at index 2: that at one point, since D₄ is an analytic
     /// function along the curve, which vanishes at isolated points only.
     fn inside(&self, id: CurveId, [from, to]: [f64; 2]) -> NonlinearDocument {
-        let name = Some(CurveName::of(&self.atlas.arrangement().set, id));
+        let name = CurveName::of(&self.atlas.arrangement().set, id);
         let points = INSIDE.iter().filter_map(|part| {
             let l = if to.is_finite() { from + part * (to - from) } else { (from + self.atlas.momentum(1.0)) / part };
-            let found = self.equilibria.as_ref()?.at(&Number::from_f64(l).ok()?).ok()?;
-            found.list.iter().find(|point| point.curve == name).map(|point| point.nonlinear)
+            self.equilibria()?.verdict_on(name, &Number::from_f64(l).ok()?).ok()?
         });
         let mut first = None;
         let found = points.inspect(|found| first = first.or(Some(*found))).find(|found| found.why == Reason::Arnold);

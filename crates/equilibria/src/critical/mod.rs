@@ -6,6 +6,7 @@ mod exceptions;
 mod families;
 mod found;
 
+use std::cell::LazyCell;
 use std::cmp::Ordering;
 use std::sync::{Arc, OnceLock};
 
@@ -204,6 +205,23 @@ impl<'a> RelativeEquilibria<'a> {
         Ok(self.everywhere(Fixed::Momentum { l, x }))
     }
 
+    /// What is known of the stability of the equilibrium of one curve at l ≠ 0, as [`at`](Self::at) has it or as an exact root has
+    /// it; `None` where the curve has none.
+    ///
+    /// # Errors
+    /// [`CriticalError::Momentum`] when l leaves the range of `f64`.
+    pub fn verdict_on(&self, curve: CurveName, l: &Number) -> Result<Option<Nonlinear>, CriticalError> {
+        let fixed = Fixed::Momentum { l, x: abscissa(&self.set.frame, l.to_f64())? };
+        let mut found = Found::default();
+        let is_here = |id: &CurveId| CurveName::of(&self.set, *id) == curve;
+        for question in self.questions(fixed) {
+            if question.ids().any(|id| is_here(&id)) {
+                self.on_curves(&question, question.ids().filter(is_here), &mut found);
+            }
+        }
+        Ok(found.list.iter().find(|found| found.curve == Some(curve)).map(|found| found.nonlinear))
+    }
+
     /// All steady rotations with the angular velocity Ωγ: complete, from exact roots. Each has its own l.
     ///
     /// # Errors
@@ -246,28 +264,37 @@ impl<'a> RelativeEquilibria<'a> {
     fn everywhere(&self, fixed: Fixed<'_>) -> Equilibria {
         let mut found = Found { list: Vec::with_capacity(8), error_bound: 0.0 };
         let mut complete = true;
-        let mut next = 0;
-        let curves = self.set.curves.as_slice();
-        // Curves of one branch have consecutive ids.
-        while next < curves.len() {
-            let branch = curves[next].branch;
-            let end = next + curves[next..].iter().take_while(|curve| curve.branch == branch).count();
-            if curves[next].is_critical() {
-                let question = Question { branch, curves: CurveId::at(next)..CurveId::at(end), fixed };
-                complete &= self.on_branch(&question, &mut found);
-            }
-            next = end;
+        for question in self.questions(fixed) {
+            complete &= self.on_branch(&question, &mut found);
         }
         let list = sorted(self.body, found.list, matches!(fixed, Fixed::Spin(_)));
         Equilibria { list, error_bound: found.error_bound, complete, by_continuation: false }
     }
 
-    /// The equilibria of one branch: at one l by f64 with bounds, and exactly where these leave something open.
+    /// Every branch with equilibria, whose curves have consecutive ids.
+    fn questions<'b>(&'b self, fixed: Fixed<'b>) -> impl Iterator<Item = Question<'b>> {
+        let mut next = 0;
+        let alike = self.set.curves.as_slice().chunk_by(|one, other| one.branch == other.branch);
+        alike.filter_map(move |curves| {
+            let from = next;
+            next += curves.len();
+            let question = Question { branch: curves[0].branch, curves: CurveId::at(from)..CurveId::at(next), fixed };
+            curves[0].is_critical().then_some(question)
+        })
+    }
+
+    /// The equilibria of one branch.
     fn on_branch(&self, question: &Question<'_>, found: &mut Found) -> bool {
+        self.on_curves(question, question.ids(), found)
+    }
+
+    /// Those of some curves of a branch at one l by f64 with bounds, and those of the whole branch exactly where these leave
+    /// something open.
+    fn on_curves(&self, question: &Question<'_>, mut ids: impl Iterator<Item = CurveId>, found: &mut Found) -> bool {
         let before = found.list.len();
         if let Fixed::Momentum { x, .. } = question.fixed
             && !self.set.ends_near(question.branch, question.curves.clone(), x)
-            && question.ids().all(|id| self.quickly(id, x, question, found))
+            && ids.all(|id| self.quickly(id, x, question, found))
         {
             return true;
         }
@@ -284,7 +311,7 @@ impl<'a> RelativeEquilibria<'a> {
 fn sorted(body: &Body, mut list: Vec<Equilibrium>, at_spin: bool) -> Vec<Equilibrium> {
     let (moments, center) = (body.moments_f64(), body.center_f64());
     let apart = |i: BodyAxis, k: BodyAxis| (body.moments()[i].value() - body.moments()[k].value()).to_f64().value();
-    let apart = BodyAxis::ALL.map(|i| BodyAxis::ALL.map(|k| apart(i, k)));
+    let apart = LazyCell::new(|| BodyAxis::ALL.map(|i| BodyAxis::ALL.map(|k| apart(i, k))));
     let largest = |gamma: &[f64; 3]| (0..3).max_by(|&i, &k| gamma[i].abs().total_cmp(&gamma[k].abs())).unwrap_or(0);
     // J less the moment of the nearest axis, small where γ is near it.
     let beyond = |gamma: &[f64; 3], axis: usize| (0..3).map(|k| apart[k][axis] * gamma[k] * gamma[k]).sum::<f64>();

@@ -16,6 +16,15 @@ impl<E: Arithmetic> Complex<E> {
     pub(super) fn scaled(&self, factor: &E) -> Self {
         Self { re: self.re.clone() * factor.clone(), im: self.im.clone() * factor.clone() }
     }
+
+    pub(super) fn conjugate(&self) -> Self {
+        Self { re: self.re.clone(), im: -self.im.clone() }
+    }
+
+    /// The real part of the product.
+    pub(super) fn real_product(&self, other: &Self) -> E {
+        self.re.clone() * other.re.clone() - self.im.clone() * other.im.clone()
+    }
 }
 
 impl<E: Enclosure> Complex<E> {

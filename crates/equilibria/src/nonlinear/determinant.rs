@@ -10,7 +10,7 @@
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
 
-use super::series::{Exponents, Series, VARIABLES, of_degree};
+use super::series::{Exponents, Series, VARIABLES, add, of_degree};
 
 type Matrix<E> = [[E; VARIABLES]; VARIABLES];
 
@@ -31,7 +31,7 @@ pub fn arnold_numerator<E: Enclosure>(hamiltonian: &Series<E>, b: &E, c: &E, pre
         let by = |series: &Series<E>, variable: usize| series.derivative(variable, whole);
         let forward = by(&cubic, k).times(&by(&generator, k + 2));
         let backward = by(&cubic, k + 2).times(&by(&generator, k)).scaled(&small(-1));
-        rest = rest.plus(&forward.plus(&backward).scaled(&half));
+        rest = rest.plus(forward.plus(backward).scaled(&half));
     }
     let sm = product(&s, &m, precision);
     let transposed: Matrix<E> = std::array::from_fn(|i| std::array::from_fn(|j| m[j][i].clone()));
@@ -133,13 +133,6 @@ fn generator<E: Enclosure>(hamiltonian: &Series<E>, m: &Matrix<E>, precision: E:
 
 /// A row of linear equations; what is known to vanish is `None`.
 type Row<E> = Vec<Option<E>>;
-
-fn add<E: Enclosure>(entry: &mut Option<E>, value: E) {
-    *entry = Some(match entry.take() {
-        Some(sum) => sum + value,
-        None => value,
-    });
-}
 
 /// The equations times an approximate inverse: elimination of what is nearly the identity widens nothing.
 fn preconditioned<E: Enclosure>(rows: &[Row<E>], precision: E::Precision) -> Option<Vec<Row<E>>> {

@@ -7,6 +7,7 @@ use bifdiag_numbers::enclosure::Enclosure;
 use super::determinant::arnold_numerator;
 use super::normal_form::NormalForm;
 use super::reduced_hamiltonian::{farthest, reduced_hamiltonian};
+use super::series::Series;
 use super::verdict::{Determinant, Nonlinear, Setting};
 use crate::stability::{Constants, LinearType, RESONANCES, Reduced, State};
 use bifdiag_schema::{NonlinearVerdict, Reason};
@@ -52,7 +53,7 @@ impl<E: Enclosure> Question<'_, E> {
             None => defect(self.reduced, self.c, n).strict_sign().map(|_| false),
         });
         let (two, three) = (two?, three?);
-        let form = self.normal_form()?;
+        let form = if three { self.form(NormalForm::with_quartic)? } else { self.normal_form()? };
         if two {
             match form.cubic.sign()? {
                 Sign::Zero => {}
@@ -61,12 +62,12 @@ impl<E: Enclosure> Question<'_, E> {
         }
         let sign = form.arnold.strict_sign();
         let arnold = determinant(&form.arnold);
-        if three && form.quartic.sign() != Some(Sign::Zero) {
+        if let Some(quartic) = form.quartic.filter(|quartic| quartic.sign() != Some(Sign::Zero)) {
             // On ω₁I₁ = ω₂I₂ the quartic part is (K₁₁ + 3K₁₂ + 9K₂₂ + 3√3 B cos ψ) I₁².
             let small = |value| E::small(value, self.c.precision);
             let [k11, k12, k22] = form.twist.clone();
             let along = k11 + small(3) * k12 + small(9) * k22;
-            let verdict = match (along.square() - small(27) * form.quartic).strict_sign()? {
+            let verdict = match (along.square() - small(27) * quartic).strict_sign()? {
                 Sign::Negative => NonlinearVerdict::Unstable,
                 _ => NonlinearVerdict::Stable,
             };
@@ -92,18 +93,20 @@ impl<E: Enclosure> Question<'_, E> {
     /// c(b² − 4c)D₄ in units in which Ω = 1, finite at ω₁ = ω₂; `None` where the enclosures do not give it.
     #[must_use]
     pub fn numerator(&self) -> Option<E> {
-        let series = reduced_hamiltonian(self.c, self.state, farthest(self.state));
-        let [b, c] = self.reduced.coefficients();
-        arnold_numerator(&series, b, c, self.c.precision)
+        self.form(arnold_numerator)
     }
 
     /// The normal form of the flow reduced by l, in units in which Ω = 1: its determinant is D₄/s. `None` where the
     /// enclosures do not tell that there are two distinct imaginary pairs.
     #[must_use]
     pub fn normal_form(&self) -> Option<NormalForm<E>> {
+        self.form(NormalForm::new)
+    }
+
+    fn form<T>(&self, of: impl FnOnce(&Series<E>, &E, &E, E::Precision) -> T) -> T {
         let series = reduced_hamiltonian(self.c, self.state, farthest(self.state));
         let [b, c] = self.reduced.coefficients();
-        NormalForm::new(&series, b, c, self.c.precision)
+        of(&series, b, c, self.c.precision)
     }
 }
 

@@ -12,7 +12,7 @@ use bifdiag_numbers::enclosure::Enclosure;
 
 use super::complex::Complex;
 use super::determinant::hessian;
-use super::series::{Exponents, Series, VARIABLES, degree, of_degree};
+use super::series::{DEGREE, Exponents, Homogeneous, Series, VARIABLES, of_degree, place_in_degree};
 
 /// H = ±ω₁I₁ ± ω₂I₂ + K₁₁I₁² + K₁₂I₁I₂ + K₂₂I₂² + …, with ω₁ > ω₂ > 0.
 #[derive(Clone, Debug)]
@@ -27,8 +27,8 @@ pub struct NormalForm<E> {
     pub arnold: E,
     /// C² of the term C √I₁ I₂ cos(φ₁ − 2φ₂ + …) of degree three, which stays at ω₁ = 2ω₂.
     pub cubic: E,
-    /// B² of the term B √I₁ I₂^(3/2) cos(φ₁ − 3φ₂ + …) of degree four, which stays at ω₁ = 3ω₂.
-    pub quartic: E,
+    /// B² of the term B √I₁ I₂^(3/2) cos(φ₁ − 3φ₂ + …) of degree four, which stays at ω₁ = 3ω₂; where it was asked for.
+    pub quartic: Option<E>,
 }
 
 /// z₁, z₂, z̄₁, z̄₂ of a mode and its conjugate.
@@ -43,9 +43,42 @@ struct Mode<E> {
 impl<E: Enclosure> NormalForm<E> {
     /// From the Taylor series of a Hamiltonian in (q₁, q₂, p₁, p₂) and the coefficients of its λ⁴ + bλ² + c. `None` where
     /// the enclosures do not tell that the pairs are imaginary, distinct, and of certain energies. At ω₁ = 2ω₂ the twist is
-    /// unbounded.
+    /// unbounded. Without the term that stays at ω₁ = 3ω₂.
     #[must_use]
     pub fn new(hamiltonian: &Series<E>, b: &E, c: &E, precision: E::Precision) -> Option<Self> {
+        Some(Form::new(hamiltonian, b, c, precision, false)?.normal())
+    }
+
+    /// The same with the term that stays at ω₁ = 3ω₂.
+    #[must_use]
+    pub fn with_quartic(hamiltonian: &Series<E>, b: &E, c: &E, precision: E::Precision) -> Option<Self> {
+        let form = Form::new(hamiltonian, b, c, precision, true)?;
+        // 2|c| |z₁| |z₂|ⁿ with |z_j|² = I_j/(2ω_j|n_j|).
+        let size = form.squared_size(form.rest([1, 0, 0, 3], true));
+        let [first, second] = form.actions();
+        let quartic = size / (first * second.square() * second);
+        Some(Self { quartic: Some(quartic), ..form.normal() })
+    }
+}
+
+/// A Hamiltonian in the coordinates of its modes.
+struct Form<E: Enclosure> {
+    /// ω₁, ω₂ and their squares.
+    omega: [E; 2],
+    squares: [E; 2],
+    modes: [Mode<E>; 2],
+    signs: [Sign; 2],
+    /// H₃ by monomials of z₁, z₂, z̄₁, z̄₂.
+    cubic: Vec<Complex<E>>,
+    /// iG₃ likewise. A term that is known to vanish has no share in it, resonant or not.
+    generator: Vec<Option<Complex<E>>>,
+    /// H₄ in the real coordinates.
+    quartic: Option<Homogeneous<E>>,
+    precision: E::Precision,
+}
+
+impl<E: Enclosure> Form<E> {
+    fn new(hamiltonian: &Series<E>, b: &E, c: &E, precision: E::Precision, with_quartic: bool) -> Option<Self> {
         let small = |value| E::small(value, precision);
         let discriminant = b.square() - small(4) * c.clone();
         if [b, c, &discriminant].into_iter().any(|value| value.sign() != Some(Sign::Positive)) {
@@ -59,54 +92,83 @@ impl<E: Enclosure> NormalForm<E> {
         let modes = [mode(0)?, mode(1)?];
         let signs = [modes[0].energy.strict_sign()?, modes[1].energy.strict_sign()?];
 
-        let cubic = cubic_in_modes(&substituted(hamiltonian, 3, &modes, precision), precision);
-        let quartic = substituted(hamiltonian, 4, &modes, precision);
-        // i G₃; a term that is known to vanish has no share in it, resonant or not.
-        let terms = cubic.iter().filter(|(_, value)| !value.is_zero());
-        let generator: Vec<(Exponents, Complex<E>)> = terms
-            .map(|(powers, value)| {
-                let frequency = (0..2).fold(small(0), |sum, j| {
-                    let winding = i32::from(powers[j]) - i32::from(powers[j + CONJUGATE]);
-                    sum + small(winding) * omega[j].clone()
-                });
-                (*powers, value.scaled(&(small(1) / frequency)))
-            })
-            .collect();
+        let forms = linear_forms(&modes, precision);
+        let cubic = cubic_in_modes(Homogeneous::composed(hamiltonian, 3, &forms, |_| true).as_ref(), precision);
+        // The twist needs what is even in each mode.
+        let is_even = |powers: &Exponents| (powers[0] + powers[CONJUGATE]).is_multiple_of(2);
+        let quartic = Homogeneous::composed(hamiltonian, 4, &forms, |powers| with_quartic || is_even(powers));
+        let over_frequency = |(powers, value): (Exponents, &Complex<E>)| {
+            let frequency = (0..2).fold(small(0), |sum, j| {
+                let winding = i32::from(powers[j]) - i32::from(powers[j + CONJUGATE]);
+                sum + small(winding) * omega[j].clone()
+            });
+            (!value.is_zero()).then(|| value.scaled(&(small(1) / frequency)))
+        };
+        let generator = of_degree(3).zip(&cubic).map(over_frequency).collect();
+        Some(Self { omega, squares, modes, signs, cubic, generator, quartic, precision })
+    }
+
+    fn small(&self, value: i32) -> E {
+        E::small(value, self.precision)
+    }
+
+    /// The coefficient of a monomial of degree four in H₄ + ½{H₃, G₃}; its imaginary part only if that `is_complex`.
+    fn rest(&self, wanted: Exponents, is_complex: bool) -> Complex<E> {
         // ½ · 1/(2ω_j n_j)
-        let factors: [E; 2] =
-            std::array::from_fn(|j| small(1) / (small(4) * omega[j].clone() * modes[j].energy.clone()));
-        let rest = |wanted: Exponents| {
-            let mut sum = coefficient_in_modes(&quartic, wanted, precision);
-            for (powers, value) in &cubic {
-                for (others, other) in &generator {
-                    for (j, factor) in factors.iter().enumerate() {
-                        if let Some(n) = bracket(*powers, *others, j, wanted) {
-                            let scale = factor.clone() * small(n);
-                            sum = sum + (value.clone() * other.clone()).scaled(&scale);
-                        }
-                    }
+        let factor = |j: usize| self.small(1) / (self.small(4) * self.omega[j].clone() * self.modes[j].energy.clone());
+        let factors = [factor(0), factor(1)];
+        let mut sum = coefficient_in_modes(self.quartic.as_ref(), wanted, self.precision);
+        for (powers, value) in of_degree(3).zip(&self.cubic) {
+            // The partner in the bracket of each mode.
+            let partner = |j: usize| {
+                let mut product = wanted;
+                product[j] += 1;
+                product[j + CONJUGATE] += 1;
+                let others = divided(product, powers)?;
+                Some((place_in_degree(&others)?, bracket(powers, others, j), j))
+            };
+            let mut partners = [partner(0), partner(1)];
+            partners.sort_by_key(|partner| partner.map(|(place, ..)| place));
+            for (place, n, j) in partners.into_iter().flatten().filter(|(_, n, _)| *n != 0) {
+                let Some(other) = &self.generator[place] else { continue };
+                let scale = factors[j].clone() * self.small(n);
+                if is_complex {
+                    sum = sum + (value.clone() * other.clone()).scaled(&scale);
+                } else {
+                    sum.re = sum.re + value.real_product(other) * scale;
                 }
             }
-            sum
-        };
-        let coefficients = [[2, 0, 2, 0], [1, 1, 1, 1], [0, 2, 0, 2]].map(|powers| rest(powers).re);
-        let action = |j: usize| {
-            let size = small(2) * omega[j].clone() * modes[j].energy.clone();
-            if signs[j] == Sign::Negative { -size } else { size }
-        };
-        let (first, second) = (action(0), action(1));
-        let [k11, k12, k22] = coefficients;
+        }
+        sum
+    }
+
+    /// 2ω_j |n_j|.
+    fn actions(&self) -> [E; 2] {
+        [0, 1].map(|j| {
+            let size = self.small(2) * self.omega[j].clone() * self.modes[j].energy.clone();
+            if self.signs[j] == Sign::Negative { -size } else { size }
+        })
+    }
+
+    /// 4|c|².
+    fn squared_size(&self, value: Complex<E>) -> E {
+        self.small(4) * (value.re.square() + value.im.square())
+    }
+
+    /// All but the resonant term of degree four.
+    fn normal(self) -> NormalForm<E> {
+        let [k11, k12, k22] = [[2, 0, 2, 0], [1, 1, 1, 1], [0, 2, 0, 2]].map(|powers| self.rest(powers, false).re);
+        let [first, second] = self.actions();
         let twist = [k11 / first.square(), k12 / (first.clone() * second.clone()), k22 / second.square()];
         // 2|c| |z₁| |z₂|ⁿ with |z_j|² = I_j/(2ω_j|n_j|).
-        let square = |value: Complex<E>| small(4) * (value.re.square() + value.im.square());
-        let resonant = cubic.iter().find(|(powers, _)| *powers == [1, 0, 0, 2]);
-        let cubic = resonant.map_or_else(|| small(0), |(_, value)| square(value.clone()));
-        let cubic = cubic / (first.clone() * second.square());
-        let quartic = square(rest([1, 0, 0, 3])) / (first * second.square() * second);
+        let resonant = of_degree(3).zip(&self.cubic).find(|(powers, _)| *powers == [1, 0, 0, 2]);
+        let cubic = resonant.map_or_else(|| self.small(0), |(_, value)| self.squared_size(value.clone()));
+        let cubic = cubic / (first * second.square());
+        let Self { omega, squares, signs, .. } = self;
         let mixed = twist[1].clone() * omega[0].clone() * omega[1].clone();
         let mixed = if signs[0] == signs[1] { -mixed } else { mixed };
         let arnold = twist[0].clone() * squares[1].clone() + mixed + twist[2].clone() * squares[0].clone();
-        Some(Self { omega, signs, twist, arnold, cubic, quartic })
+        NormalForm { omega, signs, twist, arnold, cubic, quartic: None }
     }
 }
 
@@ -117,15 +179,13 @@ impl<E: Enclosure> Mode<E> {
         let gradient = |x: &[E; VARIABLES]| -> [E; VARIABLES] {
             std::array::from_fn(|a| (0..VARIABLES).fold(zero(), |sum, b| sum + hessian[a][b].clone() * x[b].clone()))
         };
-        let flow = |x: &[E; VARIABLES]| {
-            let [a, b, c, d] = gradient(x);
-            [c, d, -a, -b]
-        };
+        let turned = |[a, b, c, d]: [E; VARIABLES]| [c, d, -a, -b];
+        let flow = |x: &[E; VARIABLES]| turned(gradient(x));
         // The unit vector whose part in the plane is the largest.
         let candidates = (0..VARIABLES).map(|unit| {
-            let e: [E; VARIABLES] = std::array::from_fn(|a| E::small(i32::from(a == unit), precision));
-            let twice = flow(&flow(&e));
-            let y: [E; VARIABLES] = std::array::from_fn(|a| twice[a].clone() + other.clone() * e[a].clone());
+            let one = E::small(1, precision);
+            let mut y = flow(&turned(hessian.each_ref().map(|row| row[unit].clone() * one.clone())));
+            y[unit] = y[unit].clone() + other.clone() * one;
             let slope = gradient(&y);
             let energy = (0..VARIABLES).fold(zero(), |sum, a| sum + y[a].clone() * slope[a].clone());
             (y, energy)
@@ -139,52 +199,34 @@ impl<E: Enclosure> Mode<E> {
     }
 }
 
-/// The terms of one degree in the real coordinates X₁, X₂, Y₁, Y₂ of z_j = X_j + iY_j.
-fn substituted<E: Enclosure>(
-    hamiltonian: &Series<E>,
-    wanted: usize,
-    modes: &[Mode<E>; 2],
-    precision: E::Precision,
-) -> Series<E> {
-    // x_a as a linear form: z v + z̄ v̄ = 2X re v − 2Y im v.
-    let form: [Series<E>; VARIABLES] = std::array::from_fn(|a| {
-        Series::of((0..VARIABLES).map(|k| {
-            let mut powers = [0; VARIABLES];
-            powers[k] = 1;
+/// x in the real coordinates X₁, X₂, Y₁, Y₂ of z_j = X_j + iY_j: z v + z̄ v̄ = 2X re v − 2Y im v.
+fn linear_forms<E: Enclosure>(modes: &[Mode<E>; 2], precision: E::Precision) -> [[E; VARIABLES]; VARIABLES] {
+    std::array::from_fn(|a| {
+        std::array::from_fn(|k| {
             let part = &modes[k % CONJUGATE].vector[a];
             let value = if k < CONJUGATE { part.re.clone() } else { -part.im.clone() };
-            (powers, E::small(2, precision) * value)
-        }))
-    });
-    let terms: Vec<(Exponents, E)> = hamiltonian.terms(wanted).map(|(powers, value)| (powers, value.clone())).collect();
-    composed(&terms, &form)
+            E::small(2, precision) * value
+        })
+    })
 }
 
-/// A homogeneous polynomial of linear forms: its terms are divided by their last variable, and so on.
-fn composed<E: Enclosure>(terms: &[(Exponents, E)], forms: &[Series<E>; VARIABLES]) -> Series<E> {
-    let last = |powers: &Exponents| (0..VARIABLES).rev().find(|&a| powers[a] > 0);
-    let mut sum = Series::of(terms.iter().filter(|(powers, _)| degree(powers) == 0).cloned());
-    for (a, form) in forms.iter().enumerate() {
-        let divided = terms.iter().filter(|(powers, _)| last(powers) == Some(a)).map(|(powers, value)| {
-            let mut lower = *powers;
-            lower[a] -= 1;
-            (lower, value.clone())
-        });
-        let divided: Vec<(Exponents, E)> = divided.collect();
-        if !divided.is_empty() {
-            sum = sum.plus(&composed(&divided, forms).times(form));
-        }
+/// The coefficients of all monomials of degree three in z₁, z₂, z̄₁, z̄₂. That of a conjugate is the conjugate: the same
+/// operations with other signs.
+fn cubic_in_modes<E: Enclosure>(real: Option<&Homogeneous<E>>, precision: E::Precision) -> Vec<Complex<E>> {
+    let mut cubic: Vec<Complex<E>> = Vec::with_capacity(of_degree(3).len());
+    for [a, b, c, d] in of_degree(3) {
+        let known = place_in_degree(&[c, d, a, b]).and_then(|place| cubic.get(place)).map(Complex::conjugate);
+        cubic.push(known.unwrap_or_else(|| coefficient_in_modes(real, [a, b, c, d], precision)));
     }
-    sum
-}
-
-/// All terms of degree three in z₁, z₂, z̄₁, z̄₂.
-fn cubic_in_modes<E: Enclosure>(real: &Series<E>, precision: E::Precision) -> Vec<(Exponents, Complex<E>)> {
-    of_degree(3).map(|powers| (powers, coefficient_in_modes(real, powers, precision))).collect()
+    cubic
 }
 
 /// The coefficient of a monomial in z₁, z₂, z̄₁, z̄₂, from X = (z + z̄)/2 and Y = (z − z̄)/(2i).
-fn coefficient_in_modes<E: Enclosure>(real: &Series<E>, wanted: Exponents, precision: E::Precision) -> Complex<E> {
+fn coefficient_in_modes<E: Enclosure>(
+    real: Option<&Homogeneous<E>>,
+    wanted: Exponents,
+    precision: E::Precision,
+) -> Complex<E> {
     let zero = || E::small(0, precision);
     let mut sum = Complex { re: zero(), im: zero() };
     let whole = [0, 1].map(|j| wanted[j] + wanted[j + CONJUGATE]);
@@ -192,8 +234,8 @@ fn coefficient_in_modes<E: Enclosure>(real: &Series<E>, wanted: Exponents, preci
         for second in 0..=whole[1] {
             // Powers of Y₁ and Y₂.
             let powers = [whole[0] - first, whole[1] - second, first, second];
-            let Some(value) = real.coefficient(powers) else { continue };
-            let share = |j: usize, y: u8| krawtchouk(whole[j], y, wanted[j + CONJUGATE]);
+            let Some(value) = real.and_then(|real| real.coefficient(powers)) else { continue };
+            let share = |j: usize, y: u8| KRAWTCHOUK[whole[j] as usize][y as usize][wanted[j + CONJUGATE] as usize];
             let count = share(0, first) * share(1, second);
             if count == 0 {
                 continue;
@@ -212,22 +254,39 @@ fn coefficient_in_modes<E: Enclosure>(real: &Series<E>, wanted: Exponents, preci
     sum.scaled(&scale)
 }
 
-/// The coefficient of z̄^k in (z + z̄)^(n−y) (z − z̄)^y.
-fn krawtchouk(n: u8, y: u8, k: u8) -> i32 {
-    let binomial = |n: u8, k: u8| (0..k).fold(1, |product, i| product * i32::from(n - i) / i32::from(i + 1));
-    (0..=k.min(y))
-        .filter(|&j| k - j <= n - y)
-        .map(|j| {
-            if j % 2 == 0 { binomial(y, j) * binomial(n - y, k - j) } else { -binomial(y, j) * binomial(n - y, k - j) }
-        })
-        .sum()
+/// The coefficient of z̄^k in (z + z̄)^(n−y) (z − z̄)^y, by n, y and k.
+const KRAWTCHOUK: [[[i32; DEGREE + 1]; DEGREE + 1]; DEGREE + 1] = {
+    let mut table = [[[0; DEGREE + 1]; DEGREE + 1]; DEGREE + 1];
+    let mut n = 0;
+    while n <= DEGREE {
+        let mut y = 0;
+        while y <= n {
+            table[n][y][0] = 1;
+            let mut factor = 0;
+            while factor < n {
+                let mut k = factor + 1;
+                while k > 0 {
+                    let lower = table[n][y][k - 1];
+                    table[n][y][k] += if factor < y { -lower } else { lower };
+                    k -= 1;
+                }
+                factor += 1;
+            }
+            y += 1;
+        }
+        n += 1;
+    }
+    table
+};
+
+/// The quotient of two monomials, if it is one.
+fn divided(product: Exponents, powers: Exponents) -> Option<Exponents> {
+    let fits = (0..VARIABLES).all(|k| powers[k] <= product[k]);
+    fits.then(|| std::array::from_fn(|k| product[k] - powers[k]))
 }
 
-/// The factor of the product of two monomials in the bracket of mode j, if its powers are those wanted.
-fn bracket(left: Exponents, right: Exponents, j: usize, wanted: Exponents) -> Option<i32> {
-    let product: [u8; VARIABLES] = std::array::from_fn(|k| left[k] + right[k]);
-    let fits = (0..VARIABLES).all(|k| product[k] == wanted[k] + u8::from(k == j || k == j + CONJUGATE));
+/// The factor of the product of two monomials in the bracket of mode j.
+fn bracket(left: Exponents, right: Exponents, j: usize) -> i32 {
     let power = |powers: Exponents, k: usize| i32::from(powers[k]);
-    let factor = power(left, j) * power(right, j + CONJUGATE) - power(left, j + CONJUGATE) * power(right, j);
-    (fits && factor != 0).then_some(factor)
+    power(left, j) * power(right, j + CONJUGATE) - power(left, j + CONJUGATE) * power(right, j)
 }

@@ -67,10 +67,10 @@ pub fn reduced_hamiltonian<E: Enclosure>(c: &Constants<E>, state: &State<E>, axi
     });
     let minus = small(-1);
     let horizontal = Series::constant(state.j.clone())
-        .plus(&p_phi.times(&cos_theta).scaled(&minus))
+        .plus(p_phi.times(&cos_theta).scaled(&minus))
         .times(&sin_theta.composed(reciprocal));
-    let l1 = horizontal.times(&sin_phi).plus(&p_theta.times(&cos_phi));
-    let l2 = horizontal.times(&cos_phi).plus(&p_theta.times(&sin_phi).scaled(&minus));
+    let l1 = horizontal.times(&sin_phi).plus(p_theta.times(&cos_phi));
+    let l2 = horizontal.times(&cos_phi).plus(p_theta.times(&sin_phi).scaled(&minus));
 
     let half = one / small(2);
     let kinetic = [(l1, first), (l2, second), (p_phi, third)]
@@ -81,5 +81,5 @@ pub fn reduced_hamiltonian<E: Enclosure>(c: &Constants<E>, state: &State<E>, axi
         sin_theta.times(&cos_phi).scaled(&weight(1)),
         cos_theta.scaled(&weight(2)),
     ];
-    kinetic.iter().chain(&potential).fold(Series::of([]), |sum, term| sum.plus(term))
+    kinetic.into_iter().chain(potential).fold(Series::of([]), Series::plus)
 }

@@ -13,11 +13,14 @@ const MONOMIALS: usize = 70;
 /// The powers of the variables in a monomial.
 pub(super) type Exponents = [u8; VARIABLES];
 
+/// How many monomials have a lower degree: C(d + 3, 4).
+const BELOW: [usize; DEGREE + 2] = [0, 1, 5, 15, 35, MONOMIALS];
+
 /// The monomials by rising degree.
 struct Monomials {
     exponents: Vec<Exponents>,
-    /// For each the places of those that it multiplies to one of degree at most four, and of the product.
-    products: Vec<Vec<[usize; 2]>>,
+    /// For each the places of its products with those, the first ones, with which it makes at most degree four.
+    products: Vec<Vec<usize>>,
     /// The place of each, by its powers as digits.
     places: Vec<usize>,
 }
@@ -40,16 +43,16 @@ impl Monomials {
                 .filter(|powers| degree(powers) <= DEGREE)
                 .collect();
             exponents.sort_by_key(degree);
-            let place = |wanted: Exponents| exponents.iter().position(|powers| *powers == wanted);
-            let times = |first: &Exponents| {
-                let product = |second: &Exponents| place(std::array::from_fn(|k| first[k] + second[k]));
-                exponents.iter().enumerate().filter_map(|(j, second)| Some([j, product(second)?])).collect()
-            };
-            let products = exponents.iter().map(times).collect();
             let mut places = vec![usize::MAX; 5_usize.pow(4)];
             for (place, powers) in exponents.iter().enumerate() {
                 places[code(powers)] = place;
             }
+            let times = |first: &Exponents| {
+                let partners = &exponents[..BELOW[DEGREE - degree(first) + 1]];
+                let product = |second: &Exponents| std::array::from_fn(|k| first[k] + second[k]);
+                partners.iter().map(|second| places[code(&product(second))]).collect()
+            };
+            let products = exponents.iter().map(times).collect();
             Self { exponents, products, places }
         })
     }
@@ -66,8 +69,16 @@ pub(super) fn degree(powers: &Exponents) -> usize {
 }
 
 /// The monomials of one degree.
-pub(super) fn of_degree(wanted: usize) -> impl Iterator<Item = Exponents> {
-    Monomials::get().exponents.iter().copied().filter(move |powers| degree(powers) == wanted)
+pub(super) fn of_degree(wanted: usize) -> impl ExactSizeIterator<Item = Exponents> {
+    Monomials::get().exponents[BELOW[wanted]..BELOW[wanted + 1]].iter().copied()
+}
+
+/// Adds to a sum; one that is known to vanish is `None`.
+pub(super) fn add<T: Add<Output = T>>(sum: &mut Option<T>, value: T) {
+    *sum = Some(match sum.take() {
+        Some(known) => known + value,
+        None => value,
+    });
 }
 
 /// A power series without its terms above degree four. A coefficient that is known to vanish is `None`.
@@ -78,7 +89,7 @@ pub struct Series<T> {
 
 impl<T: Clone + Add<Output = T> + Mul<Output = T>> Series<T> {
     fn zero() -> Self {
-        Self { coefficients: vec![None; MONOMIALS] }
+        Self { coefficients: std::iter::repeat_with(|| None).take(MONOMIALS).collect() }
     }
 
     /// A constant.
@@ -116,11 +127,7 @@ impl<T: Clone + Add<Output = T> + Mul<Output = T>> Series<T> {
     }
 
     fn add_at(&mut self, place: usize, value: T) {
-        let sum = match self.coefficients[place].take() {
-            Some(known) => known + value,
-            None => value,
-        };
-        self.coefficients[place] = Some(sum);
+        add(&mut self.coefficients[place], value);
     }
 
     /// The coefficient of a monomial; `None` if it is known to vanish.
@@ -132,32 +139,32 @@ impl<T: Clone + Add<Output = T> + Mul<Output = T>> Series<T> {
 
     /// The terms of one degree.
     pub(super) fn terms(&self, wanted: usize) -> impl Iterator<Item = (Exponents, &T)> {
-        let known = Monomials::get().exponents.iter().zip(&self.coefficients);
-        known.filter_map(move |(powers, value)| Some((*powers, value.as_ref().filter(|_| degree(powers) == wanted)?)))
+        let values = &self.coefficients[BELOW[wanted]..BELOW[wanted + 1]];
+        of_degree(wanted).zip(values).filter_map(|(powers, value)| Some((powers, value.as_ref()?)))
     }
 
     /// The sum.
     #[must_use]
-    pub fn plus(&self, other: &Self) -> Self {
-        let mut sum = self.clone();
-        for (place, value) in other.coefficients.iter().enumerate() {
+    pub fn plus(mut self, other: Self) -> Self {
+        for (sum, value) in self.coefficients.iter_mut().zip(other.coefficients) {
             if let Some(value) = value {
-                sum.add_at(place, value.clone());
+                add(sum, value);
             }
         }
-        sum
+        self
     }
 
     /// The product.
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
         let mut product = Self::zero();
-        for (left, partners) in self.coefficients.iter().zip(&Monomials::get().products) {
+        let known = || other.coefficients.iter().enumerate().filter_map(|(j, value)| Some((j, value.as_ref()?)));
+        let others: Vec<(usize, &T)> = known().collect();
+        for (left, places) in self.coefficients.iter().zip(&Monomials::get().products) {
             let Some(left) = left else { continue };
-            for &[j, k] in partners {
-                if let Some(right) = &other.coefficients[j] {
-                    product.add_at(k, left.clone() * right.clone());
-                }
+            for &(j, right) in &others {
+                let Some(&place) = places.get(j) else { break };
+                product.add_at(place, left.clone() * right.clone());
             }
         }
         product
@@ -165,10 +172,11 @@ impl<T: Clone + Add<Output = T> + Mul<Output = T>> Series<T> {
 
     /// A multiple.
     #[must_use]
-    pub fn scaled(&self, factor: &T) -> Self {
-        let coefficients =
-            self.coefficients.iter().map(|value| value.clone().map(|value| value * factor.clone())).collect();
-        Self { coefficients }
+    pub fn scaled(mut self, factor: &T) -> Self {
+        for value in &mut self.coefficients {
+            *value = value.take().map(|value| value * factor.clone());
+        }
+        self
     }
 
     /// The derivative by a variable; `whole` makes numbers of powers.
@@ -191,9 +199,97 @@ impl<T: Clone + Add<Output = T> + Mul<Output = T>> Series<T> {
         let mut power: Option<Self> = None;
         for value in rest {
             let next = power.map_or_else(|| change.clone(), |power| power.times(&change));
-            sum = sum.plus(&next.scaled(&value));
+            sum = sum.plus(next.clone().scaled(&value));
             power = Some(next);
         }
         sum
     }
+}
+
+/// A polynomial in four variables all terms of which have one degree, at most four.
+#[derive(Clone, Debug)]
+pub(super) struct Homogeneous<T> {
+    degree: usize,
+    /// Those that are known to vanish are `None`.
+    coefficients: Vec<Option<T>>,
+}
+
+impl<T: Clone + Add<Output = T> + Mul<Output = T>> Homogeneous<T> {
+    fn zero(degree: usize) -> Self {
+        Self { degree, coefficients: of_degree(degree).map(|_| None).collect() }
+    }
+
+    /// The terms of one degree of a series, with linear forms for its variables (by rising number of their own ones). Only the
+    /// coefficients of monomials that are `wanted` are made.
+    pub(super) fn composed(
+        series: &Series<T>,
+        degree: usize,
+        forms: &[[T; VARIABLES]; VARIABLES],
+        wanted: impl Fn(&Exponents) -> bool,
+    ) -> Option<Self> {
+        let wanted: Vec<bool> = of_degree(degree).map(|powers| wanted(&powers)).collect();
+        Self::divided(series, degree, ([0; VARIABLES], VARIABLES), forms, Some(&wanted))
+    }
+
+    /// Of the terms that a monomial divides, the quotients in variables up to one, composed: these are again divided by their
+    /// last variable, and so on.
+    fn divided(
+        series: &Series<T>,
+        degree: usize,
+        (divisor, variables): (Exponents, usize),
+        forms: &[[T; VARIABLES]; VARIABLES],
+        wanted: Option<&[bool]>,
+    ) -> Option<Self> {
+        if degree == 0 {
+            return Some(Self { degree, coefficients: vec![Some(series.coefficient(divisor)?.clone())] });
+        }
+        let mut sum: Option<Self> = None;
+        for (last, form) in forms.iter().enumerate().take(variables) {
+            let mut next = divisor;
+            next[last] += 1;
+            if let Some(quotient) = Self::divided(series, degree - 1, (next, last + 1), forms, None) {
+                let product = quotient.times(form, wanted);
+                sum = Some(match sum {
+                    Some(sum) => sum.plus(product),
+                    None => product,
+                });
+            }
+        }
+        sum
+    }
+
+    /// The product with a linear form.
+    fn times(&self, form: &[T; VARIABLES], wanted: Option<&[bool]>) -> Self {
+        let mut product = Self::zero(self.degree + 1);
+        let first = BELOW[self.degree + 1];
+        for (left, places) in self.coefficients.iter().zip(&Monomials::get().products[BELOW[self.degree]..]) {
+            let Some(left) = left else { continue };
+            // Among the monomials of degree one the last variable is the first.
+            for (right, place) in form.iter().rev().zip(&places[1..]) {
+                if wanted.is_none_or(|wanted| wanted[place - first]) {
+                    add(&mut product.coefficients[place - first], left.clone() * right.clone());
+                }
+            }
+        }
+        product
+    }
+
+    fn plus(mut self, other: Self) -> Self {
+        for (sum, value) in self.coefficients.iter_mut().zip(other.coefficients) {
+            if let Some(value) = value {
+                add(sum, value);
+            }
+        }
+        self
+    }
+
+    /// The coefficient of a monomial of its degree; `None` if it is known to vanish.
+    pub(super) fn coefficient(&self, powers: Exponents) -> Option<&T> {
+        self.coefficients[place_in_degree(&powers)?].as_ref()
+    }
+}
+
+/// The number of a monomial among those of its degree.
+pub(super) fn place_in_degree(powers: &Exponents) -> Option<usize> {
+    Some(Monomials::get().place(powers)? - BELOW[degree(powers)])
 }
