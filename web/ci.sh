@@ -12,4 +12,5 @@ fi
 npm ci
 (cd .. && cargo build --release)
 npm run build
+npm run site
 npm test
