@@ -28,7 +28,7 @@ const MAPS: [(&str, Make); 5] = [
 
 pub fn figures() -> impl Iterator<Item = Figure> {
     MAPS.into_iter()
-        .map(|(stem, make)| Figure { stem, draw: Box::new(move || Ok(draw_map(&make()?, THEME, Width::Page)?)) })
+        .map(|(stem, make)| Figure { stem, draw: Box::new(move || Ok(draw_map(&make()?, THEME, Width::PAGE)?)) })
 }
 
 /// The rows of a grid.

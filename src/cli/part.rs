@@ -49,7 +49,7 @@ pub fn run(arguments: &PartBodyArguments, timings: &Timings) -> Result<(), Failu
     if let Some(directory) = &arguments.out {
         let mut files = FileSet::new(directory);
         let picture = draw_part(&document, &scene(arguments)?, arguments.picture.theme)?;
-        files.pictures("part", &picture, &arguments.picture.format, timings)?;
+        files.pictures("part", &picture, &arguments.picture, timings)?;
         written = files.write()?;
     }
     let is_stl = arguments

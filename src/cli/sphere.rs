@@ -92,7 +92,7 @@ pub fn run(arguments: &SphereArguments, timings: &Timings) -> Result<(), Failure
     let directory = directory(arguments.out.as_deref(), true)?.unwrap_or_default();
     let (picture, caption) = timings.stage("picture", || draw(&subject, arguments))?;
     let mut files = FileSet::new(&directory);
-    files.pictures("sphere", &picture, &arguments.picture.format, timings)?;
+    files.pictures("sphere", &picture, &arguments.picture, timings)?;
     let written = timings.stage("files", || files.write())?;
     let mut report = Report::default();
     head(&subject, &mut report);

@@ -20,7 +20,62 @@ fn the_main_job_writes_an_atlas_and_a_diagram() {
     let place = tempdir().unwrap();
     let done = bifdiag("--A 2,1.1,1 --r 0.94868,0,0.61623").inside(place.path()).succeeds().telling_nothing();
     done.printing("A = (2, 1.1, 1)").printing("written: bifdiag-out/atlas.json").printing("bifdiag-out/diagram.svg");
-    assert_eq!(names(&place.path().join("bifdiag-out")), ["atlas.json", "diagram.svg"]);
+    let [atlas, tex, text, diagram] = ["atlas.json", "diagram.caption.tex", "diagram.caption.txt", "diagram.svg"];
+    assert_eq!(names(&place.path().join("bifdiag-out")), [atlas, tex, text, diagram]);
+}
+
+#[test]
+fn what_leaves_a_diagram_is_in_its_caption() {
+    let place = tempdir().unwrap();
+    let read = |name: &str| fs::read_to_string(place.path().join(name)).unwrap();
+    bifdiag("--body paper --out below --legend below --table").inside(place.path()).succeeds();
+    bifdiag("--body paper --out file --legend file --title none --format svg,tikz").inside(place.path()).succeeds();
+    bifdiag("--body paper --out none --legend none --title Ours").inside(place.path()).succeeds();
+    for entry in ["from −r̂", "pole −r̂ enters U", "dashed: unstable", "pitchfork"] {
+        assert!(read("below/diagram.svg").contains(entry), "{entry}");
+        for leaving in ["file", "none"] {
+            assert!(!read(&format!("{leaving}/diagram.svg")).contains(&format!(">{entry}<")), "{entry}");
+            assert!(read(&format!("{leaving}/diagram.caption.txt")).contains(entry), "{entry}");
+        }
+    }
+    assert!(read("file/diagram.legend.svg").contains("dashed: unstable"));
+    assert!(read("file/diagram.legend.tikz").contains("dashed: unstable"));
+    assert!(!place.path().join("none/diagram.legend.svg").exists());
+    // Each row of the table, in the picture or in the caption.
+    let heading = "small motions there";
+    assert!(read("below/diagram.svg").contains(heading) && !read("below/diagram.caption.txt").contains(heading));
+    assert!(!read("file/diagram.svg").contains(heading) && read("file/diagram.caption.txt").contains(heading));
+    let count = |text: &str| text.matches("between axis 3 and axis 1 ").count();
+    assert_eq!(count(&read("file/diagram.caption.txt")), 3);
+    assert!(read("file/diagram.caption.tex").contains("\\end{tabular}"));
+    assert!(
+        !read("file/diagram.svg").contains("\">A = (2, 1.1, 1), r") && read("none/diagram.svg").contains("\">Ours<")
+    );
+    bifdiag("--body paper --out file --legend below").inside(place.path()).succeeds();
+    assert!(!place.path().join("file/diagram.legend.svg").exists(), "of an earlier run");
+}
+
+#[test]
+fn pictures_are_as_wide_and_as_fine_as_is_asked() {
+    let place = tempdir().unwrap();
+    let read = |name: &str| fs::read(place.path().join(name)).unwrap();
+    for (asked, told) in [("246pt", "86.46"), ("8.6cm", "86"), ("4in", "101.6"), ("178mm", "178"), (" 200 mm", "200")] {
+        bifdiag("--body paper --out w").and("--width").and(asked).inside(place.path()).succeeds();
+        let svg = String::from_utf8(read("w/diagram.svg")).unwrap();
+        assert!(svg.contains(&format!(" width=\"{told}mm\"")), "{asked}: {}", svg.lines().next().unwrap());
+    }
+    bifdiag("sphere --body paper --region R5 --width 120mm --format png --dpi 600 --out s")
+        .inside(place.path())
+        .succeeds();
+    let png = read("s/sphere.png");
+    let at = png.windows(4).position(|bytes| bytes == b"pHYs").unwrap() + 4;
+    assert_eq!(png[at..at + 4], 23_622_u32.to_be_bytes(), "600 dots in an inch");
+    bifdiag("--body paper --format tikz --out t").inside(place.path()).succeeds();
+    let tikz = String::from_utf8(read("t/diagram.tikz")).unwrap();
+    assert!(!tikz.contains("\\documentclass") && tikz.trim_end().ends_with("\\endgroup%"));
+    bifdiag("--body paper --format tikz --standalone --out t").inside(place.path()).succeeds();
+    let document = String::from_utf8(read("t/diagram.tikz")).unwrap();
+    assert!(document.starts_with("\\documentclass") && document.contains(&tikz));
 }
 
 #[test]
@@ -41,7 +96,10 @@ fn json_goes_to_stdout_and_to_files_only_if_asked() {
     let both = bifdiag("--body paper --json --out x/y --format svg,png").inside(place.path()).succeeds();
     assert_eq!(both.stdout(), done.stdout());
     assert_eq!(fs::read_to_string(place.path().join("x/y/atlas.json")).unwrap(), done.stdout());
-    assert_eq!(names(&place.path().join("x/y")), ["atlas.json", "diagram.png", "diagram.svg"]);
+    assert_eq!(
+        names(&place.path().join("x/y")),
+        ["atlas.json", "diagram.caption.tex", "diagram.caption.txt", "diagram.png", "diagram.svg"]
+    );
 }
 
 #[test]
@@ -71,7 +129,10 @@ fn a_sphere_without_a_point_or_without_u_is_refused() {
 fn pdf_is_written_beside_the_other_formats() {
     let place = tempdir().unwrap();
     bifdiag("--body paper --out . --format svg,pdf").inside(place.path()).succeeds();
-    assert_eq!(names(place.path()), ["atlas.json", "diagram.pdf", "diagram.svg"]);
+    assert_eq!(
+        names(place.path()),
+        ["atlas.json", "diagram.caption.tex", "diagram.caption.txt", "diagram.pdf", "diagram.svg"]
+    );
     assert!(fs::read(place.path().join("diagram.pdf")).unwrap().starts_with(b"%PDF-"));
 }
 

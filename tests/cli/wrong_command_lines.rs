@@ -41,6 +41,12 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("compare paper nobody", &["BODY nobody", "`bifdiag bodies` lists them"]),
     ("classify --body paper --h 1 --l 1 --certificate --no-region", &["--certificate", "leave --no-region out"]),
     ("orbit --body paper --euler 9,0,0 --omega 1,0,0", &["--euler: theta = 9", "from 0 to pi"]),
+    // Pictures.
+    ("--body paper --width 86", &["'86' for '--width <LENGTH>'", "no unit", "such as 86mm or 246pt"]),
+    ("--body paper --width 2in", &["50.8 mm", "from 80mm to 500mm"]),
+    ("sphere --body paper --region R1 --width widemm", &["widemm: not a number with a unit"]),
+    ("--body paper --dpi 10", &["'10' for '--dpi <N>'", "between 30 and 2400"]),
+    ("--body paper --legend above", &["'above' for '--legend", "auto, none, below, file"]),
     // Named bodies.
     ("--body nobody", &["'nobody' for '--body <NAME>'", "kovalevskaya"]),
     ("--body katok:8", &["'katok:8' for '--body <NAME>'", "katok:7"]),

@@ -17,9 +17,11 @@ mod steady;
 
 pub use animation::{AnimatedCrossing, AnimationScene, draw_animation};
 pub use campbell::{Campbell, Known, draw_campbell};
-pub use diagram::{CurveSource, DiagramOptions, DiagramView, MarkedPoints, draw, draw_codes};
+pub use diagram::{
+    CurveSource, DiagramOptions, DiagramTitle, DiagramView, LegendPlace, MarkedPoints, draw, draw_codes, draw_figure,
+};
 pub use map::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote, draw_map};
-pub use page::{Picture, PlotError, Theme, Width, body_line, section_type};
+pub use page::{Caption, Figure, Picture, PlotError, Theme, Width, body_line, section_type};
 pub use part::{PartScene, draw_part};
 pub use section::{
     OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene, draw_section, draw_section_rows,

@@ -188,8 +188,8 @@ fn legend(canvas: &Canvas, part: &PartDocument, ellipsoid: &Ellipsoid) {
     let fixed = |canvas: &Canvas, at| canvas.ring(at, 4.6, FIXED);
     let center = |canvas: &Canvas, at| canvas.disc(at, 3.6, INK);
     let entries = [
-        (Symbol::Mark(Box::new(fixed)), "fixed point"),
-        (Symbol::Mark(Box::new(center)), "centre of mass"),
+        (Symbol::Mark("ring", Box::new(fixed)), "fixed point"),
+        (Symbol::Mark("disc", Box::new(center)), "centre of mass"),
         (Symbol::solid(OUTLINE), "solid ellipsoid with this mass and this tensor"),
     ];
     let entries = entries.into_iter().map(|(symbol, text)| (symbol, text.to_owned())).collect();

@@ -15,7 +15,7 @@ use bifdiag_documents::DocumentOptions;
 use bifdiag_equilibria::critical::critical;
 use bifdiag_numbers::Number;
 use bifdiag_numbers::symmetric::Symmetric;
-use bifdiag_plot::{CurveSource, DiagramOptions, DiagramView, Picture, Width, draw};
+use bifdiag_plot::{CurveSource, DiagramOptions, DiagramView, Figure, Width, draw_figure};
 use bifdiag_schema::{AtlasDocument, RelativeEquilibriumDocument};
 use picture_layout::Layout;
 use picture_letters::unprintable;
@@ -37,13 +37,13 @@ impl CurveSource for Curves {
     }
 }
 
-fn drawn(body: &Body, width: Width, view: DiagramView) -> (AtlasDocument, Picture) {
+fn drawn(body: &Body, width: Width, view: DiagramView) -> (AtlasDocument, Figure) {
     let atlas = Curves(bifdiag_diagram::fast::atlas(body).expect("the body has an atlas"));
     let options = DocumentOptions::default();
     let document = bifdiag_documents::atlas::document(&atlas.0, &options);
-    let picture = draw(&document, Some(&atlas), &DiagramOptions { width, view, ..DiagramOptions::default() })
+    let figure = draw_figure(&document, Some(&atlas), &DiagramOptions { width, view, ..DiagramOptions::default() })
         .expect("the diagram can be drawn");
-    (document, picture)
+    (document, figure)
 }
 
 /// How regions are labelled in a main panel.
@@ -78,7 +78,7 @@ impl Seen {
 /// What is wrong with the picture of a body.
 fn faults(name: &str, body: &Body, width: Width, view: DiagramView) -> (Vec<String>, Seen) {
     let name = &format!("{name}-{}mm-{view:?}", width.millimetres());
-    let (atlas, picture) = drawn(body, width, view);
+    let (atlas, Figure { picture, caption, .. }) = drawn(body, width, view);
     // For the eye: set PLOT_OUT to a directory.
     if let Some(out) = std::env::var_os("PLOT_OUT").map(std::path::PathBuf::from) {
         std::fs::write(out.join(format!("{name}.svg")), &picture.svg).unwrap();
@@ -95,7 +95,9 @@ fn faults(name: &str, body: &Body, width: Width, view: DiagramView) -> (Vec<Stri
             };
             text.split(';').map(str::trim_start).any(is_named) || text.contains(&format!("{} (", region.id))
         };
-        if !layout.texts.iter().any(|(text, _, _)| told(text)) {
+        // … or where the key has left the picture.
+        let in_caption = |line: &str| line.split(": ").any(told);
+        if !layout.texts.iter().any(|(text, _, _)| told(text)) && !caption.text.lines().any(in_caption) {
             faults.push(format!("{} is not told", region.id));
         }
     }
@@ -107,6 +109,14 @@ fn faults(name: &str, body: &Body, width: Width, view: DiagramView) -> (Vec<Stri
                 faults.push(format!("an inset magnifies {sign}{number} only"));
             }
         }
+    }
+    let high = picture.millimetres_high();
+    if width.is_column() && view != DiagramView::Plane && high > 120.5 * width.millimetres() / 86.0 {
+        faults.push(format!("{high} mm high"));
+    }
+    let wide = f64::from(layout.size[0] / picture_svg::PIXELS_PER_INCH) * 25.4;
+    if (wide - width.millimetres()).abs() > 0.1 {
+        faults.push(format!("{wide} mm wide"));
     }
     let seen = Seen::in_picture(&atlas, &layout);
     (faults.into_iter().map(|fault| format!("{name}: {fault}")).collect(), seen)
@@ -230,9 +240,33 @@ fn nearly_all_regions_of_four_hundred_straightened_diagrams_are_labelled_inside(
     assert!(found.is_empty(), "{} faults in {bodies} diagrams:\n{}", found.len(), found.join("\n"));
 }
 
+/// An 86 mm figure of a body with up to twelve regions, as it is drawn by default.
+#[test]
+fn columns_are_at_most_120_mm_high() {
+    let presets = Preset::all().iter().map(|preset| (preset.name().replace(':', "-"), preset.body()));
+    let bodies = presets.chain(survey().into_iter().step_by(4));
+    let faults: Vec<String> =
+        bodies.flat_map(|(name, body)| faults(&name, &body, Width::COLUMN, DiagramView::Auto).0).collect();
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn diagrams_are_as_wide_as_asked_and_no_label_meets_anything() {
+    let mut found = Vec::new();
+    for name in ["paper", "ten", "kovalevskaya", "katok:6", "lagrange", "euler"] {
+        let body = Preset::find(name).unwrap().body();
+        for millimetres in [80.0, 100.0, 131.0, 132.0, 150.0, 250.0] {
+            for view in [DiagramView::Plane, DiagramView::Straight] {
+                found.extend(faults(&name.replace(':', "-"), &body, Width::new(millimetres).unwrap(), view).0);
+            }
+        }
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
 #[test]
 fn a_collision_is_found() {
-    let (_, picture) = drawn(&Preset::find("paper").unwrap().body(), Width::Page, DiagramView::Plane);
+    let (_, Figure { picture, .. }) = drawn(&Preset::find("paper").unwrap().body(), Width::PAGE, DiagramView::Plane);
     assert_eq!(Layout::of(&picture).collisions(), Vec::<String>::new());
     // The first label with a box moves to the middle of another region's text.
     let layout = Layout::of(&picture);

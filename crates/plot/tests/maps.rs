@@ -121,7 +121,7 @@ fn long_texts_stand_in_lines() {
 fn a_cell_without_room_for_its_number_is_told_with_its_place() {
     let columns = 50;
     let entries = (0..columns * columns).map(|cell| Some(usize::from(cell == 51))).collect();
-    let picture = draw_map(&map(2, MapBodies::Grid { columns, entries }), Theme::Light, Width::Page).unwrap();
+    let picture = draw_map(&map(2, MapBodies::Grid { columns, entries }), Theme::Light, Width::PAGE).unwrap();
     let texts = texts(&picture);
     let told = texts.iter().filter(|(text, _)| text == "2").count() > 1
         || texts.iter().any(|(text, _)| text == "at (0.53, 0.53)");

@@ -119,7 +119,7 @@ fn text_is_drawn_where_no_fonts_are_installed() {
 
 #[test]
 fn a_column_is_86_mm_wide() {
-    let options = DiagramOptions { width: Width::Column, ..DiagramOptions::default() };
+    let options = DiagramOptions { width: Width::COLUMN, ..DiagramOptions::default() };
     let fixture = paper();
     let picture = draw(&fixture.atlas, Some(&fixture), &options).unwrap();
     assert!(picture.svg.contains(" width=\"86mm\""), "{}", picture.svg.lines().next().unwrap());
@@ -252,9 +252,12 @@ fn every_part_of_the_svg_can_be_found_and_says_what_it_is() {
 }
 
 #[test]
-fn tikz_is_a_document_with_the_same_parts() {
+fn tikz_has_the_same_parts_alone_and_as_a_document() {
     let fixture = paper();
-    let tikz = picture("paper", &fixture).to_tikz().unwrap();
+    let picture = picture("paper", &fixture);
+    let alone = picture.to_tikz().unwrap();
+    let tikz = picture.to_latex().unwrap();
+    assert!(tikz.contains(&alone) && alone.matches("\\begingroup").count() == alone.matches("\\endgroup").count());
     assert!(tikz.starts_with("\\documentclass") && tikz.ends_with("\\end{document}\n"));
     assert_eq!(tikz.matches("\\begin{scope}").count(), tikz.matches("\\end{scope}").count());
     assert!(
@@ -272,7 +275,7 @@ fn tikz_is_a_document_with_the_same_parts() {
         rest.split_once(behind).unwrap().0.parse().unwrap()
     };
     let width = number("tikzpicture}[x=", "bp") * number("rectangle (", ",") / 72.0 * 25.4;
-    assert!((width - Width::Page.millimetres()).abs() < 1.0, "{width} mm in print");
+    assert!((width - Width::PAGE.millimetres()).abs() < 1.0, "{width} mm in print");
     // Stripes of 5 pixels; nothing but the picture has a width.
     let distance = number("distance=", "bp") / number("tikzpicture}[x=", "bp");
     assert!((distance - 10.0).abs() < 0.1, "stripes repeat after {distance} pixels");

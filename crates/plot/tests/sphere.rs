@@ -52,15 +52,15 @@ fn boundary_lines(svg: &str) -> usize {
 #[test]
 fn a_cap_seen_from_above_has_one_circle_in_the_first_view() {
     let components = [component(1)];
-    let picture = draw_sphere(&scene(&components, &[]), Theme::Light, Width::Page).unwrap();
+    let picture = draw_sphere(&scene(&components, &[]), Theme::Light, Width::PAGE).unwrap();
     assert_eq!(boundary_lines(&picture.svg), 1);
     assert!(picture.svg.contains("1: 1 boundary circle, pole +r̂;  E = S³, P = T² (genus 1)"), "{}", picture.svg);
-    assert_eq!(picture, draw_sphere(&scene(&components, &[]), Theme::Light, Width::Page).unwrap());
+    assert_eq!(picture, draw_sphere(&scene(&components, &[]), Theme::Light, Width::PAGE).unwrap());
 }
 
 #[test]
 fn on_a_curve_no_component_is_named() {
-    let picture = draw_sphere(&scene(&[], &[]), Theme::Light, Width::Page).unwrap();
+    let picture = draw_sphere(&scene(&[], &[]), Theme::Light, Width::PAGE).unwrap();
     assert!(picture.svg.contains("accessible: U(γ) ≤ h"));
     assert!(!picture.svg.contains("boundary circle"));
 }
@@ -89,7 +89,7 @@ fn a_circle_of_equilibria_is_drawn_as_one() {
     let lines = |multiplicity| {
         let components = [component(1)];
         let equilibria = [equilibrium(multiplicity)];
-        let picture = draw_sphere(&scene(&components, &equilibria), Theme::Light, Width::Page).unwrap();
+        let picture = draw_sphere(&scene(&components, &equilibria), Theme::Light, Width::PAGE).unwrap();
         picture.svg.matches("<path").count()
     };
     assert_eq!(lines(Multiplicity::Circle), lines(Multiplicity::Points(1)) + 1);
@@ -98,7 +98,7 @@ fn a_circle_of_equilibria_is_drawn_as_one() {
 #[test]
 fn periods_and_growth_times_stand_below() {
     let picture =
-        draw_sphere(&scene(&[component(1)], &[equilibrium(Multiplicity::Points(1))]), Theme::Light, Width::Page)
+        draw_sphere(&scene(&[component(1)], &[equilibrium(Multiplicity::Points(1))]), Theme::Light, Width::PAGE)
             .unwrap();
     for text in ["growth 0.25, period 2", "saddle-centre", "G1.1, from −r̂", "growth by the factor e in s"] {
         assert!(picture.svg.contains(text), "{text}\n{}", picture.svg);
@@ -164,7 +164,7 @@ fn a_hole_is_not_hidden_by_the_mark_of_its_maximum() {
         let equilibria = [maximum.clone()];
         let scene =
             SphereScene { potential_above: &hole, r_hat: Some([1.0, 0.0, 0.0]), ..scene(&components, &equilibria) };
-        draw_sphere(&scene, Theme::Light, Width::Page).unwrap().svg.contains("<circle cx=\"2200\" cy=\"2520\" r=\"42\"")
+        draw_sphere(&scene, Theme::Light, Width::PAGE).unwrap().svg.contains("<circle cx=\"2200\" cy=\"2520\" r=\"42\"")
     };
     assert!(is_in_place(0.9), "the hole is large");
     assert!(!is_in_place(0.9998), "the hole has a radius of 3.7 pixels");

@@ -8,11 +8,11 @@ use std::path::PathBuf;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_documents::{DocumentOptions, Subject, attach_part, certified_atlas_of};
 use bifdiag_exact::CertifiedAtlas;
-use bifdiag_plot::{DiagramOptions, DiagramView, draw};
+use bifdiag_plot::draw_figure;
 use bifdiag_schema::{Accuracy, AtlasDocument, WindowDocument};
 use clap::Args;
 
-use super::export::{DiagramArguments, FileSet, PictureArguments, WidthArgument, answer, directory};
+use super::export::{DiagramArguments, FileSet, PictureArguments, answer, directory};
 use super::failure::{Failure, failed};
 use super::input::{BodyArguments, accuracy, values};
 use super::terminal::Timings;
@@ -47,8 +47,6 @@ pub struct AtlasArguments {
     #[command(flatten)]
     pub picture: PictureArguments,
     #[command(flatten)]
-    pub width: WidthArgument,
-    #[command(flatten)]
     pub diagram: DiagramArguments,
     /// Draw nothing
     #[arg(long, help_heading = "Output")]
@@ -70,10 +68,7 @@ pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure>
         let why = "is a proof and --accuracy fast does without; leave out one of them";
         return Err(Failure::input(format!("--certificate {why}")));
     }
-    if arguments.diagram.view == DiagramView::Straight && arguments.window.is_some() {
-        let why = "shows the whole plane and --window a part of it; leave out one of them";
-        return Err(Failure::input(format!("--view straight {why}")));
-    }
+    arguments.diagram.check(arguments.window)?;
     let subject = arguments.body.subject()?;
     let directory = directory(arguments.out.as_deref(), !arguments.json)?;
     let (atlas, document) = atlas(arguments, &subject, timings)?;
@@ -95,11 +90,9 @@ pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure>
         files.remove_pictures("diagram");
         // A window without a region would be an empty frame.
         if !arguments.no_plot && !document.regions.is_empty() {
-            let (window, theme, width) = (arguments.window, arguments.picture.theme, arguments.width.width);
-            let DiagramArguments { view, no_samples } = arguments.diagram;
-            let options = DiagramOptions { window, points: None, theme, width, view, no_samples };
-            let picture = timings.stage("diagram", || draw(&document, Some(&Curves(&atlas)), &options))?;
-            files.pictures("diagram", &picture, &arguments.picture.format, timings)?;
+            let options = arguments.diagram.options(arguments.window, arguments.picture.theme);
+            let figure = timings.stage("diagram", || draw_figure(&document, Some(&Curves(&atlas)), &options))?;
+            files.figure("diagram", figure, &arguments.picture, timings)?;
         }
         written = timings.stage("files", || files.write())?;
     }

@@ -6,12 +6,12 @@ use bifdiag_body::Body;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_documents::DocumentOptions;
 use bifdiag_exact::Accuracy;
-use bifdiag_plot::{DiagramOptions, draw};
+use bifdiag_plot::draw_figure;
 use bifdiag_schema::{AtlasDocument, ClassDocument, ClassesDocument};
 use clap::Args;
 
 use crate::Curves;
-use crate::cli::export::{FileSet, PictureArguments, answer, directory};
+use crate::cli::export::{DiagramArguments, FileSet, PictureArguments, answer, directory};
 use crate::cli::failure::{Failure, failed};
 use crate::cli::terminal::{Report, Table, Timings, counted, significant};
 
@@ -40,6 +40,8 @@ pub struct ClassArguments {
     pub out: Option<PathBuf>,
     #[command(flatten)]
     pub picture: PictureArguments,
+    #[command(flatten)]
+    pub diagram: DiagramArguments,
 }
 
 pub fn run(arguments: &ClassArguments, timings: &Timings) -> Result<(), Failure> {
@@ -56,9 +58,9 @@ pub fn run(arguments: &ClassArguments, timings: &Timings) -> Result<(), Failure>
     if let Some(directory) = directory.filter(|_| !arguments.no_plot) {
         let mut files = FileSet::new(&directory);
         let name = format!("class-{}", class.name);
-        let options = DiagramOptions { theme: arguments.picture.theme, ..DiagramOptions::default() };
-        let picture = timings.stage("diagram", || draw(&document, Some(&Curves(&atlas)), &options))?;
-        files.pictures(&name, &picture, &arguments.picture.format, timings)?;
+        let options = arguments.diagram.options(None, arguments.picture.theme);
+        let figure = timings.stage("diagram", || draw_figure(&document, Some(&Curves(&atlas)), &options))?;
+        files.figure(&name, figure, &arguments.picture, timings)?;
         written = timings.stage("files", || files.write())?;
     }
     answer(arguments.json, &class, || report(&class, &document, &written))

@@ -11,7 +11,7 @@ use dashu_ratio::RBig;
 
 use super::spins::spin_at;
 use super::table::{NOT_FOUND, from_center};
-use crate::cli::export::{FileSet, PictureFormat};
+use crate::cli::export::{FileSet, PictureArguments, PictureFormat};
 use crate::cli::failure::{Failure, failed};
 use crate::cli::terminal::{Report, Timings, counted, print};
 
@@ -31,7 +31,7 @@ pub fn draw(
     let scene = timings.stage("critical", || scene(subject, ends, count))?;
     let picture = draw_steady(&scene, Theme::Light)?;
     let mut files = FileSet::new(path.parent().unwrap_or(path));
-    files.add_at(path, format.bytes(&picture)?);
+    files.add_at(path, PictureArguments::plain(format).bytes(format, &picture)?);
     let written = timings.stage("files", || files.write())?;
     let mut report = Report::default();
     report.line(format!("{} of steady axes", counted(scene.curves.len(), "family", "families")));

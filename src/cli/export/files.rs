@@ -4,12 +4,12 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use bifdiag_plot::Picture;
+use bifdiag_plot::{Figure, Picture};
 use clap::ValueEnum;
 use serde::Serialize;
 use tempfile::{NamedTempFile, PersistError};
 
-use super::picture::PictureFormat;
+use super::picture::{PictureArguments, PictureFormat};
 use crate::cli::failure::Failure;
 use crate::cli::terminal::Timings;
 use crate::cli::terminal::interrupt::{unfinished, uninterrupted};
@@ -68,7 +68,28 @@ impl FileSet {
     pub fn remove_pictures(&mut self, stem: &str) {
         for format in PictureFormat::value_variants() {
             self.remove(format!("{stem}.{}", format.ending()));
+            self.remove(format!("{stem}.legend.{}", format.ending()));
         }
+        for ending in ["txt", "tex"] {
+            self.remove(format!("{stem}.caption.{ending}"));
+        }
+    }
+
+    /// Adds a picture in its formats with its legend, if that is a picture of its own, and its caption.
+    pub fn figure(
+        &mut self,
+        stem: &str,
+        figure: Figure,
+        arguments: &PictureArguments,
+        timings: &Timings,
+    ) -> Result<(), Failure> {
+        self.pictures(stem, &figure.picture, arguments, timings)?;
+        if let Some(legend) = &figure.legend {
+            self.pictures(&format!("{stem}.legend"), legend, arguments, timings)?;
+        }
+        self.add(format!("{stem}.caption.txt"), figure.caption.text);
+        self.add(format!("{stem}.caption.tex"), figure.caption.tex);
+        Ok(())
     }
 
     /// Adds a picture in several formats.
@@ -76,11 +97,11 @@ impl FileSet {
         &mut self,
         stem: &str,
         picture: &Picture,
-        formats: &[PictureFormat],
+        arguments: &PictureArguments,
         timings: &Timings,
     ) -> Result<(), Failure> {
-        formats.iter().try_for_each(|&format| {
-            let bytes = timings.stage(format.ending(), || format.bytes(picture))?;
+        arguments.format.iter().try_for_each(|&format| {
+            let bytes = timings.stage(format.ending(), || arguments.bytes(format, picture))?;
             self.add(format!("{stem}.{}", format.ending()), bytes);
             Ok(())
         })

@@ -1,11 +1,12 @@
 //! Pictures as SVG, PNG, PDF and TikZ.
 
-use bifdiag_plot::{DiagramView, Picture, PlotError, Theme, Width};
+use bifdiag_plot::{DiagramOptions, DiagramTitle, DiagramView, LegendPlace, Picture, PlotError, Theme, Width};
+use bifdiag_schema::WindowDocument;
 use clap::builder::{EnumValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
 use crate::cli::failure::Failure;
-use crate::cli::input::values::{Named, named};
+use crate::cli::input::values::{Named, float, named};
 
 /// Dots per inch of a PNG in print.
 const RESOLUTION: f64 = 300.0;
@@ -17,7 +18,7 @@ pub enum PictureFormat {
     Png,
     #[value(hide = !Picture::MAKES_PDF)]
     Pdf,
-    /// A LaTeX document of one TikZ picture
+    /// A TikZ picture for \input
     Tikz,
 }
 
@@ -39,16 +40,6 @@ impl PictureFormat {
             Self::Tikz => "tikz",
         }
     }
-
-    /// A picture in this format.
-    pub fn bytes(self, picture: &Picture) -> Result<Vec<u8>, Failure> {
-        Ok(match self {
-            Self::Svg => picture.svg.clone().into_bytes(),
-            Self::Png => picture.to_png(RESOLUTION)?,
-            Self::Pdf => picture.to_pdf()?,
-            Self::Tikz => picture.to_tikz()?.into_bytes(),
-        })
-    }
 }
 
 /// For what pictures are coloured.
@@ -68,36 +59,125 @@ pub struct PictureArguments {
     #[arg(long, value_parser = named(&THEMES), default_value = "light", help_heading = "Output", hide_possible_values = true)]
     #[arg(value_name = "light|dark|print", hide_short_help = true)]
     pub theme: Theme,
+    /// Dots of a png in an inch of print
+    #[arg(long, value_name = "N", value_parser = resolution, allow_hyphen_values = true, default_value_t = RESOLUTION)]
+    #[arg(help_heading = "Output", hide_short_help = true)]
+    pub dpi: f64,
+    /// Make tikz a LaTeX document of its own
+    #[arg(long, help_heading = "Output", hide_short_help = true)]
+    pub standalone: bool,
+}
+
+impl PictureArguments {
+    /// One format, and all else as it is by default.
+    pub fn plain(format: PictureFormat) -> Self {
+        Self { format: vec![format], theme: Theme::Light, dpi: RESOLUTION, standalone: false }
+    }
+
+    /// A picture in one of the formats.
+    pub fn bytes(&self, format: PictureFormat, picture: &Picture) -> Result<Vec<u8>, Failure> {
+        Ok(match format {
+            PictureFormat::Svg => picture.svg.clone().into_bytes(),
+            PictureFormat::Png => picture.to_png(self.dpi)?,
+            PictureFormat::Pdf => picture.to_pdf()?,
+            PictureFormat::Tikz if self.standalone => picture.to_latex()?.into_bytes(),
+            PictureFormat::Tikz => picture.to_tikz()?.into_bytes(),
+        })
+    }
+}
+
+/// A resolution that a journal may ask for.
+fn resolution(text: &str) -> Result<f64, Failure> {
+    const RANGE: std::ops::RangeInclusive<f64> = 30.0..=2400.0;
+    let dpi = float(text)?;
+    let wrong = || Failure::input(format!("{text}: a resolution has between 30 and 2400 dots per inch, such as 600"));
+    RANGE.contains(&dpi).then_some(dpi).ok_or_else(wrong)
 }
 
 /// Coordinates of a bifurcation diagram.
 const VIEWS: [Named<DiagramView>; 3] = [
-    ("auto", "straight where plane would need more than two insets", DiagramView::Auto),
+    ("auto", "straight where plane would need more than two insets or be too high", DiagramView::Auto),
     ("plane", "h to the right, l upwards, with insets", DiagramView::Plane),
     ("straight", "l to the right, h upwards, each region as high as its label needs", DiagramView::Straight),
+];
+
+/// Places of a legend.
+const LEGENDS: [Named<LegendPlace>; 4] = [
+    ("auto", "below, as long as the picture is not higher than a page (120 mm at 86 mm), else file", LegendPlace::Auto),
+    ("none", "in words only, in the caption", LegendPlace::None),
+    ("below", "in the picture", LegendPlace::Below),
+    ("file", "in a picture of its own, and in the caption", LegendPlace::Apart),
 ];
 
 /// How a bifurcation diagram is drawn.
 #[derive(Clone, Debug, Args)]
 pub struct DiagramArguments {
+    #[command(flatten)]
+    pub width: WidthArgument,
     /// Draw h over l, straightened so that every region can be seen, or the plane with insets
     #[arg(long, value_parser = named(&VIEWS), default_value = "auto", help_heading = "Output", hide_possible_values = true)]
     #[arg(value_name = "plane|straight|auto", hide_short_help = true)]
     pub view: DiagramView,
-    /// Leave the dots at the samples of the regions out
+    /// Leave the dots at the samples of the regions out, as the straightened plane does
     #[arg(long, help_heading = "Output", hide_short_help = true)]
     pub no_samples: bool,
+    /// Put the legend below the diagram, into a picture of its own, or nowhere; FILE.caption.txt and .tex say what left
+    #[arg(long, value_parser = named(&LEGENDS), default_value = "auto", help_heading = "Output", hide_possible_values = true)]
+    #[arg(value_name = "auto|none|below|file", hide_short_help = true)]
+    pub legend: LegendPlace,
+    /// Write this above the diagram in place of the body, or nothing
+    #[arg(long, value_name = "TEXT|none", help_heading = "Output", hide_short_help = true)]
+    pub title: Option<String>,
+    /// Put the table of small motions below the diagram, if all of it finds room, and not into the caption
+    #[arg(long, help_heading = "Output", hide_short_help = true)]
+    pub table: bool,
 }
 
-/// The widths of a journal's page.
-const WIDTHS: [Named<Width>; 2] =
-    [("178mm", "Both columns of a journal", Width::Page), ("86mm", "One column", Width::Column)];
+impl DiagramArguments {
+    /// Refuses what the straightened plane cannot show.
+    pub fn check(&self, window: Option<WindowDocument>) -> Result<(), Failure> {
+        if self.view == DiagramView::Straight && window.is_some() {
+            let why = "shows the whole plane and --window a part of it; leave out one of them";
+            return Err(Failure::input(format!("--view straight {why}")));
+        }
+        Ok(())
+    }
+
+    /// How the diagram is drawn.
+    pub fn options(&self, window: Option<WindowDocument>, theme: Theme) -> DiagramOptions {
+        let title = match self.title.as_deref() {
+            None => DiagramTitle::Body,
+            Some("none" | "") => DiagramTitle::None,
+            Some(text) => DiagramTitle::Text(text.to_owned()),
+        };
+        let Self { view, no_samples, legend, table, .. } = *self;
+        DiagramOptions { window, points: None, theme, width: self.width.width, view, no_samples, legend, title, table }
+    }
+}
 
 /// For what width a picture is laid out.
 #[derive(Clone, Debug, Args)]
 pub struct WidthArgument {
-    /// Width of the picture in print: both columns of a journal or one; letters have at least 6 pt there
-    #[arg(long, value_parser = named(&WIDTHS), default_value = "178mm", help_heading = "Output", hide_possible_values = true)]
-    #[arg(value_name = "178mm|86mm", hide_short_help = true)]
+    /// Width of the picture in print, in mm, cm, in or TeX's pt: letters have at least 6 pt there
+    #[arg(long, value_parser = width, default_value = "178mm", help_heading = "Output")]
+    #[arg(value_name = "LENGTH", allow_hyphen_values = true, hide_short_help = true)]
     pub width: Width,
+}
+
+/// Units of a width, in millimetres; pt is that of TeX, as `\the\columnwidth` has it.
+const UNITS: [(&str, f64); 5] = [("mm", 1.0), ("cm", 10.0), ("in", 25.4), ("pt", 25.4 / 72.27), ("bp", 25.4 / 72.0)];
+
+/// A width with its unit.
+fn width(text: &str) -> Result<Width, Failure> {
+    let [least, most] = Width::RANGE;
+    let wrong = |why: &str| {
+        Failure::input(format!(
+            "{text}: {why}; a width is a length from {least}mm to {most}mm with its unit (mm, cm, in, pt), such as 86mm or 246pt"
+        ))
+    };
+    let unit = UNITS.into_iter().find_map(|(unit, size)| Some((text.trim().strip_suffix(unit)?, size)));
+    let (number, size) = unit.ok_or_else(|| wrong("no unit"))?;
+    let length = float(number.trim()).map_err(|_| wrong("not a number with a unit"))?;
+    let millimetres = (length * size * 1e3).round() / 1e3;
+    Width::new(millimetres).ok_or_else(|| wrong(&format!("{millimetres} mm")))
 }

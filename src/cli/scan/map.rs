@@ -1,7 +1,7 @@
 //! `bifdiag scan map`: the class of each body over two parameters.
 
 use bifdiag_documents::scan::ReadScanError;
-use bifdiag_plot::{Picture, Width, draw_map};
+use bifdiag_plot::{Picture, draw_map};
 use bifdiag_survey::BodyParameter;
 
 use super::arguments::MapArguments;
@@ -54,11 +54,11 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
             picture.millimetres_high(),
             Picture::HIGHEST,
             map.entries.len(),
-            if arguments.width.width == Width::Column { ", and --width 178mm is lower" } else { "" },
+            if arguments.width.width.is_column() { ", and --width 178mm is lower" } else { "" },
         );
     }
     let mut files = FileSet::new(&arguments.out);
     files.remove_pictures("map");
-    files.pictures("map", &picture, &arguments.picture.format, timings)?;
+    files.pictures("map", &picture, &arguments.picture, timings)?;
     print(Report::of_written(&files.write()?).text())
 }

@@ -67,7 +67,7 @@ fn files(plan: &Plan<'_>, sections: &mut [Done], timings: &Timings) -> Result<Ve
             }
             if !arguments.no_plot {
                 let picture = timings.stage("picture", || draw(plan, section))?;
-                files.pictures(&stem, &picture, &arguments.picture.format, timings)?;
+                files.pictures(&stem, &picture, &arguments.picture, timings)?;
             }
         }
     }

@@ -14,7 +14,7 @@ use clap::Args;
 
 use super::axis::{Axis, AxisArgument, axis, fastest_along, followed_text, principal_at};
 use super::permanent::one_of;
-use crate::cli::export::{Column, Columns, DataFormat, FileSet, PictureFormat, Values};
+use crate::cli::export::{Column, Columns, DataFormat, FileSet, PictureArguments, PictureFormat, Values};
 use crate::cli::failure::{Failure, failed};
 use crate::cli::input::BodyArguments;
 use crate::cli::terminal::{Report, Timings, print, significant};
@@ -79,7 +79,7 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
             changes: changes.iter().map(|(rpm, ..)| *rpm).collect(),
         };
         let picture = draw_campbell(&scene, bifdiag_plot::Theme::Light)?;
-        files.pictures("campbell", &picture, &[PictureFormat::Svg], timings)?;
+        files.pictures("campbell", &picture, &PictureArguments::plain(PictureFormat::Svg), timings)?;
     }
     let mut report = Report::default();
     for line in &told {

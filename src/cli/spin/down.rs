@@ -123,7 +123,7 @@ fn drawn(
     let picture = timings.stage("diagram", || draw(&diagram, Some(&Curves(atlas)), &options))?;
     let mut files = FileSet::new(directory);
     files.remove_pictures("spin-down");
-    files.pictures("spin-down", &picture, &arguments.picture.format, timings)?;
+    files.pictures("spin-down", &picture, &arguments.picture, timings)?;
     files.write()
 }
 

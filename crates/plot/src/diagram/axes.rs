@@ -1,8 +1,9 @@
 //! The axes of a panel.
 
 use super::labels::{H, L};
-use super::layout::{BELOW, LEFT, RIGHT};
+use super::layout::BELOW;
 use super::panel::Panel;
+use super::plan::{LEFT, RIGHT};
 use super::windows::View;
 use crate::page::{Anchor, Axis, Canvas, INK, Point, TICK_SIZE, Ticks, draw_axes, text_width, ticks};
 

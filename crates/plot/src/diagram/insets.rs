@@ -49,7 +49,7 @@ pub(super) fn magnifications(
     let mut hidden: Vec<usize> = Vec::new();
     let visible = &main.view.window;
     // The scale of the main panel, and that of an overview of everything in the first inset.
-    let Plan { main: own, inset, .. } = *scene.plan;
+    let Plan { main: own, inset, .. } = scene.plan;
     let shown = [(visible, own), (everything, inset)];
     for (region, depth) in main.areas.depths(scene.cells.len()).into_iter().enumerate() {
         if depth >= LEGIBLE {
@@ -79,7 +79,7 @@ pub(super) fn magnifications(
     // An overview of everything stands in the first inset.
     let most = scene.plan.insets - usize::from(everything != visible);
     result.crowded = cover(scene, &windows, hidden, most, &mut result.windows)?;
-    result.crowded |= lead_up(&mut result.windows, visible, scene.plan, most);
+    result.crowded |= lead_up(&mut result.windows, visible, &scene.plan, most);
     result.windows.sort_by(|a, b| area(b).total_cmp(&area(a)).then(a.l[0].total_cmp(&b.l[0])));
     Ok(result)
 }

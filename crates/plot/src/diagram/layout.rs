@@ -1,15 +1,12 @@
 //! Where the panels lie on the page, and where each shows the windows of others.
 
 use super::panel::Panel;
-use super::plan::Plan;
+use super::plan::{BETWEEN, LEFT, Plan, RIGHT};
 use super::windows::{area, contains};
 use crate::page::{Point, Rect};
 
-/// Space for the axis on the left, for the title above, for the axis below and at the right edge of the page.
-pub(super) const LEFT: f64 = 56.0;
-pub(super) const TOP: f64 = 62.0;
+/// Space for the axis on the left, for the axis below and at the right edge of the page.
 pub(super) const BELOW: f64 = 46.0;
-pub(super) const RIGHT: f64 = 16.0;
 /// Space above an inset for its letter.
 const INSET_TOP: f64 = 34.0;
 /// Font size of the insets' letters.
@@ -28,12 +25,12 @@ fn pitch(plan: &Plan) -> [f64; 2] {
 pub(super) fn inset_place(plan: &Plan, index: usize) -> Point {
     let Plan { main, inset, beside, in_a_row, .. } = *plan;
     if index < beside {
-        let x = LEFT + main[0] + LEFT + 8.0;
+        let x = LEFT + main[0] + BETWEEN;
         // All of them together are as high as the main panel.
-        return [x, TOP + index as f64 * (main[1] - inset[1]) / (beside - 1).max(1) as f64];
+        return [x, plan.top + index as f64 * (main[1] - inset[1]) / (beside - 1).max(1) as f64];
     }
     let (row, column) = ((index - beside) / in_a_row, (index - beside) % in_a_row);
-    let top = TOP + main[1] + BELOW + INSET_TOP;
+    let top = plan.top + main[1] + BELOW + INSET_TOP;
     let [wide, high] = pitch(plan);
     [LEFT + column as f64 * wide, top + row as f64 * high]
 }
@@ -43,7 +40,7 @@ pub(super) fn inset_place(plan: &Plan, index: usize) -> Point {
 pub(super) fn legend_place(plan: &Plan, insets: usize) -> (Point, f64) {
     let Plan { main, inset, beside, in_a_row, .. } = *plan;
     if insets == 0 {
-        return ([LEFT, TOP + main[1] + BELOW + 6.0], main[0]);
+        return ([LEFT, plan.top + main[1] + BELOW + 6.0], main[0]);
     }
     if insets < beside {
         return (inset_place(plan, insets), inset[0]);
@@ -57,7 +54,7 @@ pub(super) fn legend_place(plan: &Plan, insets: usize) -> (Point, f64) {
 /// The place below everything, over the whole width.
 pub(super) fn below_all(plan: &Plan, insets: usize) -> (Point, f64) {
     let last = insets.checked_sub(1).map_or(0.0, |last| inset_place(plan, last)[1] + plan.inset[1]);
-    ([LEFT, last.max(TOP + plan.main[1]) + BELOW + 6.0], page_width(plan, insets) - LEFT - RIGHT)
+    ([LEFT, last.max(plan.top + plan.main[1]) + BELOW + 6.0], page_width(plan, insets) - LEFT - RIGHT)
 }
 
 /// The width of a page with so many insets.

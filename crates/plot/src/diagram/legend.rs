@@ -60,16 +60,18 @@ pub(super) fn legend(
         entries.push((symbol, "in turn: coincident".to_owned()));
     }
     let is_seen = |event: &EventDocument| panels.iter().any(|panel| panel.event(scene, event).is_some());
-    for (kind, name) in
-        [(EventKind::Cusp, "cusp"), (EventKind::Pitchfork, "pitchfork"), (EventKind::Crossing, "crossing")]
-    {
+    for (kind, name, shape) in [
+        (EventKind::Cusp, "cusp", "diamond"),
+        (EventKind::Pitchfork, "pitchfork", "triangle"),
+        (EventKind::Crossing, "crossing", "ring"),
+    ] {
         if atlas.events.iter().any(|event| event.kind == kind && is_seen(event)) {
             let mark = move |canvas: &Canvas, at| event_marker(canvas, kind, at);
-            entries.push((Symbol::Mark(Box::new(mark)), name.to_owned()));
+            entries.push((Symbol::Mark(shape, Box::new(mark)), name.to_owned()));
         }
     }
     if scene.dots.iter().any(|dot| panels.iter().any(|panel| panel.position(dot.at).is_some())) {
-        entries.push((Symbol::Mark(Box::new(sample_dot)), dots.to_owned()));
+        entries.push((Symbol::Mark("dot", Box::new(sample_dot)), dots.to_owned()));
     }
     if !scene.way.is_empty() {
         entries.push((Symbol::Line(vec![(Some(WAY.color), 1.0)], WAY.width), "the way".to_owned()));

@@ -24,9 +24,9 @@ mod stroke;
 mod trace;
 mod windows;
 
-pub use scene::{CurveSource, DiagramOptions, DiagramView, MarkedPoints};
+pub use scene::{CurveSource, DiagramOptions, DiagramTitle, DiagramView, LegendPlace, MarkedPoints};
 
-use crate::page::{FAINT_INK, INK, PAPER, Picture, PlotError, png};
+use crate::page::{FAINT_INK, Figure, INK, PAPER, Picture, PlotError, png};
 use bifdiag_schema::AtlasDocument;
 use page::Page;
 use palette::tint;
@@ -48,27 +48,47 @@ pub fn draw(
     source: Option<&dyn CurveSource>,
     options: &DiagramOptions,
 ) -> Result<Picture, PlotError> {
-    let straight = || Page::new(atlas, source, options, Plan::straight(options.width));
+    draw_figure(atlas, source, options).map(|figure| figure.picture)
+}
+
+/// Draws the diagram, as [`draw`] does, with what is said beside it: the legend where that has left the picture, and texts for
+/// a caption.
+///
+/// # Errors
+/// As those of [`draw`].
+pub fn draw_figure(
+    atlas: &AtlasDocument,
+    source: Option<&dyn CurveSource>,
+    options: &DiagramOptions,
+) -> Result<Figure, PlotError> {
+    let (width, has_title) = (options.width, options.title != DiagramTitle::None);
+    let page = |plan| Page::new(atlas, source, options, plan);
+    let straight = || page(Plan::straight(width, has_title));
     if options.view == DiagramView::Straight {
         return straight()?.draw(options.theme);
     }
-    let mut plans = Plan::of(options.width).iter();
-    let mut page = Page::new(atlas, source, options, plans.next().unwrap_or(&plan::PAGE))?;
-    let (insets, is_crowded) = page.insets();
-    let is_whole = options.window.is_none() && atlas.window.is_none();
-    if options.view == DiagramView::Auto && is_whole && (insets > INSETS || is_crowded) {
-        match straight() {
-            Err(PlotError::NotStraight) => {}
-            page => return page?.draw(options.theme),
-        }
+    let mut plans = Plan::of(width, has_title);
+    let Some(first) = plans.next() else { return straight()?.draw(options.theme) };
+    let mut drawn = page(first)?;
+    let (insets, is_crowded) = drawn.insets();
+    if insets == 0 && first.beside > 0 {
+        drawn = page(first.without_insets(width))?;
+    }
+    let is_free = options.view == DiagramView::Auto && options.window.is_none() && atlas.window.is_none();
+    let better = |is_poor: bool| match (is_free && is_poor).then(straight) {
+        None | Some(Err(PlotError::NotStraight)) => Ok(None),
+        Some(straight) => straight.map(Some),
+    };
+    if let Some(straight) = better(insets > INSETS || is_crowded)? {
+        return straight.draw(options.theme);
     }
     // The first plan is for few insets; of the others each has room for fewer and more for the key.
-    let mut is_done = page.is_complete() && page.fits();
+    let mut is_done = drawn.is_complete() && drawn.fits();
     while let Some(plan) = plans.next().filter(|_| !is_done) {
-        page = Page::new(atlas, source, options, plan)?;
-        is_done = page.fits();
+        drawn = page(plan)?;
+        is_done = drawn.fits();
     }
-    page.draw(options.theme)
+    better(!drawn.fits())?.unwrap_or(drawn).draw(options.theme)
 }
 
 /// The image of a grid: rows of `width` codes from below, each the number of a region (whose sections are `kinds`), or

@@ -6,7 +6,7 @@ use super::labels::{H, L, region_type};
 use super::panel::Panel;
 use super::scene::Scene;
 use super::stroke::{Stroke, curve_width};
-use crate::page::{Heading, Symbol, Table, body_line, short_number, short_time, text_width};
+use crate::page::{Heading, Symbol, body_line, short_number, short_time, text_width};
 use bifdiag_schema::{AtlasDocument, CurveDocument, small_motions};
 
 /// Font size of the notes.
@@ -23,13 +23,31 @@ const INSIDE: f64 = 0.02;
 pub(super) fn heading(atlas: &AtlasDocument, width: f64, size: f64) -> Heading {
     let AtlasDocument { body: own, head, .. } = atlas;
     let title = body_line(&own.given.moments, &own.given.center, width, size);
-    let mut metadata = format!("A = ({}), r = ({})", own.given.moments.join(", "), own.given.center.join(", "));
+    let mut metadata = exact(atlas);
     for (name, value) in [("version", &head.version), ("command", &head.command)] {
         if !value.is_empty() {
             metadata.extend(["; ", name, ": ", value]);
         }
     }
     Heading { title, metadata }
+}
+
+/// The body with all digits.
+fn exact(atlas: &AtlasDocument) -> String {
+    let own = &atlas.body.given;
+    format!("A = ({}), r = ({})", own.moments.join(", "), own.center.join(", "))
+}
+
+/// What the diagram shows, in a sentence.
+pub(super) fn about(atlas: &AtlasDocument, straight: bool) -> String {
+    let axes = if straight {
+        "l to the right, h upwards, straightened so that each region can be seen; faint lines are levels of h"
+    } else {
+        "h to the right, l upwards"
+    };
+    let remark = remark(atlas);
+    let remark = if remark.is_empty() { String::new() } else { format!("; {remark}") };
+    format!("Bifurcation diagram of the body {}{remark}: {axes}.", exact(atlas))
 }
 
 /// What is said below the title: what is special about the body.
@@ -97,11 +115,9 @@ fn wrap(heading: &str, items: impl Iterator<Item = String>, width: f64, lines: &
     lines.push(line);
 }
 
-/// One row for each stretch that is seen, `room` pixels wide; none where there is no room for a table or the source has no
-/// equilibria.
-pub(super) fn motions(scene: &Scene<'_>, strokes: &[Stroke], panels: &[Panel], room: f64) -> Table {
+/// One row for each stretch that is seen, behind the symbol of its line; none where the source has no equilibria.
+pub(super) fn motions(scene: &Scene<'_>, strokes: &[Stroke], panels: &[Panel]) -> Vec<(Symbol, Vec<String>)> {
     let mut rows = Vec::new();
-    let panels = if scene.plan.motions { panels } else { &[] };
     for (index, curve) in scene.atlas.curves.iter().enumerate() {
         for stroke in strokes {
             let Some(line) = stroke.lines.iter().find(|line| line.curve == index) else { continue };
@@ -112,15 +128,11 @@ pub(super) fn motions(scene: &Scene<'_>, strokes: &[Stroke], panels: &[Panel], r
             );
         }
     }
-    Table::new(columns(scene.atlas), rows, room)
+    rows
 }
 
-/// The note on rows that are left out.
-pub(super) fn motions_left_out(rows: usize) -> String {
-    format!("… and {rows} more: bifdiag critical prints them at each {L}")
-}
-
-fn columns(atlas: &AtlasDocument) -> Vec<String> {
+/// What stands above these rows.
+pub(super) fn columns(atlas: &AtlasDocument) -> Vec<String> {
     let unit = atlas.body.part.as_ref().map_or_else(String::new, |part| format!(" in {}", part.time_unit()));
     let motions = format!("small motions there: period, or time of growth by the factor e{unit}");
     vec!["curve".to_owned(), format!("from {L} to {L}"), "linear type".to_owned(), "stability".to_owned(), motions]

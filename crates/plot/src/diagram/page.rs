@@ -2,28 +2,28 @@
 
 use super::insets::{Magnifications, magnifications};
 use super::labels::names;
-use super::layout::{BELOW, LEFT, RIGHT, TOP, below_all, frames, inset_place, legend_place, page_width};
+use super::layout::{BELOW, below_all, frames, inset_place, legend_place, page_width};
 use super::legend::legend;
-use super::notes::{NOTE_SIZE, heading, motions, motions_left_out, notes, remark, units};
+use super::notes::{NOTE_SIZE, about, columns, heading, motions, notes, remark, units};
 use super::paint::Diagram;
 use super::palette::branch_styles;
 use super::panel::Panel;
 use super::placement;
-use super::plan::Plan;
-use super::scene::{CurveSource, DiagramOptions, Scene, windows};
+use super::plan::{LEFT, Plan, RIGHT};
+use super::scene::{CurveSource, DiagramOptions, DiagramTitle, LegendPlace, Scene, windows};
 use super::straight::straighten;
 use super::stroke::strokes;
 use super::windows::View;
 use crate::page::{
-    Anchor, Canvas, FAINT_INK, HEIGHT, Heading, INK, Legend, Picture, PlotError, Point, Rect, Table, Theme, render,
-    title_size,
+    Anchor, Canvas, Caption, FAINT_INK, Figure, HEIGHT, Heading, INK, Legend, PlotError, Point, Rect, Table, Theme,
+    render, title_size,
 };
 use bifdiag_schema::{AtlasDocument, WindowDocument};
 
 const TITLE_SIZE: f64 = 14.0;
 const NOTE: f64 = NOTE_SIZE * 1.4;
-/// The table of motions may take so many pixels, whatever is left.
-const TABLE_LEAST: f64 = 90.0;
+/// Round a legend that is a picture of its own.
+const EDGE: f64 = 8.0;
 
 /// Everything with its place.
 pub(super) struct Page<'a> {
@@ -31,12 +31,19 @@ pub(super) struct Page<'a> {
     /// Whether there are more parts to magnify than insets.
     is_crowded: bool,
     size: [f64; 2],
+    /// It should not be higher.
+    limit: f64,
     heading: Heading,
+    title: String,
     legend: Legend,
     legend_at: Point,
-    motions: Table,
+    /// Whether the legend is in the picture, and whether it has left that for one of its own.
+    has_legend: bool,
+    is_apart: bool,
+    motions: Option<Table>,
     motions_at: Point,
     notes: Vec<String>,
+    caption: Caption,
 }
 
 impl<'a> Page<'a> {
@@ -48,7 +55,7 @@ impl<'a> Page<'a> {
         atlas: &'a AtlasDocument,
         source: Option<&'a dyn CurveSource>,
         options: &DiagramOptions,
-        plan: &'static Plan,
+        plan: Plan,
     ) -> Result<Self, PlotError> {
         let scene = Scene::new(atlas, source, options, plan)?;
         let styles = branch_styles(atlas);
@@ -67,26 +74,67 @@ impl<'a> Page<'a> {
         texts.key.retain(|(region, _)| !magnified.invisible.contains(region) && !magnified.outside.contains(region));
 
         let insets = panels.len() - 1;
-        let width = page_width(plan, insets);
+        let width = page_width(&plan, insets);
+        let room = width - LEFT - RIGHT;
         let dots = options.points.as_ref().map_or("sample point of a region", |marked| marked.text.as_str());
         let explained = |width| legend(&scene, &styles, &strokes, &panels, &texts, dots, width);
         let place = |(at, width)| (at, width, explained(width));
-        let (mut legend_at, room, mut legend) = place(legend_place(plan, insets));
-        if legend.widest() > room {
-            (legend_at, _, legend) = place(below_all(plan, insets));
+        let (mut legend_at, legend_room, mut legend) = place(legend_place(&plan, insets));
+        if legend.widest() > legend_room {
+            (legend_at, _, legend) = place(below_all(&plan, insets));
         }
-        let axes = panels.iter().map(|panel| panel.view.rect.bottom() + BELOW + 6.0);
-        let motions_at = [LEFT, axes.fold(legend_at[1] + legend.height(), f64::max) + 6.0];
-        let notes = notes(atlas, &magnified, width - LEFT - RIGHT);
-        let below = notes.len() as f64 * NOTE + 14.0;
-        let motions = motions(&scene, &strokes, &panels, options.width.pixels() - LEFT - RIGHT)
-            .shortened((HEIGHT - motions_at[1] - below).max(TABLE_LEAST), motions_left_out);
-        let height = motions_at[1] + motions.height() + below;
-        let size = [width.max(LEFT + motions.width() + RIGHT), height.ceil()];
-        let heading = heading(atlas, width - LEFT - RIGHT, TITLE_SIZE);
+        let axes = panels.iter().map(|panel| panel.view.rect.bottom() + BELOW).fold(0.0, f64::max);
+        let mut notes = notes(atlas, &magnified, room);
+        let notes_high = |notes: &[String]| notes.len() as f64 * NOTE + 8.0;
+        let limit = match options.legend {
+            LegendPlace::Below => HEIGHT * options.width.scale().max(1.0),
+            _ => options.width.height(),
+        };
+        let mut below = axes.max(legend_at[1] + legend.height()) + 6.0;
+        let has_legend = match options.legend {
+            LegendPlace::Below => true,
+            LegendPlace::Auto => below + notes_high(&notes) <= limit,
+            LegendPlace::None | LegendPlace::Apart => false,
+        };
+        let mut caption = Caption::new(options.theme);
+        caption.paragraph(&about(atlas, plan.straight));
+        if !has_legend {
+            caption.entries(legend.entries());
+            std::mem::take(&mut notes).iter().for_each(|note| caption.paragraph(note));
+            below = axes;
+        }
+        let (heads, rows) = (columns(atlas), motions(&scene, &strokes, &panels));
+        let cells: Vec<Vec<String>> = rows.iter().map(|(_, cells)| cells.clone()).collect();
+        let fits = |table: &Table| below + table.height() + notes_high(&notes) <= limit;
+        let table = options.table.then(|| Table::new(heads.clone(), rows, room)).filter(fits);
+        if table.is_none() && !cells.is_empty() {
+            caption.table(&heads, &cells);
+        }
+        let height = below + table.as_ref().map_or(0.0, Table::height) + notes_high(&notes);
+        let heading = heading(atlas, room, TITLE_SIZE);
+        let title = match &options.title {
+            DiagramTitle::Body => heading.title.clone(),
+            DiagramTitle::Text(text) => text.clone(),
+            DiagramTitle::None => String::new(),
+        };
+        let is_apart = !has_legend && options.legend != LegendPlace::None;
         let diagram = Diagram { scene, strokes, panels, frames, texts, units: units(atlas) };
-        let is_crowded = magnified.crowded;
-        Ok(Self { diagram, is_crowded, size, heading, legend, legend_at, motions, motions_at, notes })
+        Ok(Self {
+            diagram,
+            is_crowded: magnified.crowded,
+            size: [width, height.ceil()],
+            limit,
+            heading,
+            title,
+            legend,
+            legend_at,
+            has_legend,
+            is_apart,
+            motions: table,
+            motions_at: [LEFT, below],
+            notes,
+            caption,
+        })
     }
 
     /// How many insets there are, and whether there would be more with room for them.
@@ -102,33 +150,40 @@ impl<'a> Page<'a> {
     /// Whether it is low enough, and every frame has the letter of its inset.
     pub(super) fn fits(&self) -> bool {
         let Diagram { frames, texts, .. } = &self.diagram;
-        self.size[1] <= HEIGHT && frames.iter().flatten().all(|frame| texts.letters[frame.insets[0]].is_some())
+        self.size[1] <= self.limit && frames.iter().flatten().all(|frame| texts.letters[frame.insets[0]].is_some())
     }
 
     /// Draws it.
     ///
     /// # Errors
     /// A failure of the drawing library.
-    pub(super) fn draw(self, theme: Theme) -> Result<Picture, PlotError> {
-        let title = self.heading.title.clone();
-        render(self.size, self.heading.clone(), theme, |canvas| {
-            let size = title_size(&title, TITLE_SIZE, self.size[0] - LEFT);
-            canvas.text(&title, [LEFT, 24.0], size, INK, Anchor::Start);
+    pub(super) fn draw(self, theme: Theme) -> Result<Figure, PlotError> {
+        let picture = render(self.size, self.heading.clone(), theme, |canvas| {
+            let size = title_size(&self.title, TITLE_SIZE, self.size[0] - LEFT);
+            canvas.text(&self.title, [LEFT, 24.0], size, INK, Anchor::Start);
             self.draw_remark(canvas);
             self.diagram.paint(canvas);
-            canvas.group("legend", "", || self.legend.draw(canvas, self.legend_at));
-            canvas.group("motions", "", || self.motions.draw(canvas, self.motions_at));
-            let below = self.motions_at[1] + self.motions.height();
+            if self.has_legend {
+                canvas.group("legend", "", || self.legend.draw(canvas, self.legend_at));
+            }
+            if let Some(motions) = &self.motions {
+                canvas.group("motions", "", || motions.draw(canvas, self.motions_at));
+            }
+            let below = self.motions_at[1] + self.motions.as_ref().map_or(0.0, Table::height);
             for (row, note) in self.notes.iter().enumerate() {
                 let base = below + (row as f64 + 1.0) * NOTE;
                 canvas.text(note, [LEFT, base], NOTE_SIZE, FAINT_INK, Anchor::Start);
             }
-        })
+        })?;
+        let size = [self.size[0], self.legend.height() + 2.0 * EDGE];
+        let apart = || render(size, self.heading.clone(), theme, |canvas| self.legend.draw(canvas, [EDGE; 2]));
+        let legend = if self.is_apart { Some(apart()?) } else { None };
+        Ok(Figure { picture, legend, caption: self.caption })
     }
 
     fn draw_remark(&self, canvas: &Canvas) {
         let Scene { atlas, plan, .. } = self.diagram.scene;
-        let at = [LEFT + plan.main[0], TOP - plan.remark];
+        let at = [LEFT + plan.main[0], plan.top - plan.remark];
         canvas.text(remark(atlas), at, NOTE_SIZE, FAINT_INK, Anchor::End);
     }
 }
@@ -137,7 +192,7 @@ impl<'a> Page<'a> {
 fn straightened(scene: &Scene<'_>) -> Result<Panel, PlotError> {
     let [_, everything] = windows(scene, None)?;
     let [width, height] = scene.plan.main;
-    let rect = Rect { x: LEFT, y: TOP, width, height };
+    let rect = Rect { x: LEFT, y: scene.plan.top, width, height };
     let straight = straighten(scene, rect, scene.plan.right, everything.l[1], &names(scene.atlas))?;
     Panel::straightened(scene, View { window: everything, rect }, straight.ok_or(PlotError::NotStraight)?)
 }
@@ -146,7 +201,7 @@ fn straightened(scene: &Scene<'_>) -> Result<Panel, PlotError> {
 fn panels(scene: &Scene<'_>, asked: Option<WindowDocument>) -> Result<(Vec<Panel>, Magnifications), PlotError> {
     let view = |window, [x, y]: Point, [width, height]: [f64; 2]| View { window, rect: Rect { x, y, width, height } };
     let [main, everything] = windows(scene, asked)?;
-    let main = Panel::new(scene, view(main, [LEFT, TOP], scene.plan.main))?;
+    let main = Panel::new(scene, view(main, [LEFT, scene.plan.top], scene.plan.main))?;
     let mut magnified = magnifications(scene, &main, &everything)?;
     if everything != main.view.window {
         // It takes the first place, so that what lies far out is seen in its frame.
@@ -154,7 +209,7 @@ fn panels(scene: &Scene<'_>, asked: Option<WindowDocument>) -> Result<(Vec<Panel
     }
     let mut panels = vec![main];
     for (index, window) in magnified.windows.iter().enumerate() {
-        panels.push(Panel::new(scene, view(*window, inset_place(scene.plan, index), scene.plan.inset))?);
+        panels.push(Panel::new(scene, view(*window, inset_place(&scene.plan, index), scene.plan.inset))?);
     }
     Ok((panels, magnified))
 }

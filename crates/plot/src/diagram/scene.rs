@@ -19,6 +19,32 @@ pub enum DiagramView {
     Straight,
 }
 
+/// Where the legend of a diagram stands. What is not in the picture is in its caption.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LegendPlace {
+    /// In the picture, as long as that is not too high, else apart.
+    #[default]
+    Auto,
+    /// In no picture.
+    None,
+    /// In the picture.
+    Below,
+    /// In a picture of its own.
+    Apart,
+}
+
+/// What stands above a diagram.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum DiagramTitle {
+    /// The body.
+    #[default]
+    Body,
+    /// A text.
+    Text(String),
+    /// Nothing.
+    None,
+}
+
 /// How a diagram is drawn.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DiagramOptions {
@@ -35,6 +61,12 @@ pub struct DiagramOptions {
     pub view: DiagramView,
     /// Leaves the samples of the regions out, if no points are marked in their place.
     pub no_samples: bool,
+    /// Where the legend stands.
+    pub legend: LegendPlace,
+    /// What stands above.
+    pub title: DiagramTitle,
+    /// Whether the table of small motions stands in the picture, as long as all of it finds room there.
+    pub table: bool,
 }
 
 /// Where polylines denser than those of the document come from.
@@ -95,7 +127,7 @@ pub(super) struct Scene<'a> {
     pub atlas: &'a AtlasDocument,
     pub source: Option<&'a dyn CurveSource>,
     /// How large the panels are.
-    pub plan: &'static Plan,
+    pub plan: Plan,
     /// The cells of every region, in the order of the regions.
     pub cells: Vec<Vec<Cell>>,
     /// Points that are marked.
@@ -117,8 +149,8 @@ fn steps(way: &[SlowdownDocument], curves: &BTreeMap<&str, usize>) -> Vec<Step> 
     steps
 }
 
-/// The points that were asked for, else the samples of the regions.
-/// In the straightened plane every region is seen without its sample.
+/// The points that were asked for, else the samples of the regions; in the straightened plane every region is seen without its
+/// sample, which would take the room of its label.
 fn dots(atlas: &AtlasDocument, options: &DiagramOptions, plan: &Plan) -> Vec<Dot> {
     let place = |[h, l]: [f64; 2]| format!("h = {h}, l = {l}");
     if let Some(marked) = &options.points {
@@ -137,7 +169,7 @@ impl<'a> Scene<'a> {
         atlas: &'a AtlasDocument,
         source: Option<&'a dyn CurveSource>,
         options: &DiagramOptions,
-        plan: &'static Plan,
+        plan: Plan,
     ) -> Result<Self, PlotError> {
         let curves: BTreeMap<&str, usize> =
             atlas.curves.iter().enumerate().map(|(index, curve)| (curve.id.as_str(), index)).collect();
@@ -156,7 +188,14 @@ impl<'a> Scene<'a> {
             cells.collect::<Result<Vec<Cell>, PlotError>>()
         });
         let way = options.points.as_ref().map_or_else(Vec::new, |marked| steps(&marked.way, &curves));
-        Ok(Self { atlas, source, plan, cells: cells.collect::<Result<_, _>>()?, dots: dots(atlas, options, plan), way })
+        Ok(Self {
+            atlas,
+            source,
+            plan,
+            cells: cells.collect::<Result<_, _>>()?,
+            dots: dots(atlas, options, &plan),
+            way,
+        })
     }
 }
 

@@ -37,13 +37,13 @@ pub fn draw_map(map: &Map, theme: Theme, width: Width) -> Result<Picture, PlotEr
         return Err(PlotError::EmptyWindow { h: map.x.range, l: map.y.range });
     }
     let paper = width.pixels();
-    let side = if width == Width::Page { SIDE } else { paper - LEFT - EDGE };
+    let side = if width.is_column() { paper - LEFT - EDGE } else { SIDE * width.scale() };
     let heading = Heading::new(map, paper - LEFT - EDGE);
     let rect = Rect { x: LEFT, y: heading.height, width: side, height: side };
     let view = View { x: map.x.range, y: map.y.range, rect };
     let marked = marked(map, &view);
     let beside = rect.right() + GAP;
-    let room = if width == Width::Page { [paper - beside - EDGE, side] } else { [0.0; 2] };
+    let room = if width.is_column() { [0.0; 2] } else { [paper - beside - EDGE, side] };
     let below = rect.bottom() + BELOW;
     let places = Places { beside: room, below: [paper - 2.0 * EDGE, HEIGHT - below - EDGE] };
     let legend = MapLegend::new(map, &view, &marked.marks, places);

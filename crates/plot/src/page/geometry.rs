@@ -16,35 +16,63 @@ pub(crate) const PIXELS_PER_INCH: f64 = 25.4 / MILLIMETRES;
 /// The greatest height of a picture, 230 mm in print: what a page or a column leaves beside a caption.
 pub(crate) const HEIGHT: f64 = 1193.0;
 
-/// The width for which a picture is laid out: its smallest letters have 6 pt there.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Width {
-    /// Both columns of a journal, 178 mm.
-    #[default]
-    Page,
-    /// One column of a journal, 86 mm.
-    Column,
+/// The width of a picture in print, in millimetres: its smallest letters have 6 pt there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Width(f64);
+
+impl Default for Width {
+    fn default() -> Self {
+        Self::PAGE
+    }
 }
 
 impl Width {
-    /// Each of them.
-    pub const ALL: [Self; 2] = [Self::Page, Self::Column];
+    /// Both columns of a journal.
+    pub const PAGE: Self = Self(178.0);
+    /// One column of a journal.
+    pub const COLUMN: Self = Self(86.0);
+    /// Each of these.
+    pub const ALL: [Self; 2] = [Self::PAGE, Self::COLUMN];
+    /// The least and the greatest, in millimetres: axes and labels need room, and what is drawn of an area memory.
+    pub const RANGE: [f64; 2] = [80.0, 500.0];
+    /// From here on panels stand beside each other.
+    const WIDE: f64 = 132.0;
+    /// Height over width of a picture in a column at most: 120 mm at 86 mm.
+    const SLENDER: f64 = 120.0 / 86.0;
+
+    /// So many millimetres; `None` outside of [`Self::RANGE`].
+    #[must_use]
+    pub fn new(millimetres: f64) -> Option<Self> {
+        let [least, most] = Self::RANGE;
+        (least..=most).contains(&millimetres).then_some(Self(millimetres))
+    }
 
     /// In print.
     #[must_use]
     pub fn millimetres(self) -> f64 {
-        match self {
-            Self::Page => 178.0,
-            Self::Column => 86.0,
-        }
+        self.0
+    }
+
+    /// Whether panels stand below each other, as in one column of a journal.
+    #[must_use]
+    pub fn is_column(self) -> bool {
+        self.0 < Self::WIDE
     }
 
     /// On the page: so wide 11 pixels, the smallest letters, are 6 pt in print.
     pub(crate) fn pixels(self) -> f64 {
-        match self {
-            Self::Page => 924.0,
-            Self::Column => 446.43,
-        }
+        // Hundredths, so that lengths of figures are short numbers.
+        (self.0 / MILLIMETRES * 100.0).round() / 100.0
+    }
+
+    /// How much wider than the journal's page, or its column, for which sizes are given.
+    pub(crate) fn scale(self) -> f64 {
+        self.pixels() / if self.is_column() { Self::COLUMN } else { Self::PAGE }.pixels()
+    }
+
+    /// The greatest height of a diagram, in pixels.
+    pub(crate) fn height(self) -> f64 {
+        if self.is_column() { Self::SLENDER * self.pixels() } else { HEIGHT * self.scale().max(1.0) }
     }
 }
 

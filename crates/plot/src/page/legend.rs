@@ -31,8 +31,8 @@ pub(crate) enum Symbol {
     Line(Vec<Dash>, f64),
     /// Dots side by side, one in each colour.
     Dots(Vec<RGBColor>),
-    /// What draws itself round a point.
-    Mark(Box<Mark>),
+    /// What draws itself round a point, and what its shape is called.
+    Mark(&'static str, Box<Mark>),
 }
 
 impl Symbol {
@@ -47,7 +47,7 @@ impl Symbol {
             Self::Swatch(_) => 15.0,
             Self::Line(..) => 30.0,
             Self::Dots(_) => 26.0,
-            Self::Mark(_) => 13.0,
+            Self::Mark(..) => 13.0,
         }
     }
 
@@ -70,7 +70,7 @@ impl Symbol {
                     canvas.disc([x + step * (place as f64 + 0.5), y], 2.2, *color);
                 }
             }
-            Self::Mark(mark) => mark(canvas, [x + width / 2.0, y]),
+            Self::Mark(_, mark) => mark(canvas, [x + width / 2.0, y]),
         }
     }
 }
@@ -108,6 +108,11 @@ impl Legend {
 
     pub(crate) fn height(&self) -> f64 {
         self.rows.height
+    }
+
+    /// Symbols with their texts.
+    pub(crate) fn entries(&self) -> impl Iterator<Item = (&Symbol, String)> {
+        self.entries.iter().map(|(symbol, texts)| (symbol, texts.join(" ")))
     }
 
     /// Draws the legend with its top left corner at `at`.

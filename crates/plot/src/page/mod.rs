@@ -3,6 +3,7 @@
 mod areas;
 mod axes;
 mod canvas;
+mod caption;
 mod color;
 mod error;
 mod geometry;
@@ -20,6 +21,7 @@ mod union;
 pub(crate) use areas::{Areas, NOTHING, Sums, pixel};
 pub(crate) use axes::{Axis, TICK_SIZE, Ticks, draw_axes, ticks};
 pub use canvas::{Anchor, Canvas, render};
+pub use caption::{Caption, Figure};
 pub(crate) use color::PAPER;
 pub use color::{FAINT_INK, INK, Ink, POLE, POLE_MINUS, Theme, rgb, rgbs};
 pub use error::PlotError;

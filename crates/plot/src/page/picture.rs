@@ -103,13 +103,25 @@ impl Picture {
         pdf(&self.tree()?)
     }
 
-    /// The picture as a LaTeX document of one TikZ picture, text as text, as large as the PDF.
+    /// The picture as TikZ that a LaTeX document can `\input`, text as text, as large as the PDF.
     ///
     /// # Errors
     /// [`PlotError::TikzImage`] for a picture that holds images.
     pub fn to_tikz(&self) -> Result<String, PlotError> {
+        tikz::picture(&self.tree()?, self.title())
+    }
+
+    /// The same as a LaTeX document of its own.
+    ///
+    /// # Errors
+    /// As those of [`Self::to_tikz`].
+    pub fn to_latex(&self) -> Result<String, PlotError> {
+        tikz::document(&self.tree()?, self.title())
+    }
+
+    fn title(&self) -> &str {
         let title = self.svg.split_once("<title>").and_then(|(_, rest)| rest.split_once("</title>"));
-        tikz::document(&self.tree()?, title.map_or("", |(title, _)| title))
+        title.map_or("", |(title, _)| title)
     }
 
     fn tree(&self) -> Result<Tree, PlotError> {

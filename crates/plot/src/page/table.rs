@@ -22,7 +22,7 @@ pub(crate) struct Table {
     /// Nothing where no column has a name.
     heading: Row,
     rows: Vec<(Symbol, Row)>,
-    /// A last line, about rows or columns that are left out.
+    /// A last line, about columns that are left out.
     rest: Option<String>,
     width: f64,
     line: f64,
@@ -70,22 +70,6 @@ impl Table {
             width,
             line: LINE[density],
         }
-    }
-
-    /// The rows for which `room` pixels are high enough, and a line about the others, given their number.
-    pub(crate) fn shortened(mut self, room: f64, about: impl Fn(usize) -> String) -> Self {
-        if self.height() > room {
-            let mut height = self.heading.height(self.line) + self.line;
-            let fits = self.rows.iter().take_while(|(_, row)| {
-                height += row.height(self.line);
-                height <= room
-            });
-            let fits = fits.count().max(1);
-            let rest = self.rows.len() - fits;
-            self.rows.truncate(fits);
-            self.rest = (rest > 0).then(|| about(rest));
-        }
-        self
     }
 
     /// The same with a last line.

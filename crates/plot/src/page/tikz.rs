@@ -1,5 +1,4 @@
-//! TikZ of a picture from its SVG: a LaTeX document of one picture, with text as text, that other documents can `\input` with
-//! the package `standalone`.
+//! TikZ of a picture from its SVG, with text as text: what documents `\input`, or a LaTeX document of its own.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -10,13 +9,24 @@ use resvg::usvg::{Color, Group, Node, Paint, Path, Stroke, Text, TextAnchor, Tre
 use super::error::PlotError;
 use super::geometry::POINTS;
 
-/// The document, as large as in print; lengths are in points of a PDF, y runs downwards as in the SVG.
+/// What the preamble of a document needs.
+const PREAMBLE: &str = "\\usepackage{tikz}\n\\usetikzlibrary{patterns.meta}\n";
+
+/// A document of its own.
 pub(crate) fn document(tree: &Tree, title: &str) -> Result<String, PlotError> {
+    let picture = picture(tree, title)?;
+    let class = "\\documentclass[border=0pt]{standalone}\n";
+    Ok(format!("{class}{PREAMBLE}\\begin{{document}}\n{picture}\\end{{document}}\n"))
+}
+
+/// The picture, as large as in print; lengths are in points of a PDF, y runs downwards as in the SVG. Its colours are its own.
+pub(crate) fn picture(tree: &Tree, title: &str) -> Result<String, PlotError> {
     let mut writer = Writer::default();
     writer.group(tree.root(), 1)?;
-    let mut out = String::from("\\documentclass[border=0pt]{standalone}\n");
-    out.push_str("\\usepackage{tikz}\n\\usetikzlibrary{patterns.meta}\n\\begin{document}\n");
+    let mut out = String::new();
     let _ok = writeln!(out, "% {}", title.replace('\n', " "));
+    let _ok = writeln!(out, "% The preamble needs {}", PREAMBLE.trim().replace('\n', " "));
+    out.push_str("\\begingroup%\n");
     for (color, name) in &writer.colors {
         // The ends of lines would be spaces beside the picture.
         let _ok = writeln!(out, "\\definecolor{{{name}}}{{HTML}}{{{color}}}%");
@@ -25,7 +35,7 @@ pub(crate) fn document(tree: &Tree, title: &str) -> Result<String, PlotError> {
     let (width, height) = (tree.size().width(), tree.size().height());
     let _ok = writeln!(out, "  \\useasboundingbox (0,0) rectangle ({},{});", length(width), length(height));
     out.push_str(&writer.body);
-    out.push_str("\\end{tikzpicture}\n\\end{document}\n");
+    out.push_str("\\end{tikzpicture}%\n\\endgroup%\n");
     Ok(out)
 }
 
@@ -249,8 +259,9 @@ pub(crate) fn tex(text: &str) -> String {
 }
 
 /// What pictures hold beyond letters, and the commands for it.
-const SYMBOLS: [(char, &str); 32] = [
+const SYMBOLS: [(char, &str); 33] = [
     ('−', "-"),
+    ('…', "\\ldots "),
     ('×', "\\times "),
     ('·', "\\cdot "),
     ('≈', "\\approx "),

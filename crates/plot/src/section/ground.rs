@@ -103,7 +103,7 @@ pub(super) fn legend(scenes: &[SectionScene<'_>], projection: Projection) -> Vec
     if projection != Projection::Torus {
         for (_, (sign, name)) in poles.into_iter().zip([(1, "+r̂"), (-1, "−r̂")]).filter(|(any, _)| *any) {
             let mark = Box::new(move |canvas: &Canvas, at| pole_marker(canvas, sign, at));
-            entries.push((Symbol::Mark(mark), format!("{name}, accessible")));
+            entries.push((Symbol::Mark("marker", mark), format!("{name}, accessible")));
         }
     }
     if projection != Projection::Sphere && poles.contains(&true) {

@@ -76,19 +76,19 @@ impl Layout {
             Projection::Both => &[SectionChart::Sphere, SectionChart::Torus],
         };
         let bar = if with_bar { BAR } else { 0.0 };
-        let across = if paper == Width::Page { 2.0 } else { 1.0 };
+        let across = if paper.is_column() { 1.0 } else { 2.0 };
         let room = (paper.pixels() - LEFT - RIGHT - bar - (across - 1.0) * BETWEEN) / across;
-        let width = room.min(PANEL[0]);
+        let most = PANEL.map(|side| side * paper.scale().max(1.0));
+        let width = room.min(most[0]);
         let rows = (2 * scenes.len() * charts.len()) as f64 / across;
-        let room =
-            ((HEIGHT - TITLE - LEGEND[usize::from(paper == Width::Column)]) / rows - ABOVE - BELOW).max(PANEL_LEAST);
-        let height = (width * PANEL[1] / PANEL[0]).min(PANEL[1]).min(room).round();
+        let room = ((HEIGHT - TITLE - LEGEND[usize::from(paper.is_column())]) / rows - ABOVE - BELOW).max(PANEL_LEAST);
+        let height = (width * PANEL[1] / PANEL[0]).min(most[1]).min(room).round();
         let mut panels = Vec::new();
         let mut top = TITLE;
         for scene in 0..scenes.len() {
             for &chart in charts {
                 let below = ABOVE + height + BELOW;
-                let other = if paper == Width::Page { [width + BETWEEN, 0.0] } else { [0.0, below] };
+                let other = if paper.is_column() { [0.0, below] } else { [width + BETWEEN, 0.0] };
                 for (sheet, [right, down]) in [(-1, [0.0; 2]), (1, other)] {
                     let rect = Rect { x: LEFT + right, y: top + ABOVE + down, width, height };
                     panels.push(SheetPanel { scene, chart, sheet, rect });

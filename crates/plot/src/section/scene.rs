@@ -73,7 +73,7 @@ impl Default for SectionOptions {
             raster_above: 20_000,
             title: None,
             theme: Theme::Light,
-            width: Width::Page,
+            width: Width::PAGE,
         }
     }
 }

@@ -40,8 +40,8 @@ const RIM: Ink = Ink { color: FAINT_INK, width: 0.9 };
 /// # Errors
 /// A failure of the drawing library.
 pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme, paper: Width) -> Result<Picture, PlotError> {
-    let in_column = paper == Width::Column;
-    let [width, radius] = [WIDTH, RADIUS].map(|sizes| sizes[usize::from(in_column)]);
+    let in_column = paper.is_column();
+    let [width, radius] = [WIDTH, RADIUS].map(|sizes| paper.scale() * sizes[usize::from(in_column)]);
     let titles = Titles::new(scene, MARGIN, width - 2.0 * MARGIN);
     let middle = ABOVE + titles.more + radius;
     let centers = if in_column {

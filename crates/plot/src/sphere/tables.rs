@@ -64,7 +64,7 @@ fn sentence(number: usize, component: &ComponentDocument) -> String {
 
 /// A mark as a symbol.
 fn symbol(mark: Mark) -> Symbol {
-    Symbol::Mark(Box::new(move |canvas: &Canvas, at| marks::draw(canvas, mark, at)))
+    Symbol::Mark("marker", Box::new(move |canvas: &Canvas, at| marks::draw(canvas, mark, at)))
 }
 
 /// Significant digits of an energy, at least and at most.

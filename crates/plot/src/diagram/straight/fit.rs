@@ -156,7 +156,8 @@ mod tests {
             let atlas = Curves(bifdiag_diagram::fast::atlas(&body).expect("the body has an atlas"));
             let document = bifdiag_documents::atlas::document(&atlas.0, &DocumentOptions::default());
             let scene =
-                Scene::new(&document, Some(&atlas), &DiagramOptions::default(), Plan::straight(Width::Page)).unwrap();
+                Scene::new(&document, Some(&atlas), &DiagramOptions::default(), Plan::straight(Width::PAGE, true))
+                    .unwrap();
             let rect = Rect { x: 50.0, y: 50.0, width: 800.0, height: 440.0 };
             let l_end = windows(&scene, None).unwrap()[1].l[1];
             let straight = straighten(&scene, rect, 40.0, l_end, &names(&document)).unwrap();
