@@ -26,7 +26,7 @@ Examples:
 A body is a named one (`bifdiag bodies`), A=A1,A2,A3;r=r1,r2,r3 (& may stand for ;), or an atlas.json (-: stdin). Branches are named in \
 axes by rising moments, since those of the two bodies are compared. The path is straight in A and r, with A1 ≤ A2 ≤ A3, the sum \
 of A = 2, r_i ≥ 0 and the largest r_i = 1; where moments are equal, r is turned as near to that of the other body as an exchange \
-of their axes brings it.";
+of their axes brings it, and of a ball into its direction.";
 
 /// `bifdiag compare`.
 #[derive(Debug, Args)]
@@ -194,6 +194,8 @@ fn add_differing(report: &mut Report, table: &Table, differing: usize, all: usiz
     if differing > 0 {
         report.line(table.text());
         report.line(format!("{what} that both have equally often: {}", all - differing));
+    } else if all == 0 {
+        report.line(format!("{what}: neither has any"));
     } else {
         report.line(format!("{what}: both have the same {all}"));
     }

@@ -69,6 +69,11 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
             }
             show_curve(&mut report, &document, curve);
         }
+    } else if id == "L=0" && subject.body.is_euler() {
+        // Without weight every curve begins at h = l = 0.
+        let regions: Vec<&str> = document.regions.iter().map(|region| region.id.as_str()).collect();
+        report.line("l=0: at rest every orientation is an equilibrium, and h = 0");
+        report.line(format!("at h = l = 0 the forbidden region and {} meet", regions.join(", ")));
     } else if is_surface(&id) {
         show_surface(&mut report, &document, &id);
     } else {
@@ -77,16 +82,22 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
     print(report.text())
 }
 
+fn number(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|digit| digit.is_ascii_digit())
+}
+
+/// True for a type such as k2n1.
+fn is_type(id: &str) -> bool {
+    let upper = id.to_ascii_uppercase();
+    let parts = upper.strip_prefix('K').and_then(|rest| rest.split_once('N'));
+    parts.is_some_and(|(circles, poles)| number(circles) && number(poles))
+}
+
 /// True for what may name a component of U, E or P, or all sections of a region.
 fn is_surface(id: &str) -> bool {
     let upper = id.to_ascii_uppercase();
-    let number = |text: &str| !text.is_empty() && text.bytes().all(|digit| digit.is_ascii_digit());
     let holed = |text: &str| text.strip_prefix("S2-").and_then(|rest| rest.strip_suffix("D2")).is_some_and(number);
     let summed = |text: &str| text.strip_prefix('#').and_then(|rest| rest.strip_suffix("(S1XS2)")).is_some_and(number);
-    let is_type = |text: &str| {
-        let parts = text.strip_prefix('K').and_then(|rest| rest.split_once('N'));
-        parts.is_some_and(|(circles, poles)| number(circles) && number(poles))
-    };
     let of_genus = |text: &str| text.strip_prefix('M').is_some_and(number);
     let named = |text: &str| ["S2", "D2", "T2", "S3", "RP3", "S1XS2", "(S1XS2)#(S1XS2)"].contains(&text);
     let one = |text: &str| named(text) || holed(text) || summed(text) || of_genus(text) || is_type(text);
@@ -112,6 +123,8 @@ fn show_surface(report: &mut Report, document: &AtlasDocument, name: &str) {
         all || region.components.iter().any(component)
     };
     let found: Vec<&RegionDocument> = document.regions.iter().filter(has).collect();
+    // As the program writes it, whatever was typed.
+    let name = if is_type(name) { name.to_ascii_lowercase() } else { name.to_ascii_uppercase().replace('X', "x") };
     report.line(match found.len() {
         0 => format!("no region of this body shows {name}"),
         1 => format!("{name} is shown by the region {}", found[0].id),
@@ -124,7 +137,7 @@ fn show_surface(report: &mut Report, document: &AtlasDocument, name: &str) {
         report.line("");
         report.line(format!("region {}, sections {}", region.id, region.signature.as_deref().unwrap_or("none")));
         report.line(format!(
-            "  well inside: h = {}, l = {}",
+            "  sample: h = {}, l = {}",
             significant(region.sample.h, DIGITS),
             significant(region.sample.l, DIGITS)
         ));
@@ -164,7 +177,7 @@ fn show_region(report: &mut Report, document: &AtlasDocument, region: &RegionDoc
     report.line(format!("  {}, {width}", range(region.l_range)));
     let sample = &region.sample;
     report.line(format!(
-        "  well inside: h = {}, l = {} ({} in h to {})",
+        "  sample: h = {}, l = {} ({} in h to {})",
         significant(sample.h, DIGITS),
         significant(sample.l, DIGITS),
         significant(sample.margin.h, 3),

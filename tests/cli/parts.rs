@@ -476,3 +476,74 @@ fn a_part_that_cannot_exist_is_told_without_names_of_axes() {
     let row = negative.lines().find(|line| line.contains("     -1      ")).unwrap();
     assert!(row.trim_end().ends_with(" -"), "{negative}");
 }
+
+/// Ranges of spins that two descriptions of the same part have: up, types and ends in rpm.
+fn ranges(found: &Value) -> Vec<(String, String, [f64; 2])> {
+    let range = |range: &Value| {
+        let [low, high] = [0, 1].map(|end| range["rpm"][end].as_f64().unwrap());
+        (range["up"].to_string(), format!("{} {}", range["from"], range["to"]), [low, high])
+    };
+    found["tolerance"]["ranges"].as_array().unwrap().iter().map(range).collect()
+}
+
+/// Mass and gravity enter r = m g c alone: what they leave open is that of the same tolerance on the weight.
+#[test]
+fn a_tolerance_of_the_mass_is_one_of_the_weight() {
+    for part in [
+        "--inertia 0.30,0.21,0.17,0,0,0 --com 0,0,0.15 --axis z",
+        "--inertia 0.30,0.21,0.17,0,0,0 --com 0,0.1,0 --axis=-y",
+        "--inertia 0.33,0.30,0.17,0.02,0,0 --products tensor --com 0,0,0.15 --axis z",
+        "--inertia 0.464,0.436,0.45,-0.048,0,0 --products tensor --com 0.075,0.1,0 --axis 3,4,0",
+    ] {
+        let of = |options: &str| bifdiag(&format!("critical-spin {part} {options} --json")).succeeds().json();
+        let weight = ranges(&of("--mass 2.5 --g 9.80665 --tolerance weight=2%"));
+        assert!(!weight.is_empty(), "{part}");
+        for options in ["--mass 2.5±2% --g 9.80665", "--mass 2.5 --g 9.80665±2%"] {
+            let found = of(options);
+            assert!(found["tolerance"]["tilt_deg"].is_null(), "{part} {options}");
+            let found = ranges(&found);
+            assert_eq!(found.len(), weight.len(), "{part} {options}\n{found:?}\n{weight:?}");
+            for ((up, types, [low, high]), (other_up, other_types, [other_low, other_high])) in
+                found.iter().zip(&weight)
+            {
+                assert_eq!((up, types), (other_up, other_types), "{part} {options}");
+                let width = other_high - other_low;
+                assert!((low - other_low).abs() + (high - other_high).abs() < 1e-6 * width, "{part} {options}");
+            }
+        }
+    }
+}
+
+/// About the centre of mass the mass moves tensor and weight together. Each corner changes inside the ranges, which are at most
+/// three times as wide as the corners need.
+#[test]
+fn mass_and_arm_are_used_together() {
+    let part = |inertia: [f64; 3], arm: f64, mass: f64| {
+        format!(
+            "--inertia-com {},{},{},0,0,0 --com 0,0,{arm} --mass {mass} --g 9.81 --axis z",
+            inertia[0], inertia[1], inertia[2]
+        )
+    };
+    let inertia = [0.03, 0.024, 0.04];
+    let text = part(inertia, 0.1, 2.0).replace("--mass 2", "--mass 2±3%").replace("0,0,0.1", "0,0,0.1±1%");
+    let found = bifdiag(&format!("critical-spin {text} --json")).succeeds().json();
+    assert!(found["tolerance"]["tilt_deg"].is_null());
+    let ranges = ranges(&found);
+    let mut ends: Vec<[f64; 2]> = vec![[f64::INFINITY, 0.0]; ranges.len()];
+    for corner in 0..9 {
+        let step = |k: i32| f64::from(k % 3 - 1);
+        let (mass, arm) = (2.0 * (1.0 + 0.03 * step(corner)), 0.1 * (1.0 + 0.01 * step(corner / 3)));
+        let one = bifdiag(&format!("critical-spin {} --json", part(inertia, arm, mass))).succeeds().json();
+        for change in one["changes"].as_array().unwrap().iter().filter(|change| change["from"] != change["to"]) {
+            let rpm = change["spin"]["rpm"].as_f64().unwrap();
+            let holds = |(up, _, [low, high]): &(String, String, [f64; 2])| {
+                *up == change["up"].to_string() && *low <= rpm && rpm <= *high
+            };
+            let at = ranges.iter().position(holds).unwrap_or_else(|| panic!("{change} {ranges:?}"));
+            ends[at] = [ends[at][0].min(rpm), ends[at][1].max(rpm)];
+        }
+    }
+    for ((.., [low, high]), [least, most]) in ranges.iter().zip(&ends) {
+        assert!(high - low < 3.0 * (most - least), "{ranges:?} {ends:?}");
+    }
+}

@@ -303,3 +303,165 @@ fn at_least_so_many_relative_equilibria_are_found() {
     let few = bifdiag("find --critical-points 12 --samples 50").fails();
     few.telling("at least 12 relative equilibria were not found among");
 }
+
+/// At l = 0 the two critical energies are ∓|r|: the margin bears the name that `critical` gives, and an exact one has no error.
+#[test]
+fn a_margin_at_rest_is_exact_and_named_as_critical_names_it() {
+    for body in ["--A 2,1.1,1 --r 0,0,1", "--A 2,1.1,1 --r 3,0,4", "--body paper", "--body lagrange", "--body ten"] {
+        let list = bifdiag(&format!("critical {body} --l 0 --json")).succeeds().json();
+        for (h, which) in [("-20", 0), ("-1/7", 0), ("1/7", 1), ("20", 1)] {
+            let found = bifdiag(&format!("classify {body} --h={h} --l 0 --json")).succeeds().json();
+            let margin = &found["margin"];
+            assert_eq!(margin["nearest"], list["critical"][which]["branch"], "{body} {h}");
+            assert!(margin["error_bound"].as_f64().unwrap() <= 4e-15, "{body} {h} {margin}");
+        }
+    }
+    bifdiag("classify --A 2,1.1,1 --r 3,0,4 --h 7 --l 0")
+        .succeeds()
+        .printing("margin: 2 in h to ")
+        .printing("(error bound 0)");
+    bifdiag("critical --A 2,1.1,1 --r 3,0,4 --l 0").succeeds().printing("error bound of h: 0\n");
+}
+
+#[test]
+fn a_body_without_weight_at_rest_has_its_regions() {
+    for body in ["--A 2,1.1,1", "--A 1,1,1", "--A 2,2,1"] {
+        let found = bifdiag(&format!("state {body} --r 0,0,0 --axis z --json --spin")).and("0 rpm").succeeds().json();
+        let above = &found["steady"]["regions"][1];
+        let classified = bifdiag(&format!("classify {body} --r 0,0,0 --h 1 --l 0 --json")).succeeds().json();
+        assert_eq!((&found["steady"]["regions"][0], above), (&Value::Null, &classified["region"]), "{found}");
+        assert!(above.is_string() && found["steady"]["note"].is_null(), "{found}");
+    }
+    bifdiag("show l=0 --A 2,1.1,1 --r 0,0,0").succeeds().printing("the forbidden region and R1, R2, R3 meet");
+    bifdiag("show l=0 --body paper").refused().telling("the body has no such thing");
+}
+
+#[test]
+fn a_further_integral_names_the_orbit_of_its_value() {
+    let run = |orbits: usize| {
+        let line = format!("section --body kovalevskaya --region R1 --orbits {orbits} --crossings 5 --no-plot --json");
+        bifdiag(&line).succeeds().json()["integrals"][0].clone()
+    };
+    let [one, several] = [1, 5].map(run);
+    assert!(one["orbit"].is_null() && several["orbit"].is_u64(), "{one} {several}");
+    let place = tempfile::tempdir().unwrap();
+    let line = "section --body kovalevskaya --region R1 --orbits 5 --crossings 5 --no-plot";
+    let named = format!("at the start of orbit {}, where it is largest", several["orbit"]);
+    bifdiag(line).inside(place.path()).succeeds().printing(&named);
+}
+
+/// A rate of growth over a few returns is no mean.
+#[test]
+fn a_few_crossings_have_no_exponent() {
+    for (crossings, has) in [(1, false), (23, false), (30, true)] {
+        let line = format!("section --body paper --region R5 --orbits 1 --crossings {crossings} --no-plot --json");
+        let found = bifdiag(&line).succeeds().json();
+        assert_eq!(found["orbits"][0]["chaos"]["lyapunov"].is_object(), has, "{crossings}");
+    }
+}
+
+/// A ball has no axes of its own: its r is turned to that of the other body, so that no symmetry is broken on the way.
+#[test]
+fn a_ball_is_turned_to_the_other_body() {
+    let told = bifdiag("compare").and("A=1,1,1;r=3,4,12").and("A=1,1.2,1.3;r=0,0,1").succeeds().stdout();
+    assert!(!told.contains("the body has the symmetry"), "{told}");
+    assert!(told.contains("the moments A1, A2 and A3 are equal there") && told.contains("r is turned"), "{told}");
+    let other = bifdiag("compare").and("A=1,1.2,1.3;r=0.1,0.2,1").and("A=1,1,1;r=3,4,12").arguments("--json");
+    let path = other.succeeds().json()["path"].clone();
+    assert_eq!((&path["ends"][0]["r"], &path["turned"]), (&path["ends"][1]["r"], &json!([false, true])));
+}
+
+#[test]
+fn a_command_names_no_option_that_it_refuses() {
+    for (line, with_parts) in
+        [("classes --at", false), ("classify --h 1 --l 1", true), ("scan border --vary r1=0:1", false)]
+    {
+        let message = bifdiag(line).refused().stderr();
+        assert_eq!(message.contains("--inertia-com"), with_parts, "{line}: {message}");
+        let two = bifdiag(&format!("{line} --body paper --A 1,2,3 --r 1,0,0")).refused().stderr();
+        assert!(!two.contains("--part"), "{line}: {two}");
+    }
+}
+
+/// At a pitchfork the Hessian is singular, and its index is no question for rounded numbers; the branch is followed there all the
+/// same.
+#[test]
+fn newton_continuation_reaches_a_pitchfork() {
+    for body in ["--A 2,1.1,1 --r 0,0,1 --l 1", "--A 2,1,1 --r 1,0,0 --l=-2", "--A 2,1.5,1 --r 0,0,1 --l 1"] {
+        let list = |method: &str| {
+            let document = bifdiag(&format!("critical {body} --json{method}")).succeeds().json();
+            document["critical"].as_array().unwrap().clone()
+        };
+        let (closed, followed) = (list(""), list(" --method newton"));
+        assert!(closed.iter().any(|one| one["multiplicity"] == json!(2)), "{body}");
+        assert_eq!(followed.len(), closed.len(), "{body}");
+        for (one, other) in followed.iter().zip(&closed) {
+            assert_eq!([&one["branch"], &one["index"]], [&other["branch"], &other["index"]], "{body}");
+            assert!((one["h"].as_f64().unwrap() - other["h"].as_f64().unwrap()).abs() < 1e-12, "{body}");
+        }
+    }
+}
+
+#[test]
+fn a_share_says_how_it_is_known() {
+    bifdiag("class 69e5dfce4c33 --no-plot").succeeds().printing("exist: 100%, since they differ in scale alone\n");
+    bifdiag("class 2614395a2a0f --no-plot").succeeds().printing("exist: 100% of a sample of 2000 bodies\n");
+}
+
+#[test]
+fn names_are_echoed_as_the_program_writes_them() {
+    for (typed, written) in
+        [("K1N1", "k1n1"), ("k1n1", "k1n1"), ("s1Xs2", "S1xS2"), ("s2-2d2", "S2-2D2"), ("t2+s2", "T2+S2")]
+    {
+        bifdiag(&format!("show {typed} --body paper"))
+            .succeeds()
+            .printing(&format!("\n{written} is shown by the region"));
+    }
+    bifdiag("show K7N9 --body paper").succeeds().printing("no region of this body shows k7n9");
+}
+
+/// Where two axes, or two families of steady rotations, are equally near, none of them is said to be the nearest alone.
+#[test]
+fn equally_near_axes_are_all_listed_with_weight_too() {
+    let tied = "--A 1,1.5,2 --r 0.1,0.2,0.3 --axis 1,1,0";
+    let found = bifdiag(&format!("critical-spin {tied} --json")).succeeds().json();
+    let axes: Vec<String> =
+        found["families"].as_array().unwrap().iter().map(|family| family["fast_axis"].to_string()).collect();
+    for axis in ["[1.0,0.0,0.0]", "[0.0,1.0,0.0]", "[-1.0,0.0,0.0]", "[0.0,-1.0,0.0]"] {
+        assert!(axes.iter().any(|known| known == axis), "{axis} {axes:?}");
+    }
+    bifdiag(&format!("critical-spin {tied}")).succeeds().printing("are equally near to the given one: all are listed");
+    bifdiag(&format!("critical-spin {tied} --tolerance 1%"))
+        .succeeds()
+        .printing("for bounds give an axis that is nearer");
+    let refused = bifdiag(&format!("campbell {tied} --no-plot --to")).and("20 rad/s").refused();
+    refused.telling("are equally near to it; give one that is nearer");
+    // With r on the third axis the cone is two planes, and what lies midway has two nearest axes.
+    let between = bifdiag("critical-spin --A 1,1.5,2 --r 0,0,1 --axis 1,1,1").succeeds();
+    between.printing("as near is (");
+    // Nothing tends to an axis across all limits of fast spins.
+    let across = bifdiag("critical-spin --A 2,2,1 --r 1,0,0 --axis 0,1,0").succeeds().stdout();
+    assert!(!across.contains("at fast spins"), "{across}");
+}
+
+/// Of a circle of steady rotations the one nearest to the given axis is followed, not one that is listed for all.
+#[test]
+fn the_end_of_a_circle_is_the_axis_that_was_given() {
+    let place = tempfile::tempdir().unwrap();
+    for (axis, named) in
+        [("1,1,0", "(0.707107, 0.707107, 0)"), ("-3,4,0", "(-0.6, 0.8, 0)"), ("3,4,1", "(0.6, 0.8, 0)")]
+    {
+        let line = format!("campbell --A 2,2,1 --r 0,0,1 --no-plot --axis={axis} --to");
+        let told = bifdiag(&line).and("20 rad/s").inside(place.path()).succeeds();
+        told.printing(&format!("that tends to {named} at fast spins is followed (S12, one of a circle of them)"));
+    }
+    let found = bifdiag("critical-spin --A 2,2,1 --r 0,0,1 --axis=-3,4,0 --json").succeeds().json();
+    let families = found["families"].as_array().unwrap();
+    assert_eq!(families.len(), 1);
+    let axis = |value: &Value| -> [f64; 3] { std::array::from_fn(|k| value[k].as_f64().unwrap()) };
+    let [x, y, z] = axis(&families[0]["fast_axis"]);
+    assert!((x + 0.6).abs() + (y - 0.8).abs() + z.abs() < 1e-12, "{found}");
+    // At the spin where it begins it lies on the axis of symmetry, hanging.
+    let [x, y, z] = axis(&families[0]["stretches"][0]["from"]["axis"]);
+    assert!(x.abs() + y.abs() + (z + 1.0).abs() < 1e-9, "{found}");
+}

@@ -269,7 +269,15 @@ fn steady_axes_over_the_spin_are_a_table_and_a_picture() {
     assert_eq!((&lines[3]["axes"], &lines[3]["command"]), (&one["axes"], &one["command"]));
     run("--out axes.svg").succeeds().printing("5 families of steady axes").printing("written: axes.svg");
     let picture = std::fs::read_to_string(directory.path().join("axes.svg")).unwrap();
-    for text in ["spin in rpm", "in degrees", "unstable", ">stable<", ">G2<", ">S2<"] {
+    for text in [
+        "spin in rpm",
+        "in degrees",
+        "unstable",
+        "stable, with friction too",
+        "stable without friction",
+        ">G2<",
+        ">S2<",
+    ] {
         assert!(picture.contains(text), "{text}");
     }
     bifdiag("critical --body paper --out axes.svg --spin").and("2 rpm").refused().telling("a picture needs a range");

@@ -104,6 +104,19 @@ fn bodies_beside_three_quarters_are_verified() {
     ]);
 }
 
+/// Just below ¾ a pair of saddles lies beside the standing or hanging rotation, with barriers of the square of what is missing: what
+/// they join follows from the symmetry and the saddle between the two other minima (Corollary 9.8), where no path is proved.
+#[test]
+fn bodies_just_below_three_quarters_are_verified() {
+    are_verified(&[
+        [["1", "0.749999925", "0.393"], ["1", "0", "0"]],
+        [["1.634", "6127497549/5000000000", "0.492"], ["1", "0", "0"]],
+        [["0.509", "1526998473/4000000000", "0.345"], ["1", "0", "0"]],
+        [["1.339", "100424999999995983/100000000000000000", "0.921"], ["1", "0", "0"]],
+        [["1.739", "26084999999984349/20000000000000000", "0.477"], ["1", "0", "0"]],
+    ]);
+}
+
 /// Rods whose curves are no lines that doubles can draw.
 #[test]
 fn rods_whose_drawing_is_coarse_are_verified() {

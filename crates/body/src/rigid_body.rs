@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use bifdiag_numbers::symmetric::{Symmetric, dot};
+use bifdiag_numbers::symmetric::{Real, Symmetric, dot};
 use bifdiag_numbers::{Number, ParseNumberError};
 use bifdiag_schema::Flags;
 use dashu_ratio::RBig;
@@ -86,6 +86,14 @@ impl Body {
             Some(tensor) => tensor.center_squared(),
             None => self.center.iter().fold(RBig::ZERO, |sum, r| sum + r.value() * r.value()),
         }
+    }
+
+    /// |r|, exact where it is rational, else enclosed.
+    #[must_use]
+    pub fn center_norm(&self) -> Real {
+        /// More than a double has, and than is lost where h is nearly |r|.
+        const DIGITS: usize = 60;
+        Real::root_of(&self.center_squared(), DIGITS)
     }
 
     /// rᵀAr = |r|² J_r, exact.

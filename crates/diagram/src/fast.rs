@@ -1,6 +1,7 @@
 //! Answers of `f64` alone, with error bounds: undecided where these do not suffice. The public answers of `bifdiag_exact`
 //! begin here.
 
+use dashu_ratio::RBig;
 use thiserror::Error;
 
 use crate::arrangement::{Arrangement, Undecided};
@@ -11,6 +12,7 @@ use bifdiag_body::{Body, Number};
 use bifdiag_equilibria::curves::{
     CriticalSet, CurveId, CurveName, EquilibriaError, MomentumError, Point, Pole, abscissa,
 };
+use bifdiag_numbers::symmetric::Real;
 
 /// Why `f64` has no answer.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -211,23 +213,32 @@ impl<'a> AtMomentum<'a> {
 pub fn at_rest(body: &Body, h: &Number) -> Classification {
     use std::cmp::Ordering::{Equal, Greater, Less};
     let frame = body.frame();
-    let r = frame.r_norm * frame.energy_unit;
-    let energy = h.to_f64();
+    let stands = h.value() >= &RBig::ZERO;
     let euler = frame.is_euler();
     let disc = || vec![Component { boundary_circles: 1, poles: Some(Poles { plus: true, minus: false }) }];
     let sphere = || vec![whole_sphere(!euler)];
-    let (nearest, distance) = match (euler, energy < 0.0) {
-        (true, _) => (CurveName::Rest, energy.abs()),
-        (false, true) => (CurveName::Pole(Pole::Plus), (energy + r).abs()),
-        (false, false) => (CurveName::Pole(Pole::Minus), (energy - r).abs()),
+    let place = atlas::compare_with_r(body, h);
+    // The curve of relative equilibria that begins there; the pole line does, too.
+    let of_pole = || {
+        let set = CriticalSet::new(frame).ok()?;
+        Some(CurveName::of(&set, set.at_rest(!stands)?))
     };
-    let margin = Margin { h: distance, nearest: Some(nearest), error_bound: 4.0 * f64::EPSILON * r };
-    match (atlas::compare_with_r(body, h), energy < 0.0) {
-        (Greater, true) => Classification::decided(Vec::new(), margin),
-        (Greater, false) => Classification::decided(sphere(), margin),
+    let nearest = match (euler, stands) {
+        (true, _) => CurveName::Rest,
+        (false, true) => of_pole().unwrap_or(CurveName::Pole(Pole::Minus)),
+        (false, false) => of_pole().unwrap_or(CurveName::Pole(Pole::Plus)),
+    };
+    // | |h| − |r| |
+    let (r, size) = (body.center_norm(), if stands { h.value().clone() } else { -h.value() });
+    let (lo, hi) = if place.is_lt() { (r.lo - &size, r.hi - size) } else { (&size - r.hi, size - r.lo) };
+    let (distance, error_bound) = Real { lo, hi }.rounded();
+    let margin = Margin { h: distance, nearest: Some(nearest), error_bound };
+    match (place, stands) {
+        (Greater, false) => Classification::decided(Vec::new(), margin),
+        (Greater, true) => Classification::decided(sphere(), margin),
         (Less, _) => Classification::decided(disc(), margin),
         (Equal, _) if euler => Classification::open(true, vec![Vec::new(), sphere()], margin),
-        (Equal, true) => Classification::open(true, vec![Vec::new(), disc()], margin),
-        (Equal, false) => Classification::open(true, vec![disc(), sphere()], margin),
+        (Equal, false) => Classification::open(true, vec![Vec::new(), disc()], margin),
+        (Equal, true) => Classification::open(true, vec![disc(), sphere()], margin),
     }
 }

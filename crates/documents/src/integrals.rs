@@ -44,26 +44,29 @@ pub fn integrable_words(document: &IntegrableDocument) -> String {
     format!("{name}'s case: {what} {integral}{holds}")
 }
 
-/// The further integrals of a body along motions, each a start and the states that follow it.
+/// The further integrals of a body along motions, each its number, a start and the states that follow it.
 pub fn further_integrals<'a, S>(
     body: &Body,
-    motions: &(impl Iterator<Item = (State, S)> + Clone + 'a),
+    motions: &(impl Iterator<Item = (u32, State, S)> + Clone + 'a),
 ) -> Vec<FurtherIntegralDocument>
 where
     S: Iterator<Item = State>,
 {
     let top = HeavyTop::new(body);
     let along = |case: IntegrableCase| {
-        let mut found = FurtherIntegralDocument { of: document(case), kept: true, at_start: 0.0, drift: 0.0 };
-        for (start, states) in motions.clone() {
+        let mut found =
+            FurtherIntegralDocument { of: document(case), kept: true, at_start: 0.0, orbit: None, drift: 0.0 };
+        let are_several = motions.clone().nth(1).is_some();
+        for (number, start, states) in motions.clone() {
             let at_start = further_integral(case, &top, &start);
             found.kept &= keeps_further_integral(case, &top, &start);
-            if at_start.abs() > found.at_start.abs() {
-                found.at_start = at_start;
+            if found.orbit.is_none() || at_start.abs() > found.at_start.abs() {
+                (found.at_start, found.orbit) = (at_start, Some(number));
             }
             let off = states.map(|state| (further_integral(case, &top, &state) - at_start).abs());
             found.drift = off.fold(found.drift, f64::max);
         }
+        found.orbit = found.orbit.filter(|_| are_several);
         found
     };
     IntegrableCase::of(body).into_iter().map(along).collect()

@@ -48,7 +48,7 @@ pub fn section(subject: &Subject, section: &PoincareSection, region: Option<&str
     let state = |point: &SectionPoint| State { gamma: point.gamma, l: point.l };
     let motions = section.orbits.iter().filter_map(|orbit| {
         let (start, others) = orbit.points.split_first()?;
-        Some((state(start), others.iter().map(state)))
+        Some((orbit.orbit, state(start), others.iter().map(state)))
     });
     let integrals = match motions.clone().next() {
         Some(_) => further_integrals(&section.body, &motions),

@@ -10,8 +10,8 @@ use bifdiag_equilibria::critical::Equilibrium;
 use bifdiag_equilibria::curves::{BranchName, CurveName, Pole};
 use bifdiag_equilibria::nonlinear::VerdictChange;
 use bifdiag_equilibria::permanent::{
-    AxisRotation, Near, SpinRange, SpinType, sampled_bodies, sampled_parts, sampled_shares, settled_types_of_part,
-    settled_types_of_shares, spin_ranges,
+    AxisRotation, Near, SettledTypes, SpinRange, SpinType, sampled_bodies, sampled_parts, sampled_shares,
+    settled_types_of_part, settled_types_of_shares, spin_ranges,
 };
 use bifdiag_numbers::{Number, decimal};
 use bifdiag_schema::{
@@ -178,10 +178,10 @@ pub fn tolerance(rotations: &[(&str, AxisRotation)], relative: &[Number; 4], sec
 pub fn measured_tolerance(
     part: &Part,
     measured: &MeasuredPart,
-    ends: [(&str, [f64; 3], Near); 2],
+    ends: [(&str, [f64; 3], Near<'_>); 2],
     second: f64,
 ) -> ToleranceDocument {
-    let moving = ends.iter().any(|(.., near)| *near != Near::Axis);
+    let moving = ends.iter().any(|(.., near)| !matches!(near, Near::Axis(_)));
     let settled = ends.map(|(name, up, near)| (name, settled_types_of_part(part, measured, up, near)));
     let (classes, sampled_parts) = sampled_classes(sampled_parts(part, measured));
     let input = |k: usize| MeasuredDocument {
@@ -195,7 +195,7 @@ pub fn measured_tolerance(
         relative: None,
         inputs: measured.uncertain().map(input).collect(),
         moving,
-        tilt_deg: Some(settled.iter().map(|(_, found)| found.tilt).fold(0.0, f64::max).to_degrees()),
+        tilt_deg: largest_tilt(&settled),
         sampled_parts,
         classes,
         ranges: ranges.collect(),
@@ -220,11 +220,16 @@ pub fn tolerance_beside(
         relative: Some(std::array::from_fn(|_| share.text().to_owned())),
         inputs: Vec::new(),
         moving: true,
-        tilt_deg: Some(settled.iter().map(|(_, found)| found.tilt).fold(0.0, f64::max).to_degrees()),
+        tilt_deg: largest_tilt(&settled),
         sampled_parts,
         classes,
         ranges: ranges.collect(),
     }
+}
+
+/// The largest tilt in degrees; `None` where the axis itself is permanent for all.
+fn largest_tilt(settled: &[(&str, SettledTypes)]) -> Option<f64> {
+    settled.iter().filter_map(|(_, found)| found.tilt).reduce(f64::max).map(f64::to_degrees)
 }
 
 /// A range of spins in the body's unit of time, with the name of the end that is up.

@@ -10,8 +10,10 @@ use crate::page::{
 /// What is known of the stability along a piece of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Steadiness {
-    /// Stable.
-    Stable,
+    /// Stable, with friction that conserves l too.
+    Lasting,
+    /// Stable, but not with such friction.
+    Frictionless,
     /// No eigenvalue grows, and stability itself is not decided.
     Open,
     /// Unstable.
@@ -43,11 +45,11 @@ const TEXT: f64 = 12.0;
 const ROW: f64 = 13.0;
 
 impl Steadiness {
-    const ALL: [Self; 3] = [Self::Stable, Self::Open, Self::Unstable];
+    const ALL: [Self; 4] = [Self::Lasting, Self::Frictionless, Self::Open, Self::Unstable];
 
     fn color(self) -> RGBColor {
         match self {
-            Self::Stable => rgb(0x12_50_a8),
+            Self::Lasting | Self::Frictionless => rgb(0x12_50_a8),
             Self::Open => rgb(0x0e_7c_5a),
             Self::Unstable => rgb(0xc2_14_2d),
         }
@@ -56,15 +58,24 @@ impl Steadiness {
     fn pattern(self) -> Vec<Dash> {
         let color = Some(self.color());
         match self {
-            Self::Stable => vec![(color, 1.0)],
+            Self::Lasting | Self::Frictionless => vec![(color, 1.0)],
             Self::Open => vec![(color, 9.0), (None, 3.0), (color, 2.0), (None, 3.0)],
             Self::Unstable => vec![(color, 6.0), (None, 4.0)],
         }
     }
 
+    fn width(self) -> f64 {
+        match self {
+            Self::Lasting => 2.2,
+            Self::Frictionless => 1.0,
+            Self::Open | Self::Unstable => 2.0,
+        }
+    }
+
     fn meaning(self) -> &'static str {
         match self {
-            Self::Stable => "stable",
+            Self::Lasting => "stable, with friction too",
+            Self::Frictionless => "stable without friction",
             Self::Open => "no eigenvalue grows, stability itself not decided",
             Self::Unstable => "unstable",
         }
@@ -90,8 +101,10 @@ pub fn draw_steady(scene: &SteadyScene, theme: Theme) -> Result<Picture, PlotErr
             for (kind, points) in &curve.runs {
                 let line: Vec<Point> = within(points, scene.range).into_iter().map(at).collect();
                 match kind {
-                    Steadiness::Stable => canvas.path(&line, Ink { color: kind.color(), width: 2.2 }),
-                    _ => canvas.dashed(&line, &kind.pattern(), 2.0),
+                    Steadiness::Lasting | Steadiness::Frictionless => {
+                        canvas.path(&line, Ink { color: kind.color(), width: kind.width() });
+                    }
+                    _ => canvas.dashed(&line, &kind.pattern(), kind.width()),
                 }
             }
             let last = curve.runs.iter().rev().find_map(|(_, points)| within(points, scene.range).last().copied());
@@ -102,7 +115,7 @@ pub fn draw_steady(scene: &SteadyScene, theme: Theme) -> Result<Picture, PlotErr
         canvas.text(&left.quantity, [16.0, RECT.y - 24.0], TEXT, INK, Anchor::Start);
         let is_drawn =
             |kind: &Steadiness| scene.curves.iter().flat_map(|curve| &curve.runs).any(|(own, _)| own == kind);
-        let entry = |kind: Steadiness| (Symbol::Line(kind.pattern(), 2.0), kind.meaning().to_owned());
+        let entry = |kind: Steadiness| (Symbol::Line(kind.pattern(), kind.width()), kind.meaning().to_owned());
         let legend =
             Legend::new(Steadiness::ALL.into_iter().filter(is_drawn).map(entry).collect(), SIZE[0] - 2.0 * 30.0);
         legend.draw(canvas, [30.0, RECT.bottom() + 58.0]);

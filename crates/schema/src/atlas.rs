@@ -241,7 +241,7 @@ pub struct EventDocument {
     pub enclosure: Option<EnclosureDocument>,
 }
 
-/// A point well inside a region; where no double lies inside, the doubles nearest to one, which the certificate has exactly.
+/// A point inside a region, chosen where it is wide; where no double lies inside, the doubles nearest to one, which the certificate has exactly.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SampleDocument {
     /// Energy.

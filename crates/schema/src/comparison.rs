@@ -80,7 +80,7 @@ pub struct PathDocument {
     /// The two ends, in these axes and units. Where moments are equal the axes are those in which r is nearest to that of the
     /// other body.
     pub ends: [GivenBody; 2],
-    /// For each end: r is turned by 90° about an axis of symmetry, or reflected there, which changes no diagram.
+    /// For each end: r is turned by 90° about an axis of symmetry, or reflected there, or that of a ball has the direction of the other's r, which changes no diagram.
     pub turned: [bool; 2],
     /// The borders that were found, in their order. Bisection may pass over a class that the path enters and leaves again.
     pub borders: Vec<CrossedBorderDocument>,

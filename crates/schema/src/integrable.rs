@@ -40,6 +40,9 @@ pub struct FurtherIntegralDocument {
     pub kept: bool,
     /// Its value at the start; of several motions the largest in magnitude.
     pub at_start: f64,
+    /// Of several motions, the number of the orbit with this value.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub orbit: Option<u32>,
     /// Its largest deviation from the value at the start, over the samples or crossings.
     pub drift: f64,
 }

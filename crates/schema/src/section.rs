@@ -168,7 +168,7 @@ pub struct EvidenceDocument {
 /// How regular an orbit is.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ChaosDocument {
-    /// The largest Lyapunov exponent; null for an orbit of no duration or one that was not finished.
+    /// The largest Lyapunov exponent; null for an orbit of no duration, with fewer than 24 returns, or that was not finished.
     pub lyapunov: Option<LyapunovDocument>,
     /// The rotation number; null if there is none.
     pub rotation: Option<RotationDocument>,

@@ -30,7 +30,8 @@ pub fn in_near_axes(first: &Body, second: &Body) -> [Oriented; 2] {
     [first, second]
 }
 
-/// In standard axes; axes of equal moments stand as the components of r of the other body do by size, or by rising r_i.
+/// In standard axes; axes of equal moments stand as the components of r of the other body do by size, or by rising r_i. Of a ball
+/// r has the direction of the other body's.
 fn oriented(body: &Body, other: Option<&Body>) -> Oriented {
     let values = |numbers: &[Number; 3]| numbers.each_ref().map(|x| x.value().clone());
     let (a, r) = (values(body.moments()), values(body.center()).map(|x| x.clone().max(-x)));
@@ -49,6 +50,8 @@ fn oriented(body: &Body, other: Option<&Body>) -> Oriented {
             first += group.len();
         }
     }
+    let is_ball = a.iter().all(|moment| *moment == a[0]);
+    let turned = other.filter(|other| is_ball && !body.is_euler() && !other.is_euler());
     let is_turned = order.windows(2).any(|pair| {
         let [i, j] = [pair[0], pair[1]];
         a[i] == a[j] && r[i] != r[j] && i > j
@@ -56,7 +59,9 @@ fn oriented(body: &Body, other: Option<&Body>) -> Oriented {
     let half = (&a[0] + &a[1] + &a[2]) / RBig::from(2);
     let largest = r.iter().fold(RBig::ZERO, |most, x| most.max(x.clone()));
     let unit = if largest.is_zero() { RBig::ONE } else { largest };
-    let [moments, center] = [order.map(|k| &a[k] / &half), order.map(|k| &r[k] / &unit)];
+    let [moments, own] = [order.map(|k| &a[k] / &half), order.map(|k| &r[k] / &unit)];
+    let center = turned.map_or_else(|| own.clone(), |other| values(other.center()));
+    let is_turned = if turned.is_some() { center != own } else { is_turned };
     // Scaled by positive numbers, moments stay positive.
     let body = Body::new(moments.map(Number::from_rational), center.map(Number::from_rational))
         .unwrap_or_else(|_| body.clone());
@@ -88,8 +93,10 @@ mod tests {
         assert_eq!(in_near_axes(&symmetric, &other).map(|end| end.is_turned), [true, false]);
         assert_eq!(centers(&symmetric, &symmetric), [[0.6, 0.8, 1.0]; 2]);
         let ball = body(["1", "1", "1"], ["3", "2", "1"]);
-        assert_eq!(centers(&ball, &other)[0], [1.0 / 3.0, 2.0 / 3.0, 1.0]);
-        assert_eq!(centers(&ball, &near)[0], [2.0 / 3.0, 1.0 / 3.0, 1.0]);
+        assert_eq!(centers(&ball, &other), [[0.2, 0.8, 1.0]; 2]);
+        assert_eq!(centers(&ball, &near), [[0.8, 0.2, 1.0]; 2]);
+        assert_eq!(in_near_axes(&near, &ball).map(|end| end.is_turned), [false, true]);
+        assert_eq!(centers(&ball, &body(["1", "2", "3"], ["0"; 3]))[0], [1.0 / 3.0, 2.0 / 3.0, 1.0]);
     }
 
     #[test]

@@ -112,6 +112,20 @@ pub fn share(class: &ClassDocument) -> String {
     format!("{}%", significant(100.0 * class.measure, 3))
 }
 
+/// The same, and how it is known.
+fn share_in_words(class: &ClassDocument) -> String {
+    let (share, error) = (share(class), class.measure_error);
+    if class.stratum.as_ref().is_some_and(|stratum| stratum.starts_with("the ball")) {
+        return format!("{share}, since they differ in scale alone");
+    }
+    match class.measure {
+        0.0 => share,
+        // The error of a sample that has nothing else is the share of one body.
+        1.0 => format!("{share} of a sample of {} bodies", significant(1.0 / error, 6)),
+        _ => format!("{share} (± {}%)", significant(100.0 * error, 1)),
+    }
+}
+
 fn report(class: &ClassDocument, document: &AtlasDocument, written: &[PathBuf]) -> String {
     let mut report = Report::default();
     let (whose, of) = if class.physical {
@@ -130,7 +144,7 @@ fn report(class: &ClassDocument, document: &AtlasDocument, written: &[PathBuf]) 
     let sections: Vec<&str> = document.regions.iter().filter_map(|region| region.signature.as_deref()).collect();
     report.line(format!("sections of its regions: {}", sections.join(", ")));
     report.line(format!("types of components: {}", class.types.join(", ")));
-    report.line(format!("share of {among}{of}: {} (± {}%)", share(class), significant(100.0 * class.measure_error, 1)));
+    report.line(format!("share of {among}{of}: {}", share_in_words(class)));
     report.line("a body of it:");
     let (moments, center) = (class.witness.body.moments.join(","), class.witness.body.center.join(","));
     report.line(format!("  bifdiag --A {moments} --r {center}"));

@@ -7,6 +7,7 @@ use bifdiag_documents::Subject;
 use bifdiag_equilibria::critical::{Place, RelativeEquilibria, SteadyFamily};
 use bifdiag_equilibria::nonlinear::NonlinearVerdict;
 use bifdiag_plot::{Steadiness, SteadyCurve, SteadyScene, Theme, draw_steady};
+use bifdiag_schema::Reason;
 use dashu_ratio::RBig;
 
 use super::spins::spin_at;
@@ -89,10 +90,11 @@ fn runs(
     let run = |(number, stretch): (usize, &bifdiag_equilibria::critical::SteadyStretch)| {
         let until = starts.get(number + 1).copied().unwrap_or(f64::INFINITY);
         let kind = match stretch.verdict {
-            Some((NonlinearVerdict::Stable, _)) => Steadiness::Stable,
+            Some((NonlinearVerdict::Stable, Reason::Energy)) => Steadiness::Lasting,
+            Some((NonlinearVerdict::Stable, _)) => Steadiness::Frictionless,
             Some((NonlinearVerdict::Unstable, _)) => Steadiness::Unstable,
             // What is left to the normal form, Arnold's theorem decides but at isolated spins.
-            None if are_known => Steadiness::Stable,
+            None if are_known => Steadiness::Frictionless,
             Some((NonlinearVerdict::Open, _)) | None => Steadiness::Open,
         };
         let here = points.iter().copied().filter(|(at, _)| (starts[number]..=until).contains(at));

@@ -36,6 +36,7 @@ pub fn text(subject: &Subject, document: &CriticalDocument) -> String {
     report.line(places.text());
     let points: Vec<&RelativeEquilibriumDocument> = document.critical.iter().collect();
     motions(&mut report, subject, &points);
+    report.line("gamma points down, along gravity, in principal axes");
     report.line(format!("error bound of h: {}", bound(document.error_bound, 2)));
     if !document.complete {
         report.line("there may be more: l lies beside cusps closer than 2^-4000");

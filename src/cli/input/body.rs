@@ -53,14 +53,14 @@ pub type MeasuredSubject = (Subject, Option<(Part, MeasuredPart)>);
 impl PlainBodyArguments {
     /// The body of the options.
     pub fn subject(&self) -> Result<Subject, Failure> {
-        self.optional_subject()?.ok_or_else(no_body)
+        self.optional_subject()?.ok_or_else(|| no_body(PLAIN))
     }
 
     /// The body of the options, or `None` if none of them was given.
     pub fn optional_subject(&self) -> Result<Option<Subject>, Failure> {
         let body: Body = match (&self.moments, &self.center, self.body) {
-            (Some(_), _, Some(_)) => return Err(two_bodies("--A", "--body")),
-            (None, Some(_), Some(_)) => return Err(two_bodies("--r", "--body")),
+            (Some(_), _, Some(_)) => return Err(two_bodies("--A", "--body", "")),
+            (None, Some(_), Some(_)) => return Err(two_bodies("--r", "--body", "")),
             (Some(_), None, None) => {
                 let right = "--A also needs the centre of mass, such as --r 0.94868,0,0.61623";
                 return Err(Failure::input(format!("--r is missing: {right}")));
@@ -90,7 +90,7 @@ impl PlainBodyArguments {
 impl BodyArguments {
     /// The body of the options.
     pub fn subject(&self) -> Result<Subject, Failure> {
-        self.optional_subject()?.ok_or_else(no_body)
+        self.optional_subject()?.ok_or_else(|| no_body(WITH_PARTS))
     }
 
     /// The body of the options, or `None` if none of them was given.
@@ -100,7 +100,7 @@ impl BodyArguments {
 
     /// The body of the options, and how its part was measured where its numbers are not exact.
     pub fn measured_subject(&self) -> Result<MeasuredSubject, Failure> {
-        self.given_body(PartArguments::measured_part)?.ok_or_else(no_body)
+        self.given_body(PartArguments::measured_part)?.ok_or_else(|| no_body(WITH_PARTS))
     }
 
     fn given_body(
@@ -108,7 +108,7 @@ impl BodyArguments {
         read: impl Fn(&PartArguments) -> Result<Option<GivenPart>, Failure>,
     ) -> Result<Option<MeasuredSubject>, Failure> {
         if let (Some(first), Some(second)) = (self.plain.given().next(), self.part.given().next()) {
-            return Err(two_bodies(first, second));
+            return Err(two_bodies(first, second, ", --inertia, --inertia-com, --part"));
         }
         if let Some(subject) = self.plain.optional_subject()? {
             return Ok(Some((subject, None)));
@@ -126,16 +126,16 @@ impl BodyArguments {
     }
 }
 
-fn two_bodies(first: &str, second: &str) -> Failure {
-    Failure::input(format!(
-        "{first} and {second} both describe the body; give one of --A with --r, --body, --inertia, --inertia-com, --part"
-    ))
+fn two_bodies(first: &str, second: &str, others: &str) -> Failure {
+    Failure::input(format!("{first} and {second} both describe the body; give one of --A with --r, --body{others}"))
 }
 
-fn no_body() -> Failure {
-    Failure::input(
-        "no body is given; use --A 2,1.1,1 --r 0.94868,0,0.61623, a named body such as --body paper, or a real part: --inertia-com",
-    )
+/// What may be given where a part may not, and where it may.
+const PLAIN: &str = "or a named body such as --body paper";
+const WITH_PARTS: &str = "a named body such as --body paper, or a real part: --inertia-com";
+
+fn no_body(others: &str) -> Failure {
+    Failure::input(format!("no body is given; use --A 2,1.1,1 --r 0.94868,0,0.61623, {others}"))
 }
 
 /// A and r, and how they came about.
@@ -169,14 +169,18 @@ pub fn integrable(body: &Body, report: &mut Report) {
 
 /// The further integrals of an integrable body, with their values and deviations.
 pub fn add_integrals(report: &mut Report, integrals: &[FurtherIntegralDocument]) {
-    for FurtherIntegralDocument { of, kept, at_start, drift } in integrals {
+    for FurtherIntegralDocument { of, kept, at_start, orbit, drift } in integrals {
         report.line(bifdiag_documents::integrable_words(of));
         let (value, drift) = (significant(*at_start, 10), significant(*drift, 2));
+        let value = match orbit {
+            Some(orbit) => format!("{value} at the start of orbit {orbit}, where it is largest in magnitude"),
+            None => format!("{value} at the start"),
+        };
         report.line(if *kept {
             let growing = if of.holds == "where it is 0" { "; errors off 0 may grow exponentially" } else { "" };
-            format!("  {value} at the start, largest deviation {drift}{growing}")
+            format!("  {value}; largest deviation {drift}{growing}")
         } else {
-            format!("  {value} at the start, and it changes: it is constant {} only (by {drift} here)", of.holds)
+            format!("  {value}; it changes: it is constant {} only (by {drift} here)", of.holds)
         });
     }
 }

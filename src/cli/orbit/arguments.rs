@@ -29,14 +29,15 @@ Examples:
 The start, at time 0, is gamma (or Euler's angles theta from 0 to pi, psi and phi: gamma = (sin theta sin psi, sin theta cos psi, \
 cos theta)) with the angular momentum l or the angular velocity omega = l/A, in the body's axes; or a \
 point of the section: (h, l), theta, psi and sheet of its PP-torus, as `bifdiag section` writes them. The attitude is a \
-unit quaternion w,x,y,z that takes vectors of the body to space; theta, psi, phi are Euler's angles of the third axis.";
+unit quaternion w,x,y,z that takes vectors of the body to space, whose third axis is gamma: both point down, along gravity. theta, \
+psi, phi are Euler's angles of the third axis.";
 
 /// `bifdiag orbit`.
 #[derive(Debug, Args)]
 pub struct OrbitArguments {
     #[command(flatten)]
     pub body: BodyArguments,
-    /// The vertical, in the body's axes; its length does not matter
+    /// The vertical, pointing down, in the body's axes; its length does not matter
     #[arg(long, value_name = "g1,g2,g3", allow_hyphen_values = true, value_parser = values::vertical)]
     #[arg(help_heading = "Start: a state")]
     pub gamma: Option<Vertical>,

@@ -38,7 +38,11 @@ pub fn document(problem: &Problem<'_>, motion: &Motion) -> Result<MotionDocument
         },
         integrals: bifdiag_documents::further_integrals(
             &subject.body,
-            &std::iter::once((*start, motion.samples.iter().map(|sample| State { gamma: sample.gamma, l: sample.l }))),
+            &std::iter::once((
+                0,
+                *start,
+                motion.samples.iter().map(|sample| State { gamma: sample.gamma, l: sample.l }),
+            )),
         ),
         samples: None,
         notes: notes(report),
@@ -122,6 +126,7 @@ pub fn text(subject: &Subject, document: &MotionDocument, samples: &[MotionSampl
         if samples.len() > LISTED {
             report.line(format!("… and {} more; --data FILE.csv writes all", samples.len() - LISTED));
         }
+        report.line("gamma points down, along gravity, and so does the third axis of space");
         report.line("");
     }
     let summary = &document.summary;

@@ -150,7 +150,7 @@ fn legend(report: &mut Report, families: &[&SteadyFamilyDocument]) {
         told.push(&family.branch);
         let axes = match family.axes {
             Multiplicity::Points(2) => ": two axes, each the other's mirror image",
-            Multiplicity::Circle => ": a circle of axes",
+            Multiplicity::Circle => ": a circle of axes, of which one is listed",
             _ => "",
         };
         report.line(format!("{}: {}{axes}", family.branch, family.branch_name));

@@ -1,14 +1,16 @@
 //! Axes of questions, and the rotations that they mean.
 
+use bifdiag_body::Body;
 use bifdiag_documents::Subject;
 use bifdiag_equilibria::critical::{Multiplicity, Place, SteadyFamily, SteadyStretch};
 use bifdiag_equilibria::permanent::{NearestAxis, PermanentAxis, angle_between, nearest_permanent, permanent_axis};
-use bifdiag_numbers::vector::{dot, norm};
+use bifdiag_numbers::vector::{dot, norm, normalised};
 use bifdiag_schema::NearestAxisDocument;
 use dashu_ratio::RBig;
 
 use crate::cli::failure::Failure;
 use crate::cli::input::values::{self, Triple};
+use crate::cli::terminal::significant;
 
 /// An axis nearer to a permanent one than this, in radians, is that axis: directions are given with some digits.
 pub const MEANT: f64 = 1e-6;
@@ -120,12 +122,21 @@ pub fn end_up(squared_spin: f64) -> &'static str {
     if squared_spin < 0.0 { "-axis" } else { "+axis" }
 }
 
+/// The axes of families at fast spins, in the frame of the question, as a list.
+pub fn fast_axes(subject: &Subject, families: &[SteadyFamily]) -> String {
+    let axis = |family: &SteadyFamily| listed(subject.to_given(family.fast.map(|x| 0.0 - x)));
+    families.iter().map(axis).collect::<Vec<_>>().join(" and ")
+}
+
+/// A direction as it is printed.
+pub fn listed(axis: [f64; 3]) -> String {
+    format!("({})", axis.map(|x| significant(x, 6)).join(", "))
+}
+
 /// What is said of a permanent axis that is followed in place of the given one.
 pub fn followed_text(nearest: &NearestAxisDocument) -> String {
-    use crate::cli::terminal::significant;
-    let [x, y, z] = nearest.axis.map(|x| significant(x, 6));
     let angle = significant(nearest.angle_deg, 3);
-    format!("the nearest permanent axis, ({x}, {y}, {z}), {angle}° from the one given, is followed")
+    format!("the nearest permanent axis, {}, {angle}° from the one given, is followed", listed(nearest.axis))
 }
 
 /// Without weight: the permanent axes at an angle in degrees from a direction, of each circle of them the one nearest to it.
@@ -146,37 +157,63 @@ pub fn principal_at(subject: &Subject, given: [f64; 3], angle_deg: f64) -> Vec<[
     nearest.filter(|axis| (angle(axis) - angle_deg).abs() < TIE).collect()
 }
 
-/// The family whose axis is nearest to a direction that points up, at fast spins; of a symmetric pair the one on that side.
-pub fn fastest_along(families: &[SteadyFamily], up: [f64; 3]) -> Option<SteadyFamily> {
-    // γ points down; a pair has both ends.
-    let along = |family: &SteadyFamily| {
-        let side = dot(family.fast, up);
-        if family.axes == Multiplicity::Points(1) { -side } else { side.abs() }
+/// The families whose axes are nearest to a direction that points up, at fast spins: several if they are equally near, none if
+/// all of them lie across it. Of a symmetric pair the one on that side, of a circle the nearest.
+pub fn fastest_along(body: &Body, families: &[SteadyFamily], up: [f64; 3]) -> Vec<SteadyFamily> {
+    /// Cosines that differ by less are the same.
+    const TIE: f64 = 1e-9;
+    // γ points down; a pair has both ends, a circle all directions of its plane.
+    let along = |family: &SteadyFamily| match family.axes {
+        Multiplicity::Circle | Multiplicity::Sphere => norm(in_plane_of(body, family, up)),
+        Multiplicity::Points(1) => -dot(family.fast, up),
+        Multiplicity::Points(_) => dot(family.fast, up).abs(),
     };
-    let nearest = families.iter().max_by(|p, q| along(p).total_cmp(&along(q)))?.clone();
-    let is_other = nearest.axes == Multiplicity::Points(2) && dot(nearest.fast, up) > 0.0;
-    Some(if is_other { mirrored(nearest) } else { nearest })
+    let most = families.iter().map(along).fold(0.0, f64::max);
+    let nearest = families.iter().filter(|family| most > TIE && along(family) > most - TIE).cloned();
+    let on_that_side = |family: SteadyFamily| match family.axes {
+        Multiplicity::Circle => {
+            let down = normalised(in_plane_of(body, &family, up)).map(|x| 0.0 - x);
+            let from = family.fast;
+            moved(family, |gamma| {
+                let share = dot(gamma, from);
+                std::array::from_fn(|k| gamma[k] + share * (down[k] - from[k]))
+            })
+        }
+        Multiplicity::Points(2) if dot(family.fast, up) > 0.0 => mirrored(family),
+        _ => family,
+    };
+    nearest.map(on_that_side).collect()
+}
+
+/// The share of a direction in the plane of the moments that are equal to that of a family at fast spins.
+fn in_plane_of(body: &Body, family: &SteadyFamily, up: [f64; 3]) -> [f64; 3] {
+    let moments = body.moments().each_ref().map(bifdiag_body::Number::value);
+    let own = largest(family.fast);
+    std::array::from_fn(|k| if moments[k] == moments[own] { up[k] } else { 0.0 })
+}
+
+fn largest(v: [f64; 3]) -> usize {
+    v.iter().enumerate().max_by(|p, q| p.1.abs().total_cmp(&q.1.abs())).map_or(0, |(k, _)| k)
 }
 
 /// The other one of a symmetric pair, reflected in the principal plane from which both come: across it both are farthest apart
 /// at fast spins, where they tend to the two ends of a principal axis.
 fn mirrored(family: SteadyFamily) -> SteadyFamily {
-    let across = family.fast.iter().enumerate().max_by(|p, q| p.1.abs().total_cmp(&q.1.abs())).map_or(0, |(k, _)| k);
-    let reflected = |mut gamma: [f64; 3]| {
+    let across = largest(family.fast);
+    moved(family, |mut gamma| {
         gamma[across] = 0.0 - gamma[across];
         gamma
-    };
+    })
+}
+
+/// The family with every γ moved.
+fn moved(family: SteadyFamily, by: impl Fn([f64; 3]) -> [f64; 3]) -> SteadyFamily {
+    let place = |place: Place| Place { gamma: by(place.gamma), ..place };
+    let stretch = |stretch: SteadyStretch| SteadyStretch { from: stretch.from.map(place), ..stretch };
     SteadyFamily {
-        slow: family.slow.map(reflected),
-        fast: reflected(family.fast),
-        stretches: family
-            .stretches
-            .into_iter()
-            .map(|stretch| SteadyStretch {
-                from: stretch.from.map(|place| Place { gamma: reflected(place.gamma), ..place }),
-                ..stretch
-            })
-            .collect(),
+        slow: family.slow.map(&by),
+        fast: by(family.fast),
+        stretches: family.stretches.into_iter().map(stretch).collect(),
         ..family
     }
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use bifdiag_body::part::Spin;
 use bifdiag_documents::Subject;
-use bifdiag_equilibria::critical::RelativeEquilibria;
+use bifdiag_equilibria::critical::{Multiplicity, RelativeEquilibria};
 use bifdiag_equilibria::nonlinear::NonlinearVerdict;
 use bifdiag_equilibria::permanent::{AxisRotation, PermanentAxis, angle_between, permanent_axis};
 use bifdiag_numbers::Sign;
@@ -12,7 +12,7 @@ use bifdiag_plot::{Campbell, Known, draw_campbell};
 use bifdiag_schema::NearestAxisDocument;
 use clap::Args;
 
-use super::axis::{Axis, AxisArgument, axis, fastest_along, followed_text, principal_at};
+use super::axis::{Axis, AxisArgument, axis, fast_axes, fastest_along, followed_text, principal_at};
 use super::permanent::one_of;
 use crate::cli::export::{Column, Columns, DataFormat, FileSet, PictureArguments, PictureFormat, Values};
 use crate::cli::failure::{Failure, failed};
@@ -129,8 +129,17 @@ fn permanent(
 fn moving(subject: &Subject, given: [f64; 3], largest: &Spin) -> Result<Followed, Failure> {
     let prepared = RelativeEquilibria::new(&subject.body).map_err(failed(NOT_FOUND))?;
     let families = prepared.families().ok_or_else(|| Failure::work(NOT_FOUND))?;
-    let family = fastest_along(&families, subject.to_principal(given)).filter(|family| !family.is_permanent);
-    let family = &family.ok_or_else(|| not_permanent(subject, given))?;
+    let near = fastest_along(&subject.body, &families, subject.to_principal(given));
+    let family = match &near[..] {
+        [family] if !family.is_permanent => family,
+        near if near.iter().all(|family| family.is_permanent) => return Err(not_permanent(subject, given)),
+        _ => {
+            return Err(Failure::input(format!(
+                "--axis: at fast spins the steady axes {} are equally near to it; give one that is nearer to that which is meant",
+                fast_axes(subject, &near)
+            )));
+        }
+    };
     let second = subject.second();
     let mut rows = Vec::new();
     for k in 1..=STEPS {
@@ -152,10 +161,11 @@ fn moving(subject: &Subject, given: [f64; 3], largest: &Spin) -> Result<Followed
     let changes = pairs.filter_map(|pair| {
         Some((rpm(pair[1].from?.omega), pair[0].kind.word().to_owned(), pair[1].kind.word().to_owned()))
     });
-    let [x, y, z] = subject.to_given(family.fast.map(|x| 0.0 - x)).map(|x| significant(x, 6));
+    let circle = if family.axes == Multiplicity::Circle { ", one of a circle of them" } else { "" };
     let told = format!(
-        "the steady rotation from {} rpm on that tends to ({x}, {y}, {z}) at fast spins is followed ({})",
+        "the steady rotation from {} rpm on that tends to {} at fast spins is followed ({}{circle})",
         significant(start, 8),
+        fast_axes(subject, std::slice::from_ref(family)),
         family.branch
     );
     if rows.is_empty() {

@@ -2,19 +2,22 @@
 
 use bifdiag_body::part::{MeasuredPart, Part};
 use bifdiag_documents::{CommandLine, Subject, words};
-use bifdiag_equilibria::critical::RelativeEquilibria;
-use bifdiag_equilibria::permanent::{Near, NearestAxis, exact_spin, nearest_steady};
+use bifdiag_equilibria::critical::{RelativeEquilibria, SteadyFamily};
+use bifdiag_equilibria::permanent::{Near, NearestAxis, equally_near, exact_spin, nearest_steady};
 use bifdiag_exact::{Accuracy, Solver};
 use bifdiag_numbers::Number;
 use bifdiag_numbers::vector::dot;
 use bifdiag_schema::{
-    CriticalSpinDocument, Multiplicity, Reason, SpinDocument, SpinStretchDocument, SteadySpinDocument, Verdict,
+    CriticalSpinDocument, Multiplicity, NearestAxisDocument, Reason, SpinDocument, SpinStretchDocument,
+    SteadySpinDocument, Verdict,
 };
 use clap::Args;
 use dashu_ratio::RBig;
 
 use super::all;
-use super::axis::{Axis, AxisArgument, MEANT, axis, end_up, fastest_along, followed_text, principal_at};
+use super::axis::{
+    Axis, AxisArgument, MEANT, axis, end_up, fast_axes, fastest_along, followed_text, listed, principal_at,
+};
 use super::permanent::{AxisChanges, changes_about, one_of, table_of_changes};
 use super::tolerance::{self, ToleranceArgument};
 use crate::cli::export::answer;
@@ -154,8 +157,9 @@ fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> Criti
         Known::Relative(tolerance) => Some(bifdiag_documents::tolerance(&rotations, &tolerance.0, second)),
         Known::Measured(part, measured) => {
             let up = subject.to_given(axis.direction);
-            let ends = [("+axis", up, Near::Axis), ("-axis", up.map(|x| -x), Near::Axis)];
-            Some(bifdiag_documents::measured_tolerance(part, measured, ends, second))
+            let end = |k: usize, up| rotations.get(k).map(|(name, rotation)| (*name, up, Near::Axis(rotation)));
+            let ends = end(0, up).zip(end(1, up.map(|x| -x)));
+            ends.map(|(plus, minus)| bifdiag_documents::measured_tolerance(part, measured, [plus, minus], second))
         }
     };
     document.slow = slow;
@@ -169,13 +173,24 @@ fn beside(document: &mut CriticalSpinDocument, subject: &Subject, given: &AxisAr
     let families = prepared.as_ref().and_then(RelativeEquilibria::families).unwrap_or_default();
     let exceptions = prepared.as_ref().and_then(RelativeEquilibria::exceptions);
     let up = subject.to_principal(given.direction);
-    let near = [up, up.map(|x| -x)].map(|up| fastest_along(&families, up));
-    let [Some(plus), Some(minus)] = near else { return };
-    // Both ends belong to a circle of axes.
-    let is_one = plus.axes == Multiplicity::Circle && minus == plus;
-    let both = [&plus, &minus];
-    document.families =
-        bifdiag_documents::steady_families(subject, &both[usize::from(is_one)..], exceptions.as_deref());
+    let [plus, minus] = [up, up.map(|x| -x)].map(|up| fastest_along(&subject.body, &families, up));
+    // Of a circle of axes the other end is shown by the same.
+    let of_circle = |family: &&SteadyFamily| family.axes == Multiplicity::Circle;
+    let shown = plus.iter().chain(minus.iter().filter(|family| !of_circle(family)));
+    document.families = bifdiag_documents::steady_families(subject, &shown.collect::<Vec<_>>(), exceptions.as_deref());
+    if plus.len() > 1 {
+        document.note = Some(format!(
+            "at fast spins the steady axes {} are equally near to the given one: {}",
+            fast_axes(subject, &plus),
+            match known {
+                Known::Exactly => "all are listed",
+                Known::Relative(_) | Known::Measured(..) =>
+                    "all are listed; for bounds give an axis that is nearer to one of them",
+            }
+        ));
+    }
+    let ([plus], [minus]) = (&plus[..], &minus[..]) else { return };
+    let both = [plus, minus];
     document.slow = Some(
         both.map(|family| family.stretches.first().map_or_else(String::new, |first| first.kind.word().to_owned())),
     );
@@ -265,7 +280,7 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
                 None => String::new(),
             };
             report.line(format!("the nearest permanent axis is ({x}, {y}, {z}), {angle}° away{spin}"));
-            as_near(&mut report, subject, document, nearest.angle_deg);
+            as_near(&mut report, subject, document, nearest);
         }
         None => {}
     }
@@ -274,7 +289,7 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
         not_permanent(&mut report, subject, document);
         if !document.families.is_empty() {
             report.line("");
-            report.line("steady rotations that tend to a principal axis beside it at fast spins:");
+            report.line("steady rotations that are nearest to it at fast spins:");
             all::families(&mut report, &document.families.iter().collect::<Vec<_>>(), document.part.is_some());
         }
         tolerance::report(&mut report, document);
@@ -331,14 +346,20 @@ fn stretches(report: &mut Report, document: &CriticalSpinDocument) {
     }
 }
 
-/// Without weight, the other principal axes at the same angle.
-fn as_near(report: &mut Report, subject: &Subject, document: &CriticalSpinDocument, angle_deg: f64) {
+/// The other permanent axes at the same angle.
+fn as_near(report: &mut Report, subject: &Subject, document: &CriticalSpinDocument, nearest: &NearestAxisDocument) {
     if !subject.body.is_euler() {
+        let others =
+            equally_near(&subject.body, subject.to_principal(document.axis), subject.to_principal(nearest.axis));
+        if !others.is_empty() {
+            let axes: Vec<String> = others.into_iter().map(|axis| listed(subject.to_given(axis))).collect();
+            let verb = if axes.len() == 1 { "is" } else { "are" };
+            report.line(format!("as near {verb} {}", axes.join(", ")));
+        }
         return;
     }
-    let near = principal_at(subject, document.axis, angle_deg);
-    let listed: Vec<String> =
-        near.iter().map(|axis| format!("({})", axis.map(|x| significant(x, 6)).join(", "))).collect();
+    let near = principal_at(subject, document.axis, nearest.angle_deg);
+    let listed: Vec<String> = near.iter().map(|axis| listed(*axis)).collect();
     if listed.len() > 1 {
         report.line(format!("at this angle are {}", listed.join(", ")));
     }

@@ -68,6 +68,8 @@ fn beside(prepared: &Solver, place: &Place<'_>) -> Option<[Spot; 2]> {
         let found = prepared.classify(&h, l).ok().filter(|found| found.margin.nearest == curve)?;
         Some(prepared.spot(&h, l, &found.answer)).filter(|spot| matches!(spot, Spot::Region(_) | Spot::Forbidden))
     };
+    // At rest without weight there is no other energy to compare with.
+    let size = if *size > 0.0 { *size } else { 1.0 };
     let steps = if *is_exact { &STEPS[..] } else { &STEPS[..ROUNDED] };
     let region = |side: f64| steps.iter().filter_map(|step| RBig::try_from(side * step * size).ok()).find_map(near);
     Some([region(-1.0)?, region(1.0)?])

@@ -130,15 +130,19 @@ fn measured(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[S
 
 /// The ranges of steady rotations near the axis or the nominal rotation.
 fn beside(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[String; 2]>) {
-    // Below this it is the rounding of the bounds.
-    let tilt = tolerance.tilt_deg.map_or_else(String::new, |tilt| significant(tilt.max(1e-9), 2));
     let of = if tolerance.moving { "that of the nominal part at this spin" } else { "the axis" };
-    if tolerance.tilt_deg == Some(0.0) {
-        report
-            .line("at no spin was a steady rotation near the nominal one shown for all of them: they may tilt too far");
-    } else {
-        report.line(format!("at each spin outside these ranges it has a steady rotation within {tilt}° of {of}"));
-    }
+    report.line(match tolerance.tilt_deg {
+        None => "the axis is permanent for all of them".to_owned(),
+        Some(0.0) => {
+            "at no spin was a steady rotation near the nominal one shown for all of them: they may tilt too far"
+                .to_owned()
+        }
+        // Below this it is the rounding of the bounds.
+        Some(tilt) => {
+            let tilt = significant(tilt.max(1e-9), 2);
+            format!("at each spin outside these ranges it has a steady rotation within {tilt}° of {of}")
+        }
+    });
     ranges(report, &tolerance.ranges, slow, false);
     report.line(classes(tolerance));
 }

@@ -316,7 +316,7 @@ export interface Region {
   clipped?: boolean;
 }
 
-/** A point well inside a region; where no double lies inside, the doubles nearest to one, which the certificate has exactly. */
+/** A point inside a region, chosen where it is wide; where no double lies inside, the doubles nearest to one, which the certificate has exactly. */
 export interface Sample {
   /** Energy. */
   h: number;
@@ -737,7 +737,7 @@ export interface Decided {
 
 /** How regular an orbit is. */
 export interface Chaos {
-  /** The largest Lyapunov exponent; null for an orbit of no duration or one that was not finished. */
+  /** The largest Lyapunov exponent; null for an orbit of no duration, with fewer than 24 returns, or that was not finished. */
   lyapunov: Lyapunov | null;
   /** The rotation number; null if there is none. */
   rotation: Rotation | null;

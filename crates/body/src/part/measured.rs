@@ -23,7 +23,9 @@ impl Measured {
         &self.value + &self.within * step
     }
 
-    fn enclosed(&self) -> Interval {
+    /// All that it may be.
+    #[must_use]
+    pub fn enclosed(&self) -> Interval {
         let end = |value: RBig| Interval::rational(&value, ());
         end(&self.value - &self.within).hull(&end(&self.value + &self.within))
     }

@@ -11,7 +11,7 @@
 //! The signs of the gaps cannot change along a branch, and two branches of one body differ in a sign: no step lands on
 //! another branch unseen.
 
-use super::{CriticalError, Equilibria, RelativeEquilibria};
+use super::{CriticalError, Equilibria, Multiplicity, RelativeEquilibria};
 use crate::curves::{Branch, CurveId, CurveName, End, Orbit, Shape, abscissa};
 use crate::stability::{Reduced, State};
 use bifdiag_body::{Axis, Frame, Number};
@@ -305,8 +305,9 @@ impl Tracker<'_> {
 
 impl RelativeEquilibria<'_> {
     /// The equilibria at l, each found by Newton continuation along its curve from the curve's end at smaller l: l = 0, a cusp
-    /// or a pitchfork. γ, h, Ω and the Morse index are those found; names, multiplicities, eigenvalues and verdicts are those
-    /// of [`at`](Self::at), and `error_bound` covers the difference in h as well. At l = 0 there is nothing to follow.
+    /// or a pitchfork. γ, h, Ω and, away from cusps and pitchforks, the Morse index are those found; names, multiplicities,
+    /// eigenvalues and verdicts are those of [`at`](Self::at), and `error_bound` covers the difference in h as well. At l = 0
+    /// there is nothing to follow.
     ///
     /// # Errors
     /// Those of [`at`](Self::at); [`CriticalError::Lost`] when a curve cannot be followed to l (as within rounding of a cusp
@@ -328,6 +329,8 @@ impl RelativeEquilibria<'_> {
             let orbit = self.set.curves[id].orbit;
             let index = match orbit {
                 Orbit::Circle(_) | Orbit::Sphere => equilibrium.index,
+                // At a cusp or a pitchfork the Hessian is singular: its signs are no question for rounded numbers.
+                _ if equilibrium.multiplicity == Multiplicity::Points(2) => equilibrium.index,
                 _ => self.index(&tracker, &end).ok_or_else(lost)?,
             };
             let mut gamma = tracker.gamma(&end);

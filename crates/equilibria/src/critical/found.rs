@@ -294,15 +294,11 @@ impl RelativeEquilibria<'_> {
         };
         // Zero has no sign.
         let gamma = frame.r_hat().map(|c| side * c + 0.0);
-        let starts = |c: &CurveId| {
-            let curve = &self.set.curves[*c];
-            curve.is_critical() && curve.x()[0] == 0.0 && (curve.index == Some(0)) == (index == 0)
-        };
-        let curve = self.set.curves.ids().find(starts);
+        let curve = self.set.at_rest(index == 0);
         let setting = Setting { index, minimum: Some(index == 0), integral: false };
         Equilibrium {
             l: 0.0,
-            h: -side * frame.r_norm * frame.energy_unit,
+            h: -side * self.body.center_norm().to_f64(),
             gamma: frame.vector_to_body(gamma),
             omega: 0.0,
             index,

@@ -18,7 +18,6 @@ use crate::nonlinear::{Friction, Nonlinear};
 use crate::stability::exact::StabilityProfile;
 use crate::stability::{Constants, Eigenvalues, LinearType};
 use bifdiag_body::{Body, BodyAxis, Number};
-use bifdiag_numbers::UNIT_ROUNDOFF;
 use bifdiag_numbers::interval::Interval;
 use bifdiag_numbers::table::Id;
 use bifdiag_numbers::vector::{dot, norm};
@@ -251,10 +250,9 @@ impl<'a> RelativeEquilibria<'a> {
     }
 
     fn all_at_rest(&self) -> Equilibria {
-        let error_bound = 8.0 * UNIT_ROUNDOFF * self.set.frame.r_norm * self.set.frame.energy_unit;
         Equilibria {
             list: sorted(self.body, self.at_rest(), false),
-            error_bound,
+            error_bound: self.body.center_norm().rounded().1,
             complete: true,
             by_continuation: false,
         }

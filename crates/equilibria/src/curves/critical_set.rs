@@ -102,6 +102,13 @@ impl CriticalSet {
         }
     }
 
+    /// The curve that begins at l = 0 where the body hangs, or where it stands.
+    #[must_use]
+    pub fn at_rest(&self, hangs: bool) -> Option<CurveId> {
+        let begins = |curve: &Curve| curve.is_critical() && curve.x()[0] == 0.0 && (curve.index == Some(0)) == hangs;
+        self.curves.pairs().find(|(_, curve)| begins(curve)).map(|(id, _)| id)
+    }
+
     /// A further integral confines the motion near a curve, unless an eigenvalue has a positive real part.
     #[must_use]
     pub fn has_integral(&self, curve: &Curve) -> bool {

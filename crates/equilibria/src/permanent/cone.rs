@@ -70,13 +70,7 @@ pub fn nearest_permanent(body: &Body, up: [f64; 3]) -> Option<NearestAxis> {
         let PermanentAxis { direction, .. } = permanent_axis(body, up)?;
         return Some(NearestAxis { axis: direction, angle: angle_between(direction, up), squared_spin: None });
     }
-    let mut cone: Matrix3<f64> = Matrix3::zeros();
-    for k in 0..3 {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        let entry = 0.5 * r[k] * difference[k];
-        cone[(i, j)] += entry;
-        cone[(j, i)] += entry;
-    }
+    let cone = cone_of(difference, r);
     let scale = cone.amax();
     // Of an axis that was moved onto the cone no more than thirteen digits are known.
     let (axis, rounding) = if scale == 0.0 || is_on_cone(&cone, up) {
@@ -91,6 +85,49 @@ pub fn nearest_permanent(body: &Body, up: [f64; 3]) -> Option<NearestAxis> {
         angle: angle_between(axis, up),
         squared_spin: squared_spin(difference, r, axis, rounding),
     })
+}
+
+/// S.
+fn cone_of(difference: [f64; 3], r: [f64; 3]) -> Matrix3<f64> {
+    let mut cone: Matrix3<f64> = Matrix3::zeros();
+    for k in 0..3 {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        let entry = 0.5 * r[k] * difference[k];
+        cone[(i, j)] += entry;
+        cone[(j, i)] += entry;
+    }
+    cone
+}
+
+/// The other axes of Staude's cone that are as near to a direction as `nearest`. Of a quadratic cone only what lies in a plane of
+/// symmetry has several nearest lines: those that reflection in that plane makes of one.
+#[must_use]
+pub fn equally_near(body: &Body, up: [f64; 3], nearest: [f64; 3]) -> Vec<[f64; 3]> {
+    /// Angles and cosines that are smaller are 0.
+    const TIE: f64 = 1e-9;
+    let cone = cone_of(differences(body), body.center_f64());
+    let scale = cone.amax();
+    if scale == 0.0 {
+        return Vec::new();
+    }
+    let (up, mut found) = (normalised(up), vec![nearest]);
+    for across in (cone / scale).symmetric_eigen().eigenvectors.column_iter() {
+        let across: [f64; 3] = [across[0], across[1], across[2]];
+        if dot(across, up).abs() > TIE {
+            continue;
+        }
+        for line in found.clone() {
+            let share = 2.0 * dot(line, across);
+            let image: [f64; 3] = std::array::from_fn(|k| line[k] - share * across[k]);
+            // What is left of 0 is rounding.
+            let image = image.map(|x| if x.abs() < 1e-15 { 0.0 } else { x });
+            let is_known = |known: &[f64; 3]| norm(cross(*known, image)) <= TIE;
+            if !found.iter().any(is_known) {
+                found.push(image);
+            }
+        }
+    }
+    found.split_off(1)
 }
 
 /// With A_i = A_j the cone is two planes: that of the equal moments, whose axes are principal and steady at no spin unless r

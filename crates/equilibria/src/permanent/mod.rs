@@ -10,6 +10,7 @@
 //! All are polynomials in s with rational coefficients: where the type changes is a root of K_A, K_B or of the quadratic
 //! (AB)²(b² − 4c), isolated exactly.
 
+mod certain;
 mod cone;
 mod near;
 mod path;
@@ -17,7 +18,7 @@ mod rotation;
 mod steady;
 mod tolerance;
 
-pub use cone::{NearestAxis, PermanentAxis, angle_between, nearest_permanent, permanent_axis};
+pub use cone::{NearestAxis, PermanentAxis, angle_between, equally_near, nearest_permanent, permanent_axis};
 pub use near::{
     BoxedBody, Near, SettledTypes, Vector, sampled_parts, sampled_shares, settled_types, settled_types_of_part,
     settled_types_of_shares,

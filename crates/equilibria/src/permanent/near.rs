@@ -15,9 +15,10 @@ use bifdiag_numbers::sequence;
 use bifdiag_numbers::vector::{self, normalised};
 use dashu_ratio::RBig;
 
+use super::certain;
 use super::path::{NominalBody, Path};
-use super::rotation::SpinType;
-use super::tolerance::SpinRange;
+use super::rotation::{AxisRotation, SpinType};
+use super::tolerance::{SpinRange, ranges_over};
 
 /// Three numbers known as intervals.
 pub type Vector = [Interval; 3];
@@ -37,15 +38,15 @@ pub struct SettledTypes {
     /// Where the type is not settled, by rising spin and apart.
     pub ranges: Vec<SpinRange>,
     /// Outside the ranges the axis of the rotation is nearer than this angle, in radians, to the given one or, where that of
-    /// the nominal part is followed, to that at the same spin.
-    pub tilt: f64,
+    /// the nominal part is followed, to that at the same spin; `None` where the given one is permanent for every part.
+    pub tilt: Option<f64>,
 }
 
 /// Near what rotations are meant.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Near {
-    /// The axis itself, which is permanent for the nominal part.
-    Axis,
+pub enum Near<'a> {
+    /// The axis itself, which is permanent for the nominal part: its rotation with that end up.
+    Axis(&'a AxisRotation),
     /// The nominal part's steady rotation that tends to the principal axis nearest to the given one at fast spins.
     NominalRotation {
         /// The spin at which it begins.
@@ -73,14 +74,17 @@ const MEASURED_SAMPLES: u64 = 81;
 /// The types of a measured part's steady rotations near the axis that points up along `up` in the part's frame. With each
 /// range the number that alone leaves the largest part of it unsettled, and half of that.
 #[must_use]
-pub fn settled_types_of_part(part: &Part, measured: &MeasuredPart, up: [f64; 3], near: Near) -> SettledTypes {
+pub fn settled_types_of_part(part: &Part, measured: &MeasuredPart, up: [f64; 3], near: Near<'_>) -> SettledTypes {
     let boxed = |measured: &MeasuredPart| {
         let (tensor, center) = measured.bounds(&part.units);
         BoxedBody { tensor, center }
     };
     let nominal = boxed(&measured.nominal()).middle();
     let settled = |measured: &MeasuredPart| match near {
-        Near::Axis => settled_types(&boxed(measured), up),
+        Near::Axis(rotation) => match certain::boxes(measured, &part.units, rotation, up) {
+            Some(boxes) => SettledTypes { ranges: ranges_over(rotation, &boxes), tilt: None },
+            None => settled_types(&boxed(measured), up),
+        },
         Near::NominalRotation { slowest } => settled_types_beside(&boxed(measured), nominal, up, slowest),
     };
     let mut found = settled(measured);
@@ -156,7 +160,7 @@ fn settled_types_beside(body: &BoxedBody, nominal: NominalBody, up: [f64; 3], sl
     let Some(path) = Path::new(nominal, body.unit(), up, slowest) else {
         let omega = [0.0, f64::INFINITY];
         let whole = SpinRange { from: None, to: None, omega, between: Vec::new(), most: None };
-        return SettledTypes { ranges: vec![whole], tilt: 0.0 };
+        return SettledTypes { ranges: vec![whole], tilt: Some(0.0) };
     };
     settled_by(Search::new(body, Middle::Along(path)))
 }
@@ -268,7 +272,7 @@ impl Search {
         let tilt = self.settled.iter().map(|piece| piece.tilt).fold(0.0, f64::max);
         // The nominal rotation lies in the square, too, but not in its middle.
         let tilt = if matches!(self.middle, Middle::Along(_)) { 2.0 * tilt } else { tilt };
-        SettledTypes { ranges, tilt }
+        SettledTypes { ranges, tilt: Some(tilt) }
     }
 }
 

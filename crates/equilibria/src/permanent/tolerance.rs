@@ -12,6 +12,7 @@ use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
 use bifdiag_numbers::interval::Interval;
 use dashu_ratio::RBig;
 
+use super::certain::AxisBox;
 use super::rotation::{AxisRotation, SpinChange, SpinType};
 use bifdiag_body::Body;
 
@@ -44,34 +45,51 @@ pub struct SpinRange {
 /// known to relative tolerances below 1.
 #[must_use]
 pub fn spin_ranges(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> Vec<SpinRange> {
-    let ranges = joined(root_ranges(rotation, tolerances));
+    let around = |value: &RBig, tolerance: &RBig| {
+        let end = |factor: RBig| Interval::rational(&(value * factor), ());
+        end(RBig::ONE - tolerance).hull(&end(RBig::ONE + tolerance))
+    };
+    let whole = AxisBox {
+        moments: std::array::from_fn(|k| around(&rotation.moments[k], &tolerances[k])),
+        weight: -around(&rotation.weight, &tolerances[3]),
+    };
+    let mut found = ranges_over(rotation, &[whole]);
+    let nominal = rotation.changes();
+    let sampled: Vec<Vec<SpinChange>> =
+        (0..SAMPLES).map(|number| varied(rotation, steps(number), tolerances).changes()).collect();
+    for range in &mut found {
+        let within = |change: &&SpinChange| range.omega[0] <= change.omega && change.omega <= range.omega[1];
+        let mut between: Vec<SpinType> =
+            sampled.iter().flatten().filter(within).flat_map(|change| [change.from, change.to]).collect();
+        between.sort();
+        between.dedup();
+        between.retain(|found| Some(*found) != range.from && Some(*found) != range.to);
+        let last = nominal.iter().rposition(|change| within(&change));
+        range.between = between;
+        range.most = last.and_then(|k| most(&nominal, &sampled, k));
+    }
+    // Where discriminant and stiffness vanish together the ends round.
+    found.retain(|range| range.from != range.to || !range.between.is_empty() || range.from.is_none());
+    found
+}
+
+/// The ranges of spins, ascending and apart, outside of which rotation about the axis changes for no part of some boxes that
+/// hold the nominal one.
+pub(super) fn ranges_over(rotation: &AxisRotation, boxes: &[AxisBox]) -> Vec<SpinRange> {
+    let ranges = joined(boxes.iter().flat_map(root_ranges).collect());
     let gap = |low: f64, high: f64| {
         let middle = if high.is_finite() { 0.5 * (low + high) } else { 2.0 * low.max(1.0) };
         // A gap of a few doubles has no middle.
         let is_between = low < middle && middle < high;
         is_between.then(|| RBig::try_from(middle.sqrt()).ok()).flatten().and_then(|at| rotation.type_at_spin(&at))
     };
-    let nominal = rotation.changes();
-    let sampled: Vec<Vec<SpinChange>> =
-        (0..SAMPLES).map(|number| varied(rotation, steps(number), tolerances).changes()).collect();
-    let mut found = Vec::new();
-    for (number, &[low, high]) in ranges.iter().enumerate() {
+    let range = |(number, &[low, high]): (usize, &[f64; 2])| {
         let before = number.checked_sub(1).map_or(0.0, |k| ranges[k][1]);
         let after = ranges.get(number + 1).map_or(f64::INFINITY, |next| next[0]);
-        let (from, to) = (gap(before, low), gap(high, after));
         let omega = [low.sqrt().next_down().max(0.0), high.sqrt().next_up()];
-        let within = |change: &&SpinChange| omega[0] <= change.omega && change.omega <= omega[1];
-        let mut between: Vec<SpinType> =
-            sampled.iter().flatten().filter(within).flat_map(|change| [change.from, change.to]).collect();
-        between.sort();
-        between.dedup();
-        between.retain(|found| Some(*found) != from && Some(*found) != to);
-        let last = nominal.iter().rposition(|change| within(&change));
-        found.push(SpinRange { from, to, omega, between, most: last.and_then(|k| most(&nominal, &sampled, k)) });
-    }
-    // Where discriminant and stiffness vanish together the ends round.
-    found.retain(|range| range.from != range.to || !range.between.is_empty() || range.from.is_none());
-    found
+        SpinRange { from: gap(before, low), to: gap(high, after), omega, between: Vec::new(), most: None }
+    };
+    ranges.iter().enumerate().map(range).collect()
 }
 
 /// The bodies of the sampled parts; `None` where one is no body.
@@ -132,13 +150,8 @@ fn joined(mut ranges: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 }
 
 /// Intervals of s that hold every root of K_A, K_B and the discriminant over the box.
-fn root_ranges(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> Vec<[f64; 2]> {
-    let around = |value: &RBig, tolerance: &RBig| {
-        let end = |factor: RBig| Interval::rational(&(value * factor), ());
-        end(RBig::ONE - tolerance).hull(&end(RBig::ONE + tolerance))
-    };
-    let [axis, first, second]: [Interval; 3] = std::array::from_fn(|k| around(&rotation.moments[k], &tolerances[k]));
-    let weight = -around(&rotation.weight, &tolerances[3]);
+fn root_ranges(of: &AxisBox) -> Vec<[f64; 2]> {
+    let AxisBox { moments: [axis, first, second], weight } = *of;
     let mut ranges: Vec<[f64; 2]> =
         [first, second].into_iter().filter_map(|moment| quotient(weight, axis - moment)).collect();
     if weight.is_positive() == Some(true) {

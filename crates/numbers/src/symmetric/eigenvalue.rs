@@ -150,6 +150,15 @@ impl Real {
         crate::decimal::of_length(&middle, digits)
     }
 
+    /// The double nearest to the middle, and a bound on its error: 0 where the number is this double.
+    #[must_use]
+    pub fn rounded(&self) -> (f64, f64) {
+        let middle = self.to_f64();
+        let exact = RBig::try_from(middle).unwrap_or_default();
+        let error = (&self.hi - &exact).max(&exact - &self.lo);
+        (middle, if error.is_zero() { 0.0 } else { error.to_f64().value().next_up() })
+    }
+
     /// The nearest double of the middle.
     #[must_use]
     pub fn to_f64(&self) -> f64 {

@@ -8,6 +8,8 @@ use crate::order::gluing::Classes;
 pub(crate) struct Joining<'a> {
     minima: &'a [usize],
     saddles: Vec<Saddle>,
+    /// The minimum that the reflection which leads from a saddle to its mirror image makes of one.
+    image: &'a dyn Fn(usize, usize) -> usize,
 }
 
 struct Saddle {
@@ -17,11 +19,17 @@ struct Saddle {
 }
 
 impl<'a> Joining<'a> {
-    /// Finds the arms of all saddles, which are listed by rising position; `path` finds those of one saddle by its number.
-    /// `None` when not all of them follow.
-    pub fn new(minima: &'a [usize], saddles: &[usize], path: impl Fn(usize) -> Option<[usize; 2]>) -> Option<Self> {
+    /// Finds the arms of all saddles, which are listed by rising position; `path` finds those of one saddle by its number,
+    /// `image` the mirror image of a minimum under the reflection of a saddle, both by number. `None` when not all of them
+    /// follow.
+    pub fn new(
+        minima: &'a [usize],
+        saddles: &[usize],
+        image: &'a dyn Fn(usize, usize) -> usize,
+        path: impl Fn(usize) -> Option<[usize; 2]>,
+    ) -> Option<Self> {
         let saddles = saddles.iter().map(|&position| Saddle { position, arms: None }).collect();
-        let mut found = Self { minima, saddles };
+        let mut found = Self { minima, saddles, image };
         let mut lost = vec![false; found.saddles.len()];
         loop {
             found.settle();
@@ -31,8 +39,8 @@ impl<'a> Joining<'a> {
             };
             let position = found.saddles[first].position;
             let last = open.iter().all(|&n| found.saddles[n].position == position);
-            if let Some(arms) = if last { found.joined(position) } else { None } {
-                for n in open {
+            if let Some(arms) = if last { found.joined(position, &open) } else { None } {
+                for (n, arms) in open.into_iter().zip(arms) {
                     found.saddles[n].arms = Some(arms);
                 }
                 continue;
@@ -65,15 +73,40 @@ impl<'a> Joining<'a> {
         }
     }
 
-    /// The arms of all saddles at a position, where all others are known and leave two components of the sphere: one of them
-    /// joins these, and another one is its mirror image.
-    fn joined(&self, position: usize) -> Option<[usize; 2]> {
-        let [p, q] = self.components(position)[..] else {
-            return None;
-        };
-        let mut all = self.classes(usize::MAX);
-        let parts = self.components(usize::MAX).len();
-        (parts == 2 && all.root(p) != all.root(q)).then_some([p, q])
+    /// The arms of a saddle, or of one and its mirror image, where all others are known: of all pairs of components below it those
+    /// that leave the sphere connected, if they join the same components.
+    fn joined(&self, position: usize, open: &[usize]) -> Option<Vec<[usize; 2]>> {
+        let below = self.components(position);
+        let mut classes = self.classes(position);
+        let mut found: Option<(Vec<usize>, Vec<[usize; 2]>)> = None;
+        for (place, &p) in below.iter().enumerate() {
+            for &q in &below[place..] {
+                let arms = match open {
+                    [_] => vec![[p, q]],
+                    [one, _] => vec![[p, q], [p, q].map(|minimum| classes.root((self.image)(*one, minimum)))],
+                    _ => return None,
+                };
+                let parts_with = |mut classes: Classes| {
+                    for [p, q] in &arms {
+                        classes.join(*p, *q);
+                    }
+                    (0..self.minima.len()).map(|n| classes.root(n)).collect::<Vec<usize>>()
+                };
+                let whole = parts_with(self.classes(usize::MAX));
+                if whole.iter().any(|root| *root != whole[0]) {
+                    continue;
+                }
+                let joined = parts_with(self.classes(position));
+                let agrees = |first: &[usize]| {
+                    (0..joined.len()).all(|n| (0..n).all(|m| (first[n] == first[m]) == (joined[n] == joined[m])))
+                };
+                if found.as_ref().is_some_and(|(first, _)| !agrees(first)) {
+                    return None;
+                }
+                found.get_or_insert((joined, arms));
+            }
+        }
+        found.map(|(_, arms)| arms)
     }
 
     /// One minimum of each component below a position, as far as the saddles are known.
@@ -106,6 +139,12 @@ mod tests {
     struct Tree {
         minima: Vec<usize>,
         saddles: Vec<(usize, [usize; 2])>,
+        mirrored: bool,
+    }
+
+    /// Minimum n ^ 1, where there is one.
+    fn image(n: usize, count: usize) -> usize {
+        if (n ^ 1) < count { n ^ 1 } else { n }
     }
 
     fn trees() -> impl Strategy<Value = Tree> {
@@ -113,9 +152,6 @@ mod tests {
         let saddles = prop::collection::vec(saddle, 1..6);
         (prop::collection::vec(0..8usize, 1..6), saddles, any::<bool>()).prop_map(|(mut minima, saddles, mirrored)| {
             minima.sort_unstable();
-            let image = |n: usize, count: usize| {
-                if mirrored && (n ^ 1) < count { n ^ 1 } else { n }
-            };
             let count = minima.len();
             if mirrored {
                 (1..count).step_by(2).for_each(|n| minima[n] = minima[n - 1]);
@@ -131,7 +167,7 @@ mod tests {
                 }
             }
             list.sort_unstable();
-            Tree { minima, saddles: list }
+            Tree { minima, saddles: list, mirrored }
         })
     }
 
@@ -151,14 +187,15 @@ mod tests {
         /// Whatever paths are missing, what follows is true at each height.
         #[test]
         fn components_are_those_of_all_paths(tree in trees(), known in any::<u16>()) {
-            let Tree { minima, saddles } = &tree;
+            let Tree { minima, saddles, mirrored } = &tree;
             let whole = partition(minima, saddles, usize::MAX);
             if whole.iter().any(|class| *class != whole[0]) {
                 return Ok(());
             }
             let positions: Vec<usize> = saddles.iter().map(|(position, _)| *position).collect();
             let path = |n: usize| (known >> n & 1 == 1).then(|| saddles[n].1);
-            let Some(found) = Joining::new(minima, &positions, path) else { return Ok(()) };
+            let image = |_, n: usize| if *mirrored { image(n, minima.len()) } else { n };
+            let Some(found) = Joining::new(minima, &positions, &image, path) else { return Ok(()) };
             for &position in &positions {
                 prop_assert_eq!(partition(minima, &found.arms(), position), partition(minima, saddles, position));
             }
@@ -168,10 +205,21 @@ mod tests {
     /// Two minima, and two saddles that are mirror images: both join them, and no path is asked for.
     #[test]
     fn mirror_images_join_the_two_sides() {
-        let found = Joining::new(&[0, 1], &[2, 2], |_| unreachable!("no path is needed")).unwrap();
+        let found = Joining::new(&[0, 1], &[2, 2], &|_, n| n, |_| unreachable!("no path is needed")).unwrap();
         assert_eq!(found.arms(), [(2, [0, 1]), (2, [0, 1])]);
         assert_eq!((found.only(1), found.only(2), found.only(3)), (Some(0), None, Some(0)));
         // A saddle that may be on either side of another one is not decided.
-        assert!(Joining::new(&[0, 1], &[2, 3], |_| None).is_none());
+        assert!(Joining::new(&[0, 1], &[2, 3], &|_, n| n, |_| None).is_none());
+    }
+
+    /// Two minima that are mirror images are joined above; whatever a pair of saddles below joins to the third one, its mirror image
+    /// joins the other. Without the symmetry nothing follows.
+    #[test]
+    fn mirror_images_join_both_minima_of_a_pair() {
+        let upper = |n: usize| (n == 2).then_some([1, 2]);
+        let swapped = |_, n: usize| [0, 2, 1][n];
+        let found = Joining::new(&[0, 1, 1], &[2, 2, 3], &swapped, upper).unwrap();
+        assert_eq!(found.arms(), [(2, [0, 1]), (2, [0, 2]), (3, [1, 2])]);
+        assert!(Joining::new(&[0, 1, 1], &[2, 2, 3], &|_, n| n, upper).is_none());
     }
 }

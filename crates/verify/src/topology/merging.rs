@@ -15,6 +15,8 @@ struct Critical {
     position: usize,
     nature: Nature,
     origin: Origin,
+    /// Of one of a pair, the space in which it is mirrored.
+    base: Option<usize>,
 }
 
 /// A point of the sphere: its position, and the number of a minimum to which a path descends from it.
@@ -41,7 +43,15 @@ impl Merging {
         let descent = Descent { land: &land, minima: &minima };
         let list = positions(Nature::Minimum);
         let saddles: Vec<&Origin> = of(Nature::Saddle).map(|saddle| &saddle.origin).collect();
-        let joining = Joining::new(&list, &positions(Nature::Saddle), |n| descent.arms(saddles[n]))?;
+        let bases = |nature: Nature| of(nature).map(|critical| critical.base).collect::<Vec<Option<usize>>>();
+        let (of_minima, of_saddles) = (bases(Nature::Minimum), bases(Nature::Saddle));
+        // What is no pair over the space lies in the plane of reflection.
+        let image = |saddle: usize, minimum: usize| {
+            let other = |&n: &usize| n != minimum && list[n] == list[minimum];
+            let is_moved = of_saddles[saddle].is_some() && of_minima[minimum] == of_saddles[saddle];
+            if is_moved { (0..list.len()).find(other).unwrap_or(minimum) } else { minimum }
+        };
+        let joining = Joining::new(&list, &positions(Nature::Saddle), &image, |n| descent.arms(saddles[n]))?;
         let foot = |position: usize, from: &Origin| joining.only(position).or_else(|| descent.any(from));
         let maxima =
             of(Nature::Maximum).map(|maximum| Some((maximum.position, foot(maximum.position, &maximum.origin)?)));
@@ -111,14 +121,15 @@ fn criticals(orders: &Orders, slab: &Slab, land: &Landscape) -> Option<Vec<Criti
             continue;
         }
         let nature = nature(orders.spaces, &level.point)?;
+        let base = if let Branch::Over(base) | Branch::Rotation(base) = piece.branch { Some(base) } else { None };
         let mut add = |mirrored| {
             let origin = land.equilibrium(&level.point, mirrored)?;
-            found.push(Critical { position, nature, origin });
+            found.push(Critical { position, nature, origin, base });
             Some(())
         };
         add(None)?;
-        if let Branch::Over(base) | Branch::Rotation(base) = piece.branch {
-            add(Some(base))?;
+        if base.is_some() {
+            add(base)?;
         }
     }
     Some(found)

@@ -2,7 +2,7 @@
 
 use super::growth::{Growth, Lyapunov, TangentCourse};
 use super::lyapunov::{ChaosOptions, growths};
-use super::rotation::{RotationNumber, RotationUndefined, rotation_number};
+use super::rotation::{FEWEST_RETURNS, RotationNumber, RotationUndefined, rotation_number};
 use super::verdict::Judgement;
 use super::verdict::{OpenReason, UNIT};
 use crate::field::State;
@@ -16,7 +16,8 @@ use crate::section::workers::Monitor;
 pub struct ChaosMeasure {
     /// Number of the orbit.
     pub orbit: u32,
-    /// Of the orbit from its first point to its last; None for an orbit of no duration or one that was not finished.
+    /// Of the orbit from its first point to its last; None for an orbit of no duration, for one with fewer returns than a
+    /// rotation number needs, over which a rate is no mean, and for one that was not finished.
     pub lyapunov: Option<Lyapunov>,
     /// Of its incoming crossings, or why there is none.
     pub rotation: Result<RotationNumber, RotationUndefined>,
@@ -50,7 +51,7 @@ pub fn chaos_measures(
     let stopped = monitor.is_stopped();
     let measure = |(orbit, growth): (&OrbitSection, Growth)| ChaosMeasure {
         orbit: orbit.orbit,
-        lyapunov: growth.lyapunov,
+        lyapunov: growth.lyapunov.filter(|_| orbit.points.len() > FEWEST_RETURNS),
         rotation: if stopped { Err(RotationUndefined::Interrupted) } else { rotation_number(&orbit.points) },
         judgement: match (orbit.report.end, growth.lyapunov) {
             (OrbitEnd::StaysOnSection, _) => Judgement::open(OpenReason::StaysOnSection),

@@ -8,7 +8,7 @@ use super::curve::{centred, principal_coordinates};
 use crate::section::orbit::SectionPoint;
 
 /// Fewest returns from which a rotation number is computed.
-const FEWEST_RETURNS: usize = 24;
+pub(super) const FEWEST_RETURNS: usize = 24;
 /// Longest chain of islands that is looked for.
 const MOST_ISLANDS: usize = 64;
 /// Fewest points of each island.

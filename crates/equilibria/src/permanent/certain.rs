@@ -1,0 +1,95 @@
+//! Parts of a box for all of which an axis is permanent: C, A, B and the weight, and with them the closed form of [`spin_ranges`](super::spin_ranges).
+
+use bifdiag_body::part::{INPUTS, Measured, MeasuredPart, Units};
+use bifdiag_numbers::enclosure::Arithmetic;
+use bifdiag_numbers::interval::Interval;
+use dashu_ratio::RBig;
+
+use super::rotation::AxisRotation;
+
+/// Moments and weight of the parts of a box.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct AxisBox {
+    /// C, A, B.
+    pub moments: [Interval; 3],
+    /// −ρ, zero or of one sign.
+    pub weight: Interval,
+}
+
+const COM: usize = 6;
+const MASS: usize = 9;
+const GRAVITY: usize = 10;
+
+/// Numbers that enter tensor and weight are cut into so many pieces, so that both change together.
+const PIECES: u8 = 8;
+
+/// The parts of a box in smaller boxes; `None` where the axis of the rotation, which points up along `up` in the part's frame,
+/// may not be permanent for one of them.
+pub(super) fn boxes(
+    measured: &MeasuredPart,
+    units: &Units,
+    rotation: &AxisRotation,
+    up: [f64; 3],
+) -> Option<Vec<AxisBox>> {
+    let moves_tensor = |k: usize| k < MASS || (k == MASS && measured.about_com);
+    let boxes = if measured.uncertain().any(moves_tensor) {
+        along_coordinates(measured, units, up)?
+    } else {
+        // r = m g c: mass and gravity scale the weight, and nothing else.
+        let share = |k: usize| measured.inputs[k].enclosed() / exactly(&measured.inputs[k].value);
+        let weight = exactly(&-&rotation.weight) * share(MASS) * share(GRAVITY);
+        vec![AxisBox { moments: rotation.moments.each_ref().map(exactly), weight }]
+    };
+    let has_sign = |found: &AxisBox| found.weight.is_positive().is_some() || found.weight == Interval::ZERO;
+    boxes.iter().all(has_sign).then_some(boxes)
+}
+
+fn exactly(value: &RBig) -> Interval {
+    Interval::rational(value, ())
+}
+
+/// The axis is one of coordinates, and centre of mass and products leave it principal for every part.
+fn along_coordinates(measured: &MeasuredPart, units: &Units, up: [f64; 3]) -> Option<Vec<AxisBox>> {
+    let axis = (0..3).find(|&k| up[k].abs() > 1.0 - 1e-9)?;
+    let others = [(axis + 1) % 3, (axis + 2) % 3];
+    let is_zero = |k: usize| measured.inputs[k].value.is_zero() && measured.inputs[k].within.is_zero();
+    // Ixy, Ixz, Iyz are the inputs 3, 4 and 5.
+    let product = |other: usize| 2 + axis + other;
+    if !others.iter().all(|&k| is_zero(COM + k) && is_zero(product(k))) {
+        return None;
+    }
+    let cut = |part: MeasuredPart, k: usize| -> Vec<MeasuredPart> {
+        let within = &measured.inputs[k].within;
+        if within.is_zero() || !measured.about_com {
+            return vec![part];
+        }
+        let piece = |number: u8| {
+            let [step, share] = [2 * i64::from(number) + 1 - i64::from(PIECES), 1]
+                .map(|numerator| RBig::from_parts(numerator.into(), PIECES.into()));
+            let value = &measured.inputs[k].value + within * step;
+            let mut piece = part.clone();
+            piece.inputs[k] = Measured { value, within: within * share };
+            piece
+        };
+        (0..PIECES).map(piece).collect()
+    };
+    let pieces = cut(measured.clone(), MASS).into_iter().flat_map(|part| cut(part, COM + axis));
+    let one = |part: MeasuredPart| {
+        let (tensor, center) = part.bounds(units);
+        let [i, j] = others;
+        let [a, b, d] = [tensor[i][i], tensor[j][j], tensor[i][j]];
+        let [first, second] = if d == Interval::ZERO {
+            [a, b]
+        } else {
+            // The eigenvalues of the block across the axis.
+            let half = Interval::point(0.5);
+            let (middle, apart) = (half * (a + b), ((half * (a - b)).square() + d.square()).sqrt());
+            [middle - apart, middle + apart]
+        };
+        let weight = if up[axis] < 0.0 { -center[axis] } else { center[axis] };
+        AxisBox { moments: [tensor[axis][axis], first, second], weight }
+    };
+    Some(pieces.map(one).collect())
+}
+
+const _: () = assert!(GRAVITY + 1 == INPUTS);
