@@ -27,22 +27,22 @@ const ORDER: [(&str, &str); 15] = [
     ("crates/dynamics/src", "field integrator motion section poincare"),
     ("crates/enclosure/src", "bound scalar field set step start orbit return_map"),
     ("crates/chaos/src", ""),
-    ("crates/periodic/src", "flow reversor shooting walk orbit"),
+    ("crates/periodic/src", "flow reversor shooting walk orbit family"),
     (
         "crates/survey/src",
         "parallel parameter design signature scan border path space strata nearest subdivision search",
     ),
     (
         "crates/documents/src",
-        "layout codes body integrals subject stability spin spin_down classification critical steady grid atlas certified scan reading border comparison classes find witnesses \
+        "layout codes body integrals subject periodic stability spin spin_down classification critical steady grid atlas certified scan reading border comparison classes find witnesses \
          section words",
     ),
     ("crates/verify/src", "refused numbers equilibria order topology stability document"),
-    ("crates/plot/src", "page animation campbell steady diagram map section sphere part"),
+    ("crates/plot/src", "page animation campbell periods steady diagram map section sphere part"),
     (
         "src/cli",
         "failure terminal input export batch listings explain part spin atlas show classify critical verify section sphere \
-         orbit explore scan find classes compare arguments",
+         orbit periodic explore scan find classes compare arguments",
     ),
 ];
 

@@ -22,6 +22,7 @@ use super::input::{PART, values};
 use super::listings::{self, BodiesArguments, CompletionsArguments, ManArguments, SchemaArguments};
 use super::orbit::{self, OrbitArguments};
 use super::part::{self, PartBodyArguments};
+use super::periodic::{self, PeriodicArguments};
 use super::scan::{self, ScanArguments};
 use super::section::{self, SectionArguments};
 use super::show::{self, ShowArguments};
@@ -163,6 +164,8 @@ commands! {
     Sphere(SphereArguments) = "sphere", sphere::EXAMPLES;
     /// Follow the body's motion in space: attitude, Euler's angles, angular velocity
     Orbit(OrbitArguments) = "orbit", orbit::EXAMPLES;
+    /// Follow families of periodic orbits
+    Periodic(PeriodicArguments) = "periodic", periodic::PERIODIC_EXAMPLES;
     /// Open the explorer, a page for the browser, on this machine
     Explore(Box<ExploreArguments>) = "explore", explore::EXAMPLES;
     /// Check an atlas by other means than those that made it

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use bifdiag_schema::{
     AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassDocument, ClassesDocument,
     ClassificationDocument, ComparisonDocument, CriticalDocument, CriticalSpinDocument, ExplanationDocument,
-    FindDocument, GridDocument, MotionDocument, PartAnswerDocument, PointProofDocument, ProvedMotionDocument,
-    RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument, SpinDownDocument, StandingDocument,
-    StateDocument, SteadyAxesDocument, SteadySpinsDocument,
+    FindDocument, GridDocument, MotionDocument, PartAnswerDocument, PeriodicFamiliesDocument, PointProofDocument,
+    ProvedMotionDocument, RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument, SpinDownDocument,
+    StandingDocument, StateDocument, SteadyAxesDocument, SteadySpinsDocument,
 };
 use clap::{Args, Command, ValueEnum};
 use schemars::{Schema, schema_for};
@@ -93,6 +93,8 @@ pub enum Name {
     SteadySpins,
     /// The answer of `bifdiag spin-down --json`
     SpinDown,
+    /// The answer of `bifdiag periodic family --json`
+    PeriodicFamilies,
     /// The answer of `bifdiag bodies --json`
     Bodies,
     /// The answer of `bifdiag explain --json`
@@ -136,6 +138,7 @@ impl Name {
             Self::CriticalSpin => schema_for!(CriticalSpinDocument),
             Self::SteadySpins => schema_for!(SteadySpinsDocument),
             Self::SpinDown => schema_for!(SpinDownDocument),
+            Self::PeriodicFamilies => schema_for!(PeriodicFamiliesDocument),
             Self::Bodies => schema_for!(BodiesDocument),
             Self::Explain => schema_for!(ExplanationDocument),
             Self::BatchError => schema_for!(BatchErrorDocument),

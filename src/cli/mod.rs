@@ -20,6 +20,7 @@ mod input;
 mod listings;
 mod orbit;
 mod part;
+mod periodic;
 mod scan;
 mod section;
 mod show;
@@ -112,6 +113,7 @@ fn work(options: &Options) -> Result<(), Failure> {
         Some(Command::Section(arguments)) => section::run(arguments, &timings, quiet),
         Some(Command::Sphere(arguments)) => sphere::run(arguments, &timings),
         Some(Command::Orbit(arguments)) => orbit::run(arguments, &timings),
+        Some(Command::Periodic(arguments)) => periodic::run(arguments, &timings),
         Some(Command::Explore(arguments)) => explore::run(arguments),
         Some(Command::Verify(arguments)) => verify::run(arguments, &timings),
         Some(Command::Body(arguments)) => part::run(arguments, &timings),

@@ -12,6 +12,7 @@ mod mathematics;
 mod orbits;
 mod pages;
 mod parts;
+mod periodic;
 mod regions;
 mod scan;
 mod schemas;

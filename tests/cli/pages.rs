@@ -10,7 +10,8 @@ fn commands() -> Vec<String> {
     let list = page.split("Commands:\n").nth(1).unwrap().split("\n\n").next().unwrap();
     let name = |line: &str| line.strip_prefix("  ").filter(|rest| !rest.starts_with(' ')).map(str::to_owned);
     let names = list.lines().filter_map(|line| Some(name(line)?.split(' ').next()?.to_owned()));
-    let names: Vec<String> = names.chain(["scan merge", "scan map", "scan border", ""].map(str::to_owned)).collect();
+    let names: Vec<String> =
+        names.chain(["scan merge", "scan map", "scan border", "periodic family", ""].map(str::to_owned)).collect();
     assert!(names.len() > 20, "{names:?}");
     names
 }
@@ -127,6 +128,8 @@ const FIGURES: usize = 16 + 9 + 3;
 
 /// And `orbit --proved` with its digits and its bound (issue 42).
 const PROVED_MOTION: usize = 3;
+/// Options of `periodic family` (issue 43): its own seven and those of every body.
+const PERIODIC_FAMILY: usize = 22;
 
 /// The options of the first hour fit a screen, and all pages together a patient reader.
 #[test]
@@ -137,7 +140,7 @@ fn short_pages_fit_a_screen_and_long_ones_do_not_repeat_themselves() {
         assert!(short.lines().count() <= 50, "{command}: {} lines\n{short}", short.lines().count());
         all += slots(&bifdiag(&format!("{command} --help")).succeeds().stdout());
     }
-    let bound = 330 + SPIN_DOWN + MATHEMATICS + OWN_BODIES + PICTURES + FIGURES + PROVED_MOTION;
+    let bound = 330 + SPIN_DOWN + MATHEMATICS + OWN_BODIES + PICTURES + FIGURES + PROVED_MOTION + PERIODIC_FAMILY;
     assert!(all < bound, "{all} options on all pages");
 }
 

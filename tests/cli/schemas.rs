@@ -120,6 +120,10 @@ fn documents_fit_their_schemas() {
     {
         assert_fits("spin-down", &bifdiag(&format!("spin-down {from} --json")).succeeds().json());
     }
+    for more in ["--body paper --l 1.5", "--body paper --from G1.1 --h 1", "--body lagrange --l 1"] {
+        let families = format!("periodic family {more} --members 12 --branches --json");
+        assert_fits("periodic-families", &bifdiag(&families).succeeds().json());
+    }
     assert_fits("bodies", &bifdiag("bodies --json").succeeds().json());
     assert_fits("explain", &bifdiag("explain cusp --json").succeeds().json());
     assert_fits("compare", &bifdiag("compare paper katok:1 --json").succeeds().json());

@@ -36,6 +36,12 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("--A 2,1,1 --r 1,0", &["'1,0' for '--r <r1,r2,r3>'", "three coordinates, 2 given", "0.94868,0,0.61623"]),
     ("--A 2,1,1 --r 1,0,0x10", &["r3: `0x10` is not a number"]),
     ("--A 2,1,1 --r=1,-inf,0", &["r2: `-inf` is not finite"]),
+    // Periodic orbits.
+    ("periodic family --body paper", &["--l is missing", "--l 1.5", "--h"]),
+    ("periodic family --body paper --l 1 --from Q", &["--from Q", "no such curve", "G1.1"]),
+    ("periodic family --body paper --h 1 --l 1", &["'--h <h>' cannot be used with '--l <l>'"]),
+    ("periodic family --body paper --h -5", &["--h -5", "no equilibrium"]),
+    ("periodic family --body paper --l 1 --members 0", &["--members 0", "at least one"]),
     // Words and comparisons.
     ("explain pichfork", &["WORD pichfork", "the nearest is pitchfork"]),
     ("compare paper nobody", &["BODY nobody", "`bifdiag bodies` lists them"]),

@@ -13,6 +13,7 @@ mod find;
 mod grid;
 mod integrals;
 pub mod layout;
+mod periodic;
 pub mod reading;
 pub mod scan;
 mod section;
@@ -36,6 +37,7 @@ pub use critical::{critical, equilibria, steady_axes};
 pub use find::{find, witness};
 pub use grid::{GridAxis, grid};
 pub use integrals::{further_integrals, integrable, integrable_words};
+pub use periodic::{periodic_families, periodic_orbit};
 pub use section::{chaos, drift, integrator, section, sections, tolerance_option};
 pub use spin::{
     asked_spin, changes_beside, measured_command, measured_tolerance, spin, spin_changes, spin_stretches, tolerance,

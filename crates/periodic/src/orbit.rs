@@ -189,15 +189,14 @@ impl About<'_> {
     /// [`StepError`].
     pub fn describe(&self, shot: &Shot) -> Result<(PeriodicOrbit, Vec<f64>), StepError> {
         let Self { space, reversors, places } = *self;
-        let (first, period) = (&shot.ring.nodes[0], shot.ring.period);
-        let seen = walk(space, first, period, reversors, places)?;
+        let seen = walk(space, &shot.ring, reversors, places)?;
         let reduced = shot.reduced();
-        let state = space.state(first);
+        let state = space.state(&shot.ring.nodes[0]);
         let orbit = PeriodicOrbit {
             start: seen.maximum.unwrap_or(state),
             h: space.top.energy(&state),
             l: dot(state.gamma, state.l),
-            period,
+            period: shot.ring.period,
             crossings: seen.crossings,
             multipliers: reduced.multipliers(),
             stability: stability(reduced.trace()),

@@ -6,6 +6,7 @@ use bifdiag_dynamics::section::SectionCondition;
 
 use crate::flow::{Phase, Space};
 use crate::reversor::Reversor;
+use crate::shooting::Ring;
 
 /// What is seen on the way around.
 #[derive(Clone, Debug)]
@@ -29,81 +30,110 @@ const FIXED: f64 = 1e-8;
 /// |S| that is 0 all the way around, in its unit: the orbit lies in P.
 const FLAT: f64 = 1e-9;
 
-/// Goes once around from a state, for a period.
+/// Goes once around, from node to node, so that errors do not grow on the way.
 ///
 /// # Errors
 /// [`StepError`] where the motion leaves the range of `f64`.
-pub fn walk(
-    space: &Space,
-    start: &Phase,
-    period: f64,
-    reversors: &[Reversor],
-    places: &[Phase],
-) -> Result<Walk, StepError> {
+pub fn walk(space: &Space, ring: &Ring, reversors: &[Reversor], places: &[Phase]) -> Result<Walk, StepError> {
     let top = &space.top;
-    let begin = space.state(start);
-    let Ok(mut stepper) = Taylor::new(top, &begin, DEFAULT_TOLERANCE) else {
-        return Err(StepError { time: 0.0 });
+    let begin = space.state(&ring.nodes[0]);
+    let mut walker = Walker {
+        space,
+        reversors,
+        places,
+        largest: 0.0,
+        height: SectionCondition::Height.value(top, &begin),
+        found: Walk {
+            crossings: 0,
+            maximum: None,
+            action: 0.0,
+            symmetric: false,
+            nearest: vec![f64::INFINITY; places.len()],
+        },
     };
-    let scale = SectionCondition::Height.scale(top, Integrals::of(top, &begin).energy);
-    let mut found =
-        Walk { crossings: 0, maximum: None, action: 0.0, symmetric: false, nearest: vec![f64::INFINITY; places.len()] };
-    let mut largest = 0.0_f64;
-    // It ends as it began: a zero there is seen once, whatever its sign is rounded to.
-    let closing = SectionCondition::Height.value(top, &begin);
-    loop {
-        let step = stepper.step()?;
-        let left = ((period - step.start().seconds()) - step.start().remainder()) / step.length();
-        let to = left.min(1.0);
-        found.action += action(top, &step, to);
-        for k in 0..LOOKS {
-            let ends = [k, k + 1].map(|k| to * f64::from(k) / f64::from(LOOKS));
-            let states = ends.map(|x| step.state(x));
-            let height = |x: f64| SectionCondition::Height.value(top, &step.state(x));
-            let rate = |x: f64| SectionCondition::Height.rate(top, &step.state(x));
-            let mut values = states.map(|state| SectionCondition::Height.value(top, &state));
-            if left <= 1.0 && k == LOOKS - 1 {
-                values[1] = closing;
-            }
-            let rates = states.map(|state| SectionCondition::Height.rate(top, &state));
-            largest = largest.max(values[0].abs());
-            // Between two looks S may go to 0 and back.
-            let turning = is_change(rates) && !is_change(values);
-            let middle = if turning { Some(zero(rate, ends, rates)) } else { None };
-            let pieces = match middle {
-                Some(x) if is_change([values[0], height(x)]) => {
-                    vec![([ends[0], x], [values[0], height(x)]), ([x, ends[1]], [height(x), values[1]])]
-                }
-                _ if is_change(values) => vec![(ends, values)],
-                _ => Vec::new(),
-            };
-            for (ends, values) in pieces {
-                found.crossings += 1;
-                if values[1] < values[0] && found.maximum.is_none() {
-                    found.maximum = Some(step.state(zero(height, ends, values)));
-                }
-            }
-            if !found.symmetric {
-                let fixed = |reversor: &Reversor| {
-                    let from = |state: &State| reversor.distance(space, state);
-                    let moved = states.each_ref().map(|state| from(state).0);
-                    is_change(moved) && from(&step.state(zero(|x| from(&step.state(x)).0, ends, moved))).1 < FIXED
-                };
-                found.symmetric = reversors.iter().any(fixed);
-            }
-            let here = space.point(&states[0]);
-            for (nearest, place) in found.nearest.iter_mut().zip(places) {
-                *nearest = nearest.min((here - place).norm());
-            }
-        }
-        if left <= 1.0 {
-            break;
-        }
+    let (first, count) = (walker.height, ring.nodes.len());
+    for (number, node) in ring.nodes.iter().enumerate() {
+        // It ends as it began: a zero there is seen once, whatever its sign is rounded to.
+        walker.part(node, ring.period / count as f64, (number + 1 == count).then_some(first))?;
     }
-    if largest <= FLAT * scale {
+    let Walker { mut found, largest, .. } = walker;
+    if largest <= FLAT * SectionCondition::Height.scale(top, Integrals::of(top, &begin).energy) {
         (found.crossings, found.maximum) = (0, None);
     }
     Ok(found)
+}
+
+/// On the way.
+struct Walker<'a> {
+    space: &'a Space,
+    reversors: &'a [Reversor],
+    places: &'a [Phase],
+    /// The largest |S| so far.
+    largest: f64,
+    /// S at the last look.
+    height: f64,
+    found: Walk,
+}
+
+impl Walker<'_> {
+    /// From a node, for a time; `closing` is S at the end if that is known.
+    fn part(&mut self, node: &Phase, time: f64, closing: Option<f64>) -> Result<(), StepError> {
+        let top = &self.space.top;
+        let Ok(mut stepper) = Taylor::new(top, &self.space.state(node), DEFAULT_TOLERANCE) else {
+            return Err(StepError { time: 0.0 });
+        };
+        loop {
+            let step = stepper.step()?;
+            let left = ((time - step.start().seconds()) - step.start().remainder()) / step.length();
+            let to = left.min(1.0);
+            self.found.action += action(top, &step, to);
+            for k in 0..LOOKS {
+                let ends = [k, k + 1].map(|k| to * f64::from(k) / f64::from(LOOKS));
+                let is_last = left <= 1.0 && k + 1 == LOOKS;
+                self.look(&step, ends, closing.filter(|_| is_last));
+            }
+            if left <= 1.0 {
+                return Ok(());
+            }
+        }
+    }
+
+    /// Between two looks.
+    fn look(&mut self, step: &TaylorStep, ends: [f64; 2], closing: Option<f64>) {
+        let top = &self.space.top;
+        let states = ends.map(|x| step.state(x));
+        let height = |x: f64| SectionCondition::Height.value(top, &step.state(x));
+        let rate = |x: f64| SectionCondition::Height.rate(top, &step.state(x));
+        let values = [self.height, closing.unwrap_or_else(|| SectionCondition::Height.value(top, &states[1]))];
+        let rates = states.map(|state| SectionCondition::Height.rate(top, &state));
+        self.largest = self.largest.max(values[1].abs());
+        self.height = values[1];
+        let mut pieces = vec![(ends, values)];
+        // Between two looks S may go to 0 and back.
+        if is_change(rates) && !is_change(values) {
+            let middle = zero(rate, ends, rates);
+            let value = height(middle);
+            pieces = vec![([ends[0], middle], [values[0], value]), ([middle, ends[1]], [value, values[1]])];
+        }
+        for (ends, values) in pieces.into_iter().filter(|(_, values)| is_change(*values)) {
+            self.found.crossings += 1;
+            if values[1] < values[0] && self.found.maximum.is_none() {
+                self.found.maximum = Some(step.state(zero(height, ends, values)));
+            }
+        }
+        if !self.found.symmetric {
+            let fixed = |reversor: &Reversor| {
+                let from = |state: &State| reversor.distance(self.space, state);
+                let moved = states.each_ref().map(|state| from(state).0);
+                is_change(moved) && from(&step.state(zero(|x| from(&step.state(x)).0, ends, moved))).1 < FIXED
+            };
+            self.found.symmetric = self.reversors.iter().any(fixed);
+        }
+        let here = self.space.point(&states[0]);
+        for (nearest, place) in self.found.nearest.iter_mut().zip(self.places) {
+            *nearest = nearest.min((here - place).norm());
+        }
+    }
 }
 
 /// Zero belongs to the positive side, so that a zero at a look is seen once.

@@ -11,6 +11,7 @@ mod diagram;
 mod map;
 pub mod page;
 mod part;
+mod periods;
 mod section;
 mod sphere;
 mod steady;
@@ -23,6 +24,7 @@ pub use diagram::{
 pub use map::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote, draw_map};
 pub use page::{Caption, Figure, Picture, PlotError, Theme, Width, body_line, section_type};
 pub use part::{PartScene, draw_part};
+pub use periods::draw_periods;
 pub use section::{
     OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene, draw_section, draw_section_rows,
 };

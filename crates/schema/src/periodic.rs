@@ -54,9 +54,7 @@ term! {
         Equilibrium = "equilibrium",
         /// Its period grows without bound, as its orbits come ever nearer to equilibria.
         Separatrix = "separatrix",
-        /// It comes back to where it began.
-        Closed = "closed",
-        /// Its orbits become ones of a part of the period, run through several times.
+        /// It joins another family: its orbits become symmetric, or run twice through one of half the period.
         Joined = "joined",
         /// So many members were asked for.
         Members = "members",
@@ -158,8 +156,8 @@ pub struct PeriodicFamiliesDocument {
     pub body: GivenBody,
     /// The l that all members have, as given; `null` where h is fixed.
     pub fixed_l: Option<String>,
-    /// The h that all members have; `null` where l is fixed.
-    pub fixed_h: Option<f64>,
+    /// The h that all members have, as given; `null` where l is fixed.
+    pub fixed_h: Option<String>,
     /// The families, by equilibrium, the faster oscillation first.
     pub families: Vec<PeriodicFamilyDocument>,
     /// The part from which A and r were computed, when one was given.

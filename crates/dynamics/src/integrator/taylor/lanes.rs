@@ -146,6 +146,12 @@ impl<S: Simd> Lanes<S> {
         self.sum_series(simd);
     }
 
+    /// The step that the norms of the last two coefficients allow.
+    #[inline(always)]
+    pub fn step_for(&self, last: f64, before_last: f64) -> f64 {
+        self.rule.step(last, before_last)
+    }
+
     /// max(|γ_k|_∞, |l_k|_∞ / scale).
     #[inline(always)]
     fn coefficient_norm(&self, simd: S, k: usize) -> S::f64s {
@@ -233,7 +239,7 @@ pub(crate) fn state_of<S: Simd>(vectors: &[LaneVector<S>; 2], lane: usize) -> St
 /// The largest |component|. (A function: closures are not always inlined, and a call of a SIMD instruction
 /// outside the functions compiled for it costs more than the instruction.)
 #[inline(always)]
-fn largest<S: Simd>(simd: S, v: LaneVector<S>) -> S::f64s {
+pub(super) fn largest<S: Simd>(simd: S, v: LaneVector<S>) -> S::f64s {
     let two = simd.max_f64s(magnitude(simd, v[0]), magnitude(simd, v[1]));
     simd.max_f64s(two, magnitude(simd, v[2]))
 }

@@ -2,7 +2,7 @@
 
 use pulp::Simd;
 
-use super::lanes::{Lanes, state_of};
+use super::lanes::{Lanes, largest, state_of};
 use super::series::{LaneVector, ROWS, Series, TopConstants, lane_values, lane_values_mut};
 use crate::field::State;
 use crate::integrator::product::ProductSum;
@@ -59,12 +59,35 @@ impl<S: Simd> TangentLanes<S> {
     /// Takes the tangent vectors over the lanes' steps.
     #[inline(always)]
     pub fn advance(&mut self, simd: S, lanes: &Lanes<S>) {
+        self.expand(simd, lanes);
+        self.sum_series(simd, lanes);
+    }
+
+    /// Computes the series of the tangent vectors, beside those of the orbits.
+    #[inline(always)]
+    pub fn expand(&mut self, simd: S, lanes: &Lanes<S>) {
         self.omega[0] = lanes.constants.angular_velocity(simd, self.l[0]);
         for k in 0..lanes.order() {
             let products = self.products(simd, &lanes.series, k);
             self.set_row(simd, &lanes.constants, k + 1, products);
         }
-        self.sum_series(simd, lanes);
+    }
+
+    /// The longest step that keeps the truncation error of every tangent vector within the orbit's tolerance. That of the
+    /// orbit can be too long: near an equilibrium the orbit may not feel what is fast there.
+    #[inline(always)]
+    pub fn longest_step(&self, simd: S, lanes: &Lanes<S>) -> f64 {
+        let norm = |k: usize| {
+            let l = simd.mul_f64s(largest(simd, self.l[k]), self.momentum_weight[0]);
+            [simd.max_f64s(largest(simd, self.gamma[k]), l)]
+        };
+        let [start, before_last, last] = [0, lanes.order() - 1, lanes.order()].map(norm);
+        let of = |registers: &[S::f64s; 1], lane: usize| lane_values::<S>(registers)[lane];
+        let step = |lane: usize| {
+            let start = of(&start, lane);
+            lanes.step_for(of(&last, lane) / start, of(&before_last, lane) / start)
+        };
+        (0..S::F64_LANES).filter(|&lane| of(&start, lane) > 0.0).map(step).fold(f64::INFINITY, f64::min)
     }
 
     /// A lane's vector (δγ, δl).
@@ -139,7 +162,7 @@ impl<S: Simd> TangentLanes<S> {
 
     /// The vectors at the steps' ends become the rows 0.
     #[inline(always)]
-    fn sum_series(&mut self, simd: S, lanes: &Lanes<S>) {
+    pub fn sum_series(&mut self, simd: S, lanes: &Lanes<S>) {
         let (order, step) = (lanes.order(), lanes.step[0]);
         let (mut gamma, mut l) = (self.gamma[order], self.l[order]);
         for k in (0..order).rev() {

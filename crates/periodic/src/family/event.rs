@@ -1,0 +1,93 @@
+//! Special orbits between two members.
+
+use bifdiag_schema::OrbitEventKind;
+
+use super::member::{Member, Setting};
+use crate::shooting::Keep;
+
+/// A trace that is so near to one of a special orbit all along is no change of sign, but rounding: in integrable tops whole
+/// families have the trace 2.
+const FLAT: f64 = 1e-7;
+/// Steps of the search; it stops where the place no longer moves.
+const STEPS: u32 = 60;
+
+/// A special orbit, located.
+pub(super) struct Located {
+    pub kind: OrbitEventKind,
+    pub member: Member,
+    /// The last move of the free parameter.
+    pub error: f64,
+    /// Its place between the two members, from 0 to 1.
+    pub place: f64,
+}
+
+/// What vanishes at a special orbit.
+type Test = fn(&Setting<'_>, &Member) -> f64;
+
+/// The special orbits between a member and the one at `distance` from it, in order.
+pub(super) fn events(setting: &Setting<'_>, from: &Member, to: &Member, distance: f64) -> Vec<Located> {
+    let turns: Test = |setting, member| member.rate(setting.space, setting.held);
+    let one: Test = |_, member| member.orbit.trace - 2.0;
+    let minus_one: Test = |_, member| member.orbit.trace + 2.0;
+    let third: Test = |_, member| member.orbit.trace + 1.0;
+    let changes = |test: Test| (test(setting, from) < 0.0) != (test(setting, to) < 0.0);
+    let is_clear = |test: Test| test(setting, from).abs() > FLAT && test(setting, to).abs() > FLAT;
+    let crosses = |test: Test| is_clear(test) && changes(test);
+    let mut found = Vec::new();
+    let mut look = |test: Test, kind| found.push(locate(setting, (from, to), distance, test, kind));
+    match (changes(turns), crosses(one)) {
+        (true, true) => look(turns, OrbitEventKind::Fold),
+        // It turns where a family crosses whose orbits have more symmetry.
+        (true, false) if is_clear(one) => look(turns, OrbitEventKind::Branch),
+        (false, true) => look(one, OrbitEventKind::Branch),
+        _ => {}
+    }
+    for (test, kind) in [(minus_one, OrbitEventKind::Doubling), (third, OrbitEventKind::Tripling)] {
+        if crosses(test) {
+            look(test, kind);
+        }
+    }
+    found.sort_by(|p, q| p.place.total_cmp(&q.place));
+    found
+}
+
+/// By regula falsi with halved weights (Illinois).
+fn locate(
+    setting: &Setting<'_>,
+    (from, to): (&Member, &Member),
+    distance: f64,
+    test: Test,
+    kind: OrbitEventKind,
+) -> Located {
+    let parameter = |member: &Member| match setting.held {
+        Keep::Energy(_) => member.orbit.l,
+        _ => member.orbit.h,
+    };
+    let mut ends = [0.0, 1.0];
+    let mut values = [test(setting, from), test(setting, to)];
+    let mut best: Option<Located> = None;
+    for _ in 0..STEPS {
+        let place = (ends[0] - values[0] * (ends[1] - ends[0]) / (values[1] - values[0])).clamp(ends[0], ends[1]);
+        let Ok(member) = setting.ahead(from, place * distance) else { break };
+        let value = test(setting, &member);
+        let moved = best.as_ref().map_or(f64::INFINITY, |last| (last.place - place).abs());
+        let error = best.as_ref().map_or(f64::INFINITY, |last| (parameter(&last.member) - parameter(&member)).abs());
+        best = Some(Located { kind, member, error, place });
+        if moved <= 1e-12 || value == 0.0 {
+            break;
+        }
+        let side = usize::from((value < 0.0) != (values[0] < 0.0));
+        (ends[side], values[side]) = (place, value);
+        values[1 - side] *= 0.5;
+        if ends[1] - ends[0] <= 1e-13 {
+            break;
+        }
+    }
+    // Where the search finds no orbit the event is told at the member before it, with the whole step as its error.
+    best.unwrap_or_else(|| Located {
+        kind,
+        error: (parameter(to) - parameter(from)).abs(),
+        member: from.clone(),
+        place: 0.0,
+    })
+}

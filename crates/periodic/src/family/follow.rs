@@ -1,0 +1,208 @@
+//! Pseudo-arclength continuation (Keller), until a family ends.
+
+use std::sync::atomic::Ordering;
+
+use bifdiag_dynamics::field::{Dimension, HeavyTop, TopUnits};
+use bifdiag_equilibria::critical::{Equilibrium, RelativeEquilibria};
+use bifdiag_schema::{FamilyEnd, OrbitEventKind};
+
+use super::event::events;
+use super::member::{Member, Setting};
+use super::model::{End, FamilyError, FamilyOptions, Held, OrbitEvent, Stretch, number};
+use crate::flow::{Phase, Space};
+use crate::reversor::{Reversor, reversors};
+use crate::shooting::Keep;
+use crate::walk::walk;
+
+/// The way of a family.
+pub(super) struct Course<'a> {
+    pub space: Space,
+    pub units: TopUnits,
+    /// Of the top as given.
+    pub moments: [f64; 3],
+    held: Keep,
+    reversors: Vec<Reversor>,
+    known: &'a RelativeEquilibria<'a>,
+    /// The equilibria at l, where that is held.
+    places: Places,
+    options: &'a FamilyOptions<'a>,
+}
+
+/// Equilibria as points of phase space.
+#[derive(Clone, Default)]
+struct Places {
+    points: Vec<Phase>,
+    curves: Vec<Option<String>>,
+}
+
+/// Steps along a family: γ, l in their unit and the logarithm of the period count.
+const LONGEST: f64 = 0.1;
+const SHORTEST: f64 = 1e-7;
+/// The cosine of the angle by which a family may turn in a step.
+const STRAIGHT: f64 = 0.97;
+/// A step near an end is at most this share of the distance that is left.
+const SHARE: f64 = 0.4;
+/// An orbit so small has shrunk to an equilibrium.
+const SHRUNK: f64 = 2e-3;
+/// An orbit that comes so near to an equilibrium has reached its separatrix; the period must have grown so many times.
+const NEAR: f64 = 1e-3;
+const GROWN: f64 = 2.0;
+/// Equilibria so many times as near as the nearest one belong to one separatrix.
+const TOGETHER: f64 = 10.0;
+
+impl<'a> Course<'a> {
+    pub fn new(
+        top: &HeavyTop,
+        known: &'a RelativeEquilibria<'a>,
+        equilibrium: &Equilibrium,
+        options: &'a FamilyOptions<'a>,
+    ) -> Result<Self, FamilyError> {
+        let units = top.units();
+        let h = units.reduce(equilibrium.h, Dimension::ENERGY);
+        let space = Space::new(top, h);
+        let (held, at) = match options.held {
+            Held::Momentum => {
+                let l = units.reduce(equilibrium.l, Dimension::MOMENTUM);
+                (Keep::Momentum(l / space.unit), equilibrium.l)
+            }
+            Held::Energy => (Keep::Energy(h), f64::NAN),
+        };
+        let mut course = Self {
+            space,
+            units,
+            moments: top.moments(),
+            held,
+            reversors: reversors(&space.top, at),
+            known,
+            places: Places::default(),
+            options,
+        };
+        course.places = course.places_at(at)?;
+        Ok(course)
+    }
+
+    pub fn setting(&self) -> Setting<'_> {
+        Setting { space: &self.space, held: self.held, reversors: &self.reversors, places: &self.places.points }
+    }
+
+    /// The equilibria at an l in the units of the top as given; none where l is not a number.
+    fn places_at(&self, l: f64) -> Result<Places, FamilyError> {
+        let Some(l) = number(l).filter(|_| l.is_finite()) else { return Ok(Places::default()) };
+        let mut places = Places::default();
+        for equilibrium in self.known.at(&l)?.list {
+            let gamma = equilibrium.gamma;
+            let l = std::array::from_fn(|i| equilibrium.omega * self.moments[i] * gamma[i]);
+            let state = bifdiag_dynamics::field::State { gamma, l };
+            places.points.push(self.space.point(&state.reduced(self.units)));
+            places.curves.push(equilibrium.curve.map(|curve| curve.to_string()));
+        }
+        Ok(places)
+    }
+
+    /// Follows a family from its first member on; the branches of a branch are not followed: there may be no end of them.
+    pub fn follow(&self, first: Member, mut step: f64, is_branch: bool) -> Result<Stretch, FamilyError> {
+        let period = first.orbit.period;
+        let mut found = Stretch {
+            members: vec![first.orbit.clone()],
+            events: Vec::new(),
+            end: End { kind: FamilyEnd::Members, curves: Vec::new() },
+        };
+        let mut last = first;
+        while found.members.len() < self.options.members && !self.options.stop.load(Ordering::Relaxed) {
+            let setting = self.setting();
+            let next = setting.ahead(&last, step).ok();
+            let Some(next) = next.filter(|next| next.straight > STRAIGHT) else {
+                step *= 0.5;
+                if step < SHORTEST {
+                    found.end.kind = FamilyEnd::Lost;
+                    break;
+                }
+                continue;
+            };
+            let mut joins = false;
+            for located in events(&setting, &last, &next, step) {
+                // Beyond it come the mirror images of the orbits before it.
+                joins |=
+                    located.kind == OrbitEventKind::Branch && located.member.orbit.symmetric && !last.orbit.symmetric;
+                let mut event = OrbitEvent {
+                    kind: located.kind,
+                    after: found.members.len() - 1,
+                    orbit: located.member.orbit.clone(),
+                    error: located.error,
+                    branches: Vec::new(),
+                };
+                if self.options.branches && !is_branch {
+                    event.branches.extend(self.beside(&located.member, located.kind)?);
+                }
+                found.events.push(event);
+            }
+            if joins {
+                found.end.kind = FamilyEnd::Joined;
+                break;
+            }
+            found.members.push(next.orbit.clone());
+            if let Some(end) = self.end(&last, &next, period)? {
+                found.end = end;
+                break;
+            }
+            step = (step * pace(next.corrections)).min(LONGEST).min(self.left(&last, &next));
+            last = next;
+        }
+        Ok(found)
+    }
+
+    /// The longest step that does not go over a near end.
+    fn left(&self, before: &Member, member: &Member) -> f64 {
+        let towards = |now: f64, before: f64| if now < before { SHARE * now } else { LONGEST };
+        let joins = if member.shot.ring.nodes.len() > 1 && before.shot.ring.nodes.len() == member.shot.ring.nodes.len()
+        {
+            towards(member.from_half(), before.from_half())
+        } else {
+            LONGEST
+        };
+        towards(member.size(), before.size()).min(joins)
+    }
+
+    /// The end that a member has reached.
+    fn end(&self, before: &Member, member: &Member, period: f64) -> Result<Option<End>, FamilyError> {
+        let nodes = [before, member].map(|member| member.shot.ring.nodes.len());
+        if nodes[0] == nodes[1] && nodes[0].is_multiple_of(2) {
+            let [was, is] = [before, member].map(Member::from_half);
+            if is < SHRUNK && is < was {
+                return Ok(Some(End { kind: FamilyEnd::Joined, curves: Vec::new() }));
+            }
+        }
+        let shrinks = member.size() < SHRUNK && member.size() < before.size();
+        if !shrinks && member.orbit.period < GROWN * period {
+            return Ok(None);
+        }
+        let (places, nearest) = match self.options.held {
+            Held::Momentum => (self.places.clone(), member.nearest.clone()),
+            Held::Energy => {
+                let places = self.places_at(self.units.restore(member.orbit.l, Dimension::MOMENTUM))?;
+                let seen = walk(&self.space, &member.shot.ring, &[], &places.points);
+                (places, seen.map(|walk| walk.nearest).unwrap_or_default())
+            }
+        };
+        let least = nearest.iter().copied().fold(f64::INFINITY, f64::min);
+        let bound = if shrinks { 4.0 * SHRUNK } else { NEAR };
+        if least > bound {
+            return Ok(None);
+        }
+        let are_near = places.curves.into_iter().zip(&nearest).filter(|(_, distance)| **distance <= TOGETHER * least);
+        let mut curves: Vec<String> = are_near.filter_map(|(curve, _)| curve).collect();
+        curves.dedup();
+        let kind = if shrinks { FamilyEnd::Equilibrium } else { FamilyEnd::Separatrix };
+        Ok(Some(End { kind, curves }))
+    }
+}
+
+/// How much longer the next step may be.
+fn pace(corrections: u32) -> f64 {
+    match corrections {
+        0..=2 => 1.7,
+        3 => 1.3,
+        4 => 1.0,
+        _ => 0.6,
+    }
+}

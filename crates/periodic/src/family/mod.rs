@@ -1,0 +1,44 @@
+//! Families of periodic orbits: from the equilibria, along themselves, past their special orbits, to their ends.
+
+mod begin;
+mod event;
+mod follow;
+mod member;
+mod model;
+
+use bifdiag_body::Body;
+use bifdiag_dynamics::field::{Dimension, HeavyTop};
+use bifdiag_equilibria::critical::{Equilibrium, RelativeEquilibria};
+
+use follow::Course;
+pub use model::{End, Family, FamilyError, FamilyOptions, Held, OrbitEvent, Stretch};
+
+/// The families of the imaginary pairs of an equilibrium, the faster first (Lyapunov's centre theorem). Those whose pair
+/// the theorem says nothing of, since the other is a multiple of it, or zero, have no members and say so.
+///
+/// # Errors
+/// [`FamilyError`].
+pub fn families(
+    body: &Body,
+    equilibrium: &Equilibrium,
+    options: &FamilyOptions<'_>,
+) -> Result<Vec<Family>, FamilyError> {
+    let top = HeavyTop::new(body);
+    let known = RelativeEquilibria::new(body)?.without_normal_forms();
+    let mut frequencies: Vec<f64> = equilibrium
+        .eigenvalues
+        .pairs
+        .into_iter()
+        .filter(|[re, im]| *re == 0.0 && *im > 0.0)
+        .map(|[_, im]| im)
+        .collect();
+    frequencies.sort_by(|p, q| q.total_cmp(p));
+    let mut found = Vec::with_capacity(2);
+    for frequency in frequencies {
+        let course = Course::new(&top, &known, equilibrium, options)?;
+        let mut stretch = course.from_equilibrium(equilibrium, top.units().reduce(frequency, Dimension::FREQUENCY))?;
+        stretch.restore(&top, options.held);
+        found.push(Family { frequency, stretch });
+    }
+    Ok(found)
+}

@@ -1,0 +1,110 @@
+//! What a family is, and how far it is followed.
+
+use std::sync::atomic::AtomicBool;
+
+use bifdiag_body::Number;
+use bifdiag_dynamics::field::{Dimension, HeavyTop};
+use bifdiag_equilibria::critical::CriticalError;
+use bifdiag_schema::{FamilyEnd, OrbitEventKind};
+use thiserror::Error;
+
+use crate::orbit::PeriodicOrbit;
+
+/// What the members of a family have in common.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Held {
+    /// Their l, that of the equilibrium.
+    Momentum,
+    /// Their h.
+    Energy,
+}
+
+/// How far families are followed.
+#[derive(Clone, Copy, Debug)]
+pub struct FamilyOptions<'a> {
+    /// What is held.
+    pub held: Held,
+    /// So many members of a family, and of each branch, at most.
+    pub members: usize,
+    /// Follow the families that begin at doublings and branches too.
+    pub branches: bool,
+    /// Cancellation.
+    pub stop: &'a AtomicBool,
+}
+
+/// How a family ends.
+#[derive(Clone, Debug, PartialEq)]
+pub struct End {
+    /// How.
+    pub kind: FamilyEnd,
+    /// The curves of the equilibria to which it comes; those without a name are left out.
+    pub curves: Vec<String>,
+}
+
+/// A special orbit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OrbitEvent {
+    /// What happens there.
+    pub kind: OrbitEventKind,
+    /// The number of the member after which it lies.
+    pub after: usize,
+    /// The orbit.
+    pub orbit: PeriodicOrbit,
+    /// How far h, or l where h is held, was still moving.
+    pub error: f64,
+    /// Families that begin there.
+    pub branches: Vec<Stretch>,
+}
+
+/// Orbits in their order, with what happens on the way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stretch {
+    /// The orbits.
+    pub members: Vec<PeriodicOrbit>,
+    /// Special ones.
+    pub events: Vec<OrbitEvent>,
+    /// How it ends.
+    pub end: End,
+}
+
+/// The family of an imaginary pair of an equilibrium.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Family {
+    /// The frequency ω of small oscillations.
+    pub frequency: f64,
+    /// From the equilibrium on.
+    pub stretch: Stretch,
+}
+
+/// Why no family can be followed.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum FamilyError {
+    /// The equilibria of the body are not known.
+    #[error(transparent)]
+    Critical(#[from] CriticalError),
+}
+
+impl Stretch {
+    pub(super) fn none(kind: FamilyEnd) -> Self {
+        Self { members: Vec::new(), events: Vec::new(), end: End { kind, curves: Vec::new() } }
+    }
+
+    /// From the units of the reduced top to those of the top as given.
+    pub(super) fn restore(&mut self, top: &HeavyTop, held: Held) {
+        let dimension = match held {
+            Held::Momentum => Dimension::ENERGY,
+            Held::Energy => Dimension::MOMENTUM,
+        };
+        self.members = std::mem::take(&mut self.members).into_iter().map(|orbit| orbit.restored(top)).collect();
+        for event in &mut self.events {
+            event.orbit = event.orbit.clone().restored(top);
+            event.error = top.units().restore(event.error, dimension);
+            event.branches.iter_mut().for_each(|branch| branch.restore(top, held));
+        }
+    }
+}
+
+/// A double as an exact number.
+pub(super) fn number(x: f64) -> Option<Number> {
+    format!("{x:?}").parse().ok()
+}

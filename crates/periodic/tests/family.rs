@@ -1,0 +1,165 @@
+//! Families from equilibria: where they begin and end, how well their members close, what happens on the way.
+
+use std::sync::atomic::AtomicBool;
+
+use bifdiag_body::Body;
+use bifdiag_equilibria::critical::{Equilibrium, critical};
+use bifdiag_periodic::family::{Family, FamilyOptions, Held, families};
+use bifdiag_schema::{FamilyEnd, OrbitEventKind};
+
+static GO: AtomicBool = AtomicBool::new(false);
+
+fn body(moments: [&str; 3], center: [&str; 3]) -> Body {
+    Body::parse(&moments, &center).unwrap()
+}
+
+fn paper() -> Body {
+    body(["2", "11/10", "1"], ["0.94868", "0", "0.61623"])
+}
+
+fn followed(body: &Body, equilibrium: &Equilibrium, members: usize, held: Held) -> Vec<Family> {
+    let options = FamilyOptions { held, members, branches: false, stop: &GO };
+    families(body, equilibrium, &options).unwrap()
+}
+
+/// The arithmetic–geometric mean.
+fn agm(mut a: f64, mut b: f64) -> f64 {
+    for _ in 0..14 {
+        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+    }
+    a
+}
+
+#[test]
+fn the_pendulum_of_a_plate_is_found_unasked_from_rest_to_its_separatrix() {
+    let body = paper();
+    let rest = &critical(&body, &"0".parse().unwrap()).unwrap().list[0];
+    let found = followed(&body, rest, 400, Held::Momentum);
+    assert_eq!(found.len(), 2);
+    let (weight, inertia) = (-rest.h, body.moments_f64()[1]);
+    let frequency = (weight / inertia).sqrt();
+    let family = found.iter().find(|family| (family.frequency - frequency).abs() < 1e-12).unwrap();
+    for orbit in &family.stretch.members {
+        // h = −|r| cos φ at the turning point.
+        let exact = std::f64::consts::TAU / frequency / agm(1.0, ((1.0 - orbit.h / weight) / 2.0).sqrt());
+        let near = (1.0 - orbit.h / weight).max(1e-16);
+        assert!((orbit.period / exact - 1.0).abs() < 1e-12 / near, "{orbit:?} {exact}");
+        assert!(orbit.symmetric && orbit.residual <= 1e-13 && (orbit.product() - 1.0).abs() < 1e-10, "{orbit:?}");
+        assert!(orbit.start.gamma[1].abs() < 1e-9 && orbit.start.l[0].abs() < 1e-9, "{orbit:?}");
+    }
+    assert_eq!(family.stretch.end.kind, FamilyEnd::Separatrix);
+    let last = family.stretch.members.last().unwrap();
+    assert!((last.h / weight - 1.0).abs() < 1e-5, "{last:?}");
+}
+
+/// Period to 2π/ω, residual, product of the multipliers: at every member, from every imaginary pair.
+#[test]
+fn families_begin_with_the_periods_of_small_oscillations_and_close() {
+    let skew = body(["3", "2.2", "1.7"], ["0.3", "-0.5", "0.8"]);
+    let mut count = 0;
+    for body in [paper(), skew] {
+        for l in ["0.7", "2.5"] {
+            for equilibrium in &critical(&body, &l.parse().unwrap()).unwrap().list {
+                for family in followed(&body, equilibrium, 60, Held::Momentum) {
+                    let members = &family.stretch.members;
+                    assert!(members.len() > 10, "{:?} {}", family.stretch.end, family.frequency);
+                    let limit = std::f64::consts::TAU / family.frequency;
+                    // T = T₀ + c(h − h₀) + …
+                    let [p, q] = [&members[0], &members[1]];
+                    let slope = (q.period - p.period) / (q.h - p.h);
+                    let extrapolated = p.period - slope * (p.h - equilibrium.h);
+                    assert!((extrapolated / limit - 1.0).abs() < 1e-7, "{extrapolated} {limit} {p:?}");
+                    for orbit in members {
+                        count += 1;
+                        assert!(orbit.residual <= 1e-13, "{orbit:?}");
+                        assert!((orbit.product() - 1.0).abs() < 1e-10, "{orbit:?}");
+                        assert!((orbit.l - equilibrium.l).abs() < 1e-12, "{orbit:?}");
+                    }
+                }
+            }
+        }
+    }
+    assert!(count > 500, "{count}");
+}
+
+#[test]
+fn families_at_one_energy_keep_it() {
+    let body = paper();
+    let equilibrium = &critical(&body, &"2.5".parse().unwrap()).unwrap().list[0];
+    for family in followed(&body, equilibrium, 60, Held::Energy) {
+        let members = &family.stretch.members;
+        assert!(members.len() > 10, "{:?}", family.stretch.end);
+        assert!(members.iter().all(|orbit| (orbit.h - equilibrium.h).abs() < 1e-12 && orbit.residual <= 1e-13));
+    }
+}
+
+/// Without the symmetry of a mirror no orbit is symmetric where l ≠ 0.
+#[test]
+fn orbits_of_a_body_without_mirror_have_no_reversor() {
+    let skew = body(["3", "2.2", "1.7"], ["0.3", "-0.5", "0.8"]);
+    let equilibrium = &critical(&skew, &"0.7".parse().unwrap()).unwrap().list[0];
+    for family in followed(&skew, equilibrium, 10, Held::Momentum) {
+        assert!(family.stretch.members.iter().all(|orbit| !orbit.symmetric));
+    }
+    let equilibrium = &critical(&paper(), &"0.7".parse().unwrap()).unwrap().list[0];
+    for family in followed(&paper(), equilibrium, 10, Held::Momentum) {
+        assert!(family.stretch.members.iter().all(|orbit| orbit.symmetric));
+    }
+}
+
+/// Around the axis of Lagrange's top that stands or hangs, periodic orbits of γ and l are regular precessions: with c = γ₃ and
+/// n = l₃ constant and l across the axis κ times γ across it, κ²c/A₁ − κn/A₁ + … vanishes and γ turns at the rate n/A₃ − κc/A₁.
+#[test]
+fn lagrange_precesses_regularly_in_the_families_of_its_axis() {
+    let body = body(["2", "2", "1"], ["0", "0", "1"]);
+    let mut count = 0;
+    for equilibrium in &critical(&body, &"3.5".parse().unwrap()).unwrap().list {
+        if equilibrium.gamma[2].abs() < 0.999 {
+            continue;
+        }
+        for family in followed(&body, equilibrium, 40, Held::Momentum) {
+            for orbit in &family.stretch.members {
+                let (g, l) = (orbit.start.gamma, orbit.start.l);
+                let across = g[0] * g[0] + g[1] * g[1];
+                let kappa = (g[0] * l[0] + g[1] * l[1]) / across;
+                let (c, n) = (g[2], l[2]);
+                assert!((g[0] * l[1] - g[1] * l[0]).abs() < 1e-10, "{orbit:?}");
+                // A₁Ω²c − nΩ − r₃ = 0 with Ω = κ/A₁, γ pointing down.
+                let omega = kappa / 2.0;
+                let rest = 2.0 * omega * omega * c - n * omega - 1.0;
+                assert!(rest.abs() < 1e-8 / across.sqrt(), "{rest:e} {orbit:?}");
+                let rate = (n - kappa * c / 2.0).abs();
+                assert!((orbit.period * rate / std::f64::consts::TAU - 1.0).abs() < 1e-9 / across.sqrt(), "{orbit:?}");
+                assert_eq!(orbit.crossings, 0);
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 50, "{count}");
+}
+
+/// Folds, doublings and crossings are where they are said to be: the trace there is 2 or −2, and l is kept.
+#[test]
+fn special_orbits_have_the_traces_of_their_kind() {
+    let body = paper();
+    let mut kinds = Vec::new();
+    for l in ["0", "0.7", "1.5", "2.5"] {
+        for equilibrium in &critical(&body, &l.parse().unwrap()).unwrap().list {
+            for family in followed(&body, equilibrium, 150, Held::Momentum) {
+                for event in &family.stretch.events {
+                    let trace = match event.kind {
+                        OrbitEventKind::Fold | OrbitEventKind::Branch => 2.0,
+                        OrbitEventKind::Doubling => -2.0,
+                        OrbitEventKind::Tripling => -1.0,
+                    };
+                    assert!((event.orbit.trace - trace).abs() < 1e-5, "{event:?}");
+                    assert!(event.error <= 1e-8 && event.orbit.residual <= 1e-13, "{event:?}");
+                    kinds.push(event.kind);
+                }
+            }
+        }
+    }
+    for kind in [OrbitEventKind::Branch, OrbitEventKind::Doubling, OrbitEventKind::Tripling] {
+        assert!(kinds.contains(&kind), "{kind:?} {kinds:?}");
+    }
+}

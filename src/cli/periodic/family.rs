@@ -1,0 +1,262 @@
+//! `bifdiag periodic family`: the families of periodic orbits that begin at relative equilibria.
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+
+use bifdiag_body::Number;
+use bifdiag_documents::Subject;
+use bifdiag_equilibria::critical::{Equilibrium, RelativeEquilibria};
+use bifdiag_equilibria::curves::{CriticalSet, CurveName};
+use bifdiag_periodic::family::{Family, FamilyOptions, Held, families};
+use bifdiag_plot::{Theme, draw_periods};
+use bifdiag_schema::{FamilyEnd, FamilyEndDocument, OrbitEventKind, PeriodicFamiliesDocument, PeriodicFamilyDocument};
+use clap::Args;
+
+use crate::cli::export::{FileSet, PictureArguments, PictureFormat, answer};
+use crate::cli::failure::{Failure, failed};
+use crate::cli::input::{BodyArguments, head, values};
+use crate::cli::terminal::{Report, Table, Timings, counted, significant};
+
+pub const FAMILY_EXAMPLES: &str = "\
+Examples:
+  bifdiag periodic family --body paper --l 1.5
+  bifdiag periodic family --body paper --from G2.1 --l 1.5 --branches --json
+  bifdiag periodic family --body paper --from G2.1 --h 1 --out families
+
+From each imaginary pair of eigenvalues of a relative equilibrium a family of periodic orbits begins (Lyapunov's centre theorem). It \
+is followed at fixed l, or at fixed h, with folds, doublings, triplings and crossings of families located on the way.";
+
+/// `bifdiag periodic family`.
+#[derive(Debug, Args)]
+pub struct FamilyArguments {
+    #[command(flatten)]
+    pub body: BodyArguments,
+    /// The curve of the equilibria, by its id in `bifdiag atlas` (default: every one)
+    #[arg(long, value_name = "CURVE", help_heading = "Family")]
+    pub from: Option<String>,
+    /// Vertical angular momentum, which is held
+    #[arg(long = "l", value_name = "l", allow_hyphen_values = true, value_parser = values::number, help_heading = "Family")]
+    pub momentum: Option<Number>,
+    /// Instead of l: the energy, which is held
+    #[arg(long = "h", value_name = "h", allow_hyphen_values = true, value_parser = values::number, help_heading = "Family")]
+    #[arg(conflicts_with = "momentum")]
+    pub energy: Option<Number>,
+    /// Follow each family for N orbits at most
+    #[arg(long, value_name = "N", default_value_t = 200, help_heading = "Family")]
+    pub members: usize,
+    /// Follow the families that begin at doublings and crossings too
+    #[arg(long, help_heading = "Family")]
+    pub branches: bool,
+    /// Draw the periods, to DIR/periodic.svg
+    #[arg(long, value_name = "DIR", help_heading = "Output")]
+    pub out: Option<PathBuf>,
+    /// Print the families as JSON
+    #[arg(long, help_heading = "Output")]
+    pub json: bool,
+}
+
+/// Significant digits.
+const DIGITS: usize = 6;
+/// What is said where there is no answer.
+const NOT_FOUND: &str = "the families could not be followed";
+
+pub fn run(arguments: &FamilyArguments, timings: &Timings) -> Result<(), Failure> {
+    let subject = arguments.body.subject()?;
+    let id = arguments.from.as_ref().map(|id| id.to_ascii_uppercase().replace('−', "-"));
+    let (held, value) = match (&arguments.momentum, &arguments.energy) {
+        (Some(l), _) => (Held::Momentum, l),
+        (None, Some(h)) => (Held::Energy, h),
+        (None, None) => {
+            return Err(Failure::input(
+                "--l is missing: the momentum of the family, such as --l 1.5, or --h, its energy",
+            ));
+        }
+    };
+    if arguments.members == 0 {
+        return Err(Failure::input("--members 0: a family has at least one orbit"));
+    }
+    let equilibria = equilibria(&subject, held, value, id.as_deref())?;
+    let options =
+        FamilyOptions { held, members: arguments.members, branches: arguments.branches, stop: &AtomicBool::new(false) };
+    let mut found: Vec<(Equilibrium, Vec<Family>)> = Vec::with_capacity(equilibria.len());
+    for equilibrium in equilibria {
+        let of_it = timings.stage("families", || families(&subject.body, &equilibrium, &options));
+        found.push((equilibrium, of_it.map_err(failed(NOT_FOUND))?));
+    }
+    let mut command = subject.command("periodic family");
+    if let Some(id) = &id {
+        command = command.option("from", id);
+    }
+    let name = if held == Held::Momentum { "l" } else { "h" };
+    let members = arguments.members.to_string();
+    command = command.option(name, value.text()).option("members", members).flag("branches", arguments.branches);
+    let document = bifdiag_documents::periodic_families(&subject, command, (held, value.text()), &found);
+    let written = match &arguments.out {
+        Some(directory) => drawn(&document, directory, timings)?,
+        None => Vec::new(),
+    };
+    answer(arguments.json, &document, || text(&subject, &document, &written))
+}
+
+/// The equilibria at l, or those of energy h, one for each curve that has it; of one curve, if it is named.
+fn equilibria(subject: &Subject, held: Held, value: &Number, id: Option<&str>) -> Result<Vec<Equilibrium>, Failure> {
+    let body = &subject.body;
+    let prepared = RelativeEquilibria::new(body).map_err(failed(NOT_FOUND))?.without_normal_forms();
+    let set = CriticalSet::new(body.frame()).map_err(failed(NOT_FOUND))?;
+    let names = || set.curves.pairs().filter(|(_, curve)| curve.is_critical()).map(|(id, _)| CurveName::of(&set, id));
+    if let Some(id) = id
+        && !names().any(|name| name.to_string() == id)
+    {
+        let all: Vec<String> = names().map(|name| name.to_string()).collect();
+        return Err(Failure::input(format!(
+            "--from {id}: the body has no such curve of steady rotations; it has {}",
+            all.join(", ")
+        )));
+    }
+    let momenta: Vec<(Number, Option<CurveName>)> = match held {
+        Held::Momentum => vec![(value.clone(), None)],
+        Held::Energy => {
+            let h = value.to_f64() / set.frame.energy_unit;
+            let curves = set.curves.pairs().filter(|(_, curve)| curve.is_critical());
+            let at = curves.filter_map(|(id, curve)| {
+                // Along a curve h rises with l: dh/dx = 1/J.
+                let height = |x: f64| curve.point(&set.frame, x).h() - h;
+                let [mut from, mut to] = curve.x();
+                if !to.is_finite() {
+                    to = from.max(1.0);
+                    while height(to) < 0.0 && to < 1e300 {
+                        to *= 2.0;
+                    }
+                }
+                if from == 0.0 {
+                    from = f64::MIN_POSITIVE.sqrt();
+                }
+                if height(from) > 0.0 || height(to) < 0.0 {
+                    return None;
+                }
+                for _ in 0..200 {
+                    let middle = 0.5 * (from + to);
+                    if height(middle) < 0.0 { from = middle } else { to = middle }
+                }
+                let l = (2.0 * to).sqrt() * set.frame.momentum_unit;
+                Some((format!("{l:?}").parse().ok()?, Some(CurveName::of(&set, id))))
+            });
+            at.collect()
+        }
+    };
+    let mut found = Vec::new();
+    for (l, curve) in momenta {
+        let list = prepared.at(&l).map_err(failed(NOT_FOUND))?.list;
+        found.extend(list.into_iter().filter(|point| curve.is_none() || point.curve == curve));
+    }
+    if let Some(id) = id {
+        found.retain(|point| point.curve.is_some_and(|curve| curve.to_string() == id));
+    }
+    if found.is_empty() {
+        let (name, text) = (if held == Held::Momentum { "l" } else { "h" }, value.text());
+        let of = id.map_or_else(|| "the body".to_owned(), |id| format!("the curve {id}"));
+        return Err(Failure::input(format!("--{name} {text}: {of} has no equilibrium there")));
+    }
+    Ok(found)
+}
+
+fn drawn(document: &PeriodicFamiliesDocument, directory: &Path, timings: &Timings) -> Result<Vec<PathBuf>, Failure> {
+    let picture = timings.stage("picture", || draw_periods(document, Theme::Light))?;
+    let mut files = FileSet::new(directory);
+    files.remove_pictures("periodic");
+    files.pictures("periodic", &picture, &PictureArguments::plain(PictureFormat::Svg), timings)?;
+    files.write()
+}
+
+fn text(subject: &Subject, document: &PeriodicFamiliesDocument, written: &[PathBuf]) -> String {
+    let mut report = Report::default();
+    head(subject, &mut report);
+    let free = if document.fixed_l.is_some() { "h" } else { "l" };
+    for family in &document.families {
+        report.line("");
+        let curve = family.curve.as_deref().unwrap_or("no curve");
+        report.line(format!(
+            "from {curve} at h = {}, l = {}, frequency {}: {}, {}",
+            significant(family.h, DIGITS),
+            significant(family.l, DIGITS),
+            significant(family.frequency, DIGITS),
+            counted(family.members.len(), "orbit", "orbits"),
+            ending(&family.end)
+        ));
+        if !family.members.is_empty() {
+            report.line(table(family, free).text());
+        }
+        for event in &family.events {
+            for branch in &event.branches {
+                let count = counted(branch.members.len(), "orbit", "orbits");
+                let place = significant(if free == "h" { event.h } else { event.l }, DIGITS);
+                report.line(format!("  family from {free} = {place}: {count}, {}", ending(&branch.end)));
+            }
+        }
+    }
+    report.line("");
+    report.line("T period; crossings of P in a period; trace the sum of the two multipliers");
+    report.written(written);
+    report.text()
+}
+
+/// Rows of the text between two events.
+const ROWS: usize = 6;
+
+/// The orbits of a family, thinned out, and its special ones.
+fn table(family: &PeriodicFamilyDocument, free: &'static str) -> Table {
+    let mut table = Table::new(&[free, "T", "trace", "stability", "crossings", "symmetric", "action", ""]);
+    let every = family.members.len().div_ceil(ROWS * (family.events.len() + 1)).max(1);
+    let mut events = family.events.iter().peekable();
+    let last = family.members.len() - 1;
+    for (number, orbit) in family.members.iter().enumerate() {
+        if number % every == 0 || number == last {
+            table.row([
+                significant(if free == "h" { orbit.h } else { orbit.l }, DIGITS),
+                significant(orbit.period, DIGITS),
+                significant(orbit.multipliers[0][0] + orbit.multipliers[1][0], DIGITS),
+                orbit.stability.word().to_owned(),
+                orbit.crossings.to_string(),
+                if orbit.symmetric { "yes" } else { "no" }.to_owned(),
+                significant(orbit.action, DIGITS),
+                String::new(),
+            ]);
+        }
+        while let Some(event) = events.next_if(|event| event.after == number) {
+            let place = if free == "h" { event.h } else { event.l };
+            let words = match event.kind {
+                OrbitEventKind::Fold => "fold",
+                OrbitEventKind::Branch => "another family crosses",
+                OrbitEventKind::Doubling => "doubling",
+                OrbitEventKind::Tripling => "tripling",
+            };
+            let blank = || String::new();
+            table.row([
+                significant(place, DIGITS),
+                significant(event.period, DIGITS),
+                blank(),
+                blank(),
+                blank(),
+                blank(),
+                blank(),
+                words.to_owned(),
+            ]);
+        }
+    }
+    table
+}
+
+/// How a family ends.
+fn ending(end: &FamilyEndDocument) -> String {
+    let curves = end.curves.join(", ");
+    match end.kind {
+        FamilyEnd::Equilibrium => format!("shrinks to an equilibrium of {curves}"),
+        FamilyEnd::Separatrix => format!("ends at the separatrix of {curves}, T without bound"),
+        FamilyEnd::Joined => "joins another family".to_owned(),
+        FamilyEnd::Members => "goes on".to_owned(),
+        FamilyEnd::Lost => "was followed no further".to_owned(),
+        FamilyEnd::Resonant => {
+            "not begun: the other pair is a multiple of this one, or the equilibrium is not isolated".to_owned()
+        }
+    }
+}
