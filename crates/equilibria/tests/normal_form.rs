@@ -1,7 +1,7 @@
 //! Birkhoff's normal form against results that are known.
 
 use bifdiag_body::{Axis, Body};
-use bifdiag_equilibria::nonlinear::{NormalForm, arnold_numerator, reduced_hamiltonian, series::Series};
+use bifdiag_equilibria::nonlinear::{NormalForm, arnold_numerator, reduced_hamiltonian, series::Series, taylor};
 use bifdiag_equilibria::stability::{Constants, LinearType, Reduced, State};
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
@@ -103,6 +103,36 @@ fn the_determinant_is_a_rational_function_of_the_coefficients() {
         let numerator = arnold_numerator(&series, b, d, ()).expect("no resonance");
         let other = numerator / (*d * *reduced.discriminant());
         assert!(other.meet(&form.arnold).is_some(), "{other:?} {form:?}");
+    }
+}
+
+/// The determinant alone, from the Taylor series in closed form and by contractions, is that of the normal form, and as narrow.
+#[test]
+fn the_determinant_alone_is_that_of_the_normal_form() {
+    for (c, state, reduced) in elliptic_points() {
+        let [b, d] = reduced.coefficients();
+        for axis in Axis::ALL {
+            let form = NormalForm::new(&reduced_hamiltonian(&c, &state, axis), b, d, ()).expect("a form");
+            let alone = NormalForm::arnold(&taylor(&c, &state, axis), b, d, ()).expect("a form");
+            assert!(alone.meet(&form.arnold).is_some(), "{alone:?} {form:?}");
+            assert!(width(alone) < 10.0 * width(form.arnold), "{alone:?} {form:?}");
+        }
+    }
+}
+
+/// The series in closed form is the one of the products of its factors, without the constant and the linear terms.
+#[test]
+fn the_closed_form_of_the_series_is_that_of_its_factors() {
+    for (c, state, _) in elliptic_points() {
+        for axis in Axis::ALL {
+            let [one, other] = [taylor(&c, &state, axis), reduced_hamiltonian(&c, &state, axis)];
+            let digits = |k: u16| [k / 125 % 5, k / 25 % 5, k / 5 % 5, k % 5].map(|power| u8::try_from(power).unwrap());
+            for powers in (0..625).map(digits).filter(|powers| (2..=4).contains(&powers.iter().sum::<u8>())) {
+                let [one, other] = [&one, &other].map(|series| series.coefficient(powers).copied());
+                let [one, other] = [one, other].map(|value| value.unwrap_or(Interval::ZERO));
+                assert!(one.meet(&other).is_some(), "{powers:?} {one:?} {other:?}");
+            }
+        }
     }
 }
 

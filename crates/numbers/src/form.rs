@@ -29,23 +29,31 @@ impl<E: Enclosure<Precision = ()>> EnclosedForm<E> {
     }
 
     /// The form of a degree less than the number of these different places in (0, 1) with these values there (v + u is 1): by
-    /// Newton's divided differences.
+    /// Newton's divided differences. Places that are spread well at each stage keep it narrow.
     #[must_use]
-    pub fn through(places: &[E], mut values: Vec<E>) -> Self {
-        let (one, count) = (E::small(1, ()), values.len());
-        for step in 1..count {
-            for k in (step..count).rev() {
-                let run = places[k].clone() - places[k - step].clone();
-                values[k] = (values[k].clone() - values[k - 1].clone()) / run;
+    pub fn through(places: &[E], values: &[E]) -> Self {
+        let one = E::small(1, ());
+        // v_j/Π(x_j − x_i) over the places so far: a recursion would widen the differences by more than their sums.
+        let mut shares: Vec<E> = Vec::with_capacity(places.len());
+        let mut differences = Vec::with_capacity(places.len());
+        for (k, (place, value)) in places.iter().zip(values).enumerate() {
+            let mut product = one.clone();
+            for (share, other) in shares.iter_mut().zip(places) {
+                let run = place.clone() - other.clone();
+                *share = -(share.clone() / run.clone());
+                product = product * run;
             }
+            shares.push(value.clone() / product);
+            let sum = shares[..k].iter().fold(shares[k].clone(), |sum, share| sum + share.clone());
+            differences.push(sum);
         }
         let sum = Self::linear(one.clone(), one.clone());
         let mut power = Self { c: vec![one.clone()] };
-        let mut form = Self { c: values.pop().into_iter().collect() };
-        for (place, value) in places.iter().zip(values).rev() {
+        let mut form = Self { c: differences.pop().into_iter().collect() };
+        for (place, difference) in places.iter().zip(differences).rev() {
             power = power.times(&sum);
             let factor = Self::linear(-place.clone(), one.clone() - place.clone());
-            form = form.times(&factor).plus(&power.scaled(&value));
+            form = form.times(&factor).plus(&power.scaled(&difference));
         }
         form
     }
@@ -256,8 +264,8 @@ mod tests {
         let planted: Vec<RBig> = (1..=30).map(|k| rational(k * k, 877)).collect();
         let form = with_roots::<Interval384>(&planted);
         let places: Vec<Interval384> = (0..=30).map(|k| Interval384::rational(&rational(2 * k + 1, 62), ())).collect();
-        let values = places.iter().map(|place| form.at(place)).collect();
-        let found = EnclosedForm::through(&places, values).simple_roots().unwrap();
+        let values: Vec<Interval384> = places.iter().map(|place| form.at(place)).collect();
+        let found = EnclosedForm::through(&places, &values).simple_roots().unwrap();
         let inside = planted.iter().filter(|root| **root < RBig::ONE);
         assert_eq!(found.len(), inside.clone().count());
         for (range, root) in found.iter().zip(inside) {

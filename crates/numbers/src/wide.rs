@@ -23,6 +23,9 @@ pub type Wide = Bounded<Big>;
 /// Intervals whose ends have 128 bits.
 pub type Interval128 = Bounded<FixedFloat<2>>;
 
+/// Intervals whose ends have 192 bits.
+pub type Interval192 = Bounded<FixedFloat<3>>;
+
 /// Intervals whose ends have 384 bits.
 pub type Interval384 = Bounded<FixedFloat<6>>;
 
@@ -40,7 +43,7 @@ impl<F: Directed> Bounded<F> {
     }
 
     fn is_zero(&self) -> bool {
-        self.sign() == Some(Sign::Zero)
+        self.ends.as_ref().is_some_and(|(a, b)| a.sign() == Sign::Zero && b.sign() == Sign::Zero)
     }
 }
 
@@ -52,9 +55,9 @@ impl<F: Directed> Add for Bounded<F> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         let precision = self.precision;
-        match (self.ends, other.ends) {
+        match (&self.ends, &other.ends) {
             (Some((a, b)), Some((c, d))) => {
-                Self::of(a.plus(&c, precision, Toward::Down), b.plus(&d, precision, Toward::Up), precision)
+                Self::of(a.plus(c, precision, Toward::Down), b.plus(d, precision, Toward::Up), precision)
             }
             _ => Self::line(precision),
         }
@@ -84,19 +87,19 @@ impl<F: Directed> Mul for Bounded<F> {
         if self.is_zero() || other.is_zero() {
             return Self::point(F::zero(), precision);
         }
-        let (Some((a, b)), Some((c, d))) = (self.ends, other.ends) else { return Self::line(precision) };
-        let (low, high) = match (is_negative(&a), is_negative(&b), is_negative(&c), is_negative(&d)) {
-            (false, _, false, _) => ((&a, &c), (&b, &d)),
-            (false, _, _, true) => ((&b, &c), (&a, &d)),
-            (false, _, true, false) => ((&b, &c), (&b, &d)),
-            (_, true, false, _) => ((&a, &d), (&b, &c)),
-            (_, true, _, true) => ((&b, &d), (&a, &c)),
-            (_, true, true, false) => ((&a, &d), (&a, &c)),
-            (true, false, false, _) => ((&a, &d), (&b, &d)),
-            (true, false, _, true) => ((&b, &c), (&a, &c)),
+        let (Some((a, b)), Some((c, d))) = (&self.ends, &other.ends) else { return Self::line(precision) };
+        let (low, high) = match (is_negative(a), is_negative(b), is_negative(c), is_negative(d)) {
+            (false, _, false, _) => ((a, c), (b, d)),
+            (false, _, _, true) => ((b, c), (a, d)),
+            (false, _, true, false) => ((b, c), (b, d)),
+            (_, true, false, _) => ((a, d), (b, c)),
+            (_, true, _, true) => ((b, d), (a, c)),
+            (_, true, true, false) => ((a, d), (a, c)),
+            (true, false, false, _) => ((a, d), (b, d)),
+            (true, false, _, true) => ((b, c), (a, c)),
             (true, false, true, false) => {
-                let lows = [a.times(&d, precision, Toward::Down), b.times(&c, precision, Toward::Down)];
-                let highs = [a.times(&c, precision, Toward::Up), b.times(&d, precision, Toward::Up)];
+                let lows = [a.times(d, precision, Toward::Down), b.times(c, precision, Toward::Down)];
+                let highs = [a.times(c, precision, Toward::Up), b.times(d, precision, Toward::Up)];
                 let [Some(p), Some(q)] = lows else { return Self::line(precision) };
                 let [Some(r), Some(s)] = highs else { return Self::line(precision) };
                 return Self::of(Some(p.min(q)), Some(r.max(s)), precision);

@@ -108,26 +108,23 @@ impl BorderSearch {
             let [a, r] = line.at(s);
             Body::from_f64(a, r).ok()
         };
-        let is_other = |s: &f64| {
-            let class = body_at(*s).and_then(|body| class_of(&body, Accuracy::Fast).ok());
-            class.map(|(_, class)| class != self.class)
-        };
-        let mut last = 0.0;
+        // The last body of the same class.
+        let mut before = None;
         for s in nodes(&line) {
-            match is_other(&s) {
-                None => {}
-                Some(false) => last = s,
-                Some(true) => {
-                    let accuracy = if last == 0.0 { self.accuracy } else { Accuracy::Fast };
-                    let options =
-                        BorderOptions { tolerance: 1e-9, accuracy, by_zeros: true, ..BorderOptions::default() };
-                    let border = border::find(&BodySegment::new(body_at(last)?, body_at(s)?), &options).ok()?;
-                    let at = last + border.t * (s - last);
-                    let (distance, body) = (line.distance(at), ReducedBody::of(line.at(at)));
-                    let ([_, class], event) = (border.classes, border.event.kind);
-                    return Some((at, NearestBorder { class, event, distance, body, direction: direction.to_vec() }));
-                }
+            let Some(found) = body_at(s).and_then(|body| class_of(&body, Accuracy::Fast).ok()) else { continue };
+            if found.1 == self.class {
+                before = Some((s, found));
+                continue;
             }
+            let start = || Some((0.0, class_of(&body_at(0.0)?, self.accuracy).ok()?));
+            let (last, same) = before.or_else(start)?;
+            let options = BorderOptions { tolerance: 1e-9, by_zeros: true, ..BorderOptions::default() };
+            let segment = BodySegment::new(same.0.body().clone(), found.0.body().clone());
+            let border = border::find_between(&segment, [same, found], &options).ok()?;
+            let at = last + border.t * (s - last);
+            let (distance, body) = (line.distance(at), ReducedBody::of(line.at(at)));
+            let ([_, class], event) = (border.classes, border.event.kind);
+            return Some((at, NearestBorder { class, event, distance, body, direction: direction.to_vec() }));
         }
         None
     }

@@ -125,7 +125,7 @@ class Atlas:
 
     @cached_property
     def _traced(self) -> Document:
-        """The document; if it has still to be made without `verdict_changes`, which take ten times as long as the rest."""
+        """The document; if it has still to be made without `verdict_changes`, which take longer than the rest."""
         if self._certified or self._loaded is not None:
             return self._document
         document: Document = json.loads(self._inner.to_json(self._ranges, self._drawing, False))

@@ -71,7 +71,7 @@ class Equilibria(Table):
 
     Notes
     -----
-    Where Arnold's theorem is needed, a verdict takes ten times as long as all the rest of its row. So ``stable``,
+    Where Arnold's theorem is needed, a verdict takes several times as long as all the rest of its row. So ``stable``,
     ``stable_by`` and ``verdict`` of many momenta are computed when one of them is first read, or when the table is handed
     on.
     """

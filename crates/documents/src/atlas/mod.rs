@@ -101,7 +101,7 @@ pub fn attach_part(document: &mut AtlasDocument, subject: &Subject) {
     }
 }
 
-/// Adds to an exact document the points of its window where a hypothesis of Arnold's theorem fails; takes ten times as long as
+/// Adds to an exact document the points of its window where a hypothesis of Arnold's theorem fails; takes several times as long as
 /// the rest.
 pub fn attach_verdict_changes(document: &mut AtlasDocument, atlas: &Atlas) {
     if document.accuracy != Accuracy::Exact {

@@ -179,7 +179,7 @@ impl<'a> RelativeEquilibria<'a> {
         Ok(Self { body, constants, profile: OnceLock::new(), words, set, defers: false })
     }
 
-    /// Without the verdicts that only a normal form decides, which takes ten times as long as all the rest:
+    /// Without the verdicts that only a normal form decides, which takes several times as long as all the rest:
     /// [`Nonlinear::is_deferred`] tells where one is missing.
     #[must_use]
     pub fn without_normal_forms(self) -> Self {

@@ -180,7 +180,7 @@ impl<'a> Verdicts<'a> {
                 && to.as_ref().is_none_or(|end| *hi < end.lo)
                 && poles.iter().all(is_apart)
         };
-        let zeros = zeros(family.body, chart, [&first, &last])?;
+        let zeros = zeros(family.body, chart, [&first, &last], |range| family.is_sharp(range))?;
         zeros.iter().all(is_inside).then(|| self.changes.extend(zeros.iter().map(|range| family.zero(range))))
     }
 }
@@ -237,10 +237,22 @@ impl OnFamily<'_> {
         VerdictChange { l, h, error_bound, curve: self.curve, kind, verdict, why, changes, proved }
     }
 
-    /// The point at a zero of the determinant.
-    fn zero(&self, [lo, hi]: &[RBig; 2]) -> VerdictChange {
-        let c: Constants<Interval384> = self.body.constants(());
+    /// The equilibria over a range of t.
+    fn over(&self, [lo, hi]: &[RBig; 2]) -> (Constants<Interval384>, State<Interval384>) {
+        let c = self.body.constants(());
         let state = self.chart.state_over(self.body, &c, [lo, hi]);
+        (c, state)
+    }
+
+    /// No narrower range says more of l and h.
+    fn is_sharp(&self, range: &[RBig; 2]) -> bool {
+        let (c, state) = self.over(range);
+        state.is_sharp(&c)
+    }
+
+    /// The point at a zero of the determinant.
+    fn zero(&self, range: &[RBig; 2]) -> VerdictChange {
+        let (c, state) = self.over(range);
         let verdict = (NonlinearVerdict::Open, Reason::Degenerate);
         self.change(state.place(&c, &self.set.frame), Failing::Determinant, verdict, (false, true))
     }

@@ -10,9 +10,11 @@ mod complex;
 mod determinant;
 mod friction;
 mod judge;
+mod modes;
 mod normal_form;
 mod reduced_hamiltonian;
 pub mod series;
+mod taylor;
 mod verdict;
 mod zeros;
 
@@ -24,4 +26,5 @@ pub use friction::Friction;
 pub use judge::Question;
 pub use normal_form::NormalForm;
 pub use reduced_hamiltonian::reduced_hamiltonian;
+pub use taylor::taylor;
 pub use verdict::{Determinant, Nonlinear, Setting};

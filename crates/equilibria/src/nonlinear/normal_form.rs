@@ -12,7 +12,8 @@ use bifdiag_numbers::enclosure::Enclosure;
 
 use super::complex::Complex;
 use super::determinant::hessian;
-use super::series::{DEGREE, Exponents, Homogeneous, Series, VARIABLES, of_degree, place_in_degree};
+use super::modes::{CONJUGATE, Mode, coefficient_in_modes, cubic_in_modes, linear_forms};
+use super::series::{Exponents, Homogeneous, Series, VARIABLES, of_degree, place_in_degree};
 
 /// H = ±ω₁I₁ ± ω₂I₂ + K₁₁I₁² + K₁₂I₁I₂ + K₂₂I₂² + …, with ω₁ > ω₂ > 0.
 #[derive(Clone, Debug)]
@@ -31,28 +32,25 @@ pub struct NormalForm<E> {
     pub quartic: Option<E>,
 }
 
-/// z₁, z₂, z̄₁, z̄₂ of a mode and its conjugate.
-const CONJUGATE: usize = 2;
-
-/// A mode: the real and the imaginary part of its eigenvector, and n.
-struct Mode<E> {
-    vector: [Complex<E>; VARIABLES],
-    energy: E,
-}
-
 impl<E: Enclosure> NormalForm<E> {
     /// From the Taylor series of a Hamiltonian in (q₁, q₂, p₁, p₂) and the coefficients of its λ⁴ + bλ² + c. `None` where
     /// the enclosures do not tell that the pairs are imaginary, distinct, and of certain energies. At ω₁ = 2ω₂ the twist is
     /// unbounded. Without the term that stays at ω₁ = 3ω₂.
     #[must_use]
     pub fn new(hamiltonian: &Series<E>, b: &E, c: &E, precision: E::Precision) -> Option<Self> {
-        Some(Form::new(hamiltonian, b, c, precision, false)?.normal())
+        Some(Form::new(hamiltonian, b, c, precision, Quartic::even)?.normal())
+    }
+
+    /// Arnold's determinant alone, by fewer operations.
+    #[must_use]
+    pub fn arnold(hamiltonian: &Series<E>, b: &E, c: &E, precision: E::Precision) -> Option<E> {
+        Some(Form::new(hamiltonian, b, c, precision, Quartic::contracted)?.normal().arnold)
     }
 
     /// The same with the term that stays at ω₁ = 3ω₂.
     #[must_use]
     pub fn with_quartic(hamiltonian: &Series<E>, b: &E, c: &E, precision: E::Precision) -> Option<Self> {
-        let form = Form::new(hamiltonian, b, c, precision, true)?;
+        let form = Form::new(hamiltonian, b, c, precision, Quartic::whole)?;
         // 2|c| |z₁| |z₂|ⁿ with |z_j|² = I_j/(2ω_j|n_j|).
         let size = form.squared_size(form.rest([1, 0, 0, 3], true));
         let [first, second] = form.actions();
@@ -72,13 +70,18 @@ struct Form<E: Enclosure> {
     cubic: Vec<Complex<E>>,
     /// iG₃ likewise. A term that is known to vanish has no share in it, resonant or not.
     generator: Vec<Option<Complex<E>>>,
-    /// H₄ in the real coordinates.
-    quartic: Option<Homogeneous<E>>,
+    quartic: Quartic<E>,
     precision: E::Precision,
 }
 
 impl<E: Enclosure> Form<E> {
-    fn new(hamiltonian: &Series<E>, b: &E, c: &E, precision: E::Precision, with_quartic: bool) -> Option<Self> {
+    fn new(
+        hamiltonian: &Series<E>,
+        b: &E,
+        c: &E,
+        precision: E::Precision,
+        quartic: impl FnOnce(&Series<E>, &[Mode<E>; 2], E::Precision) -> Quartic<E>,
+    ) -> Option<Self> {
         let small = |value| E::small(value, precision);
         let discriminant = b.square() - small(4) * c.clone();
         if [b, c, &discriminant].into_iter().any(|value| value.sign() != Some(Sign::Positive)) {
@@ -94,9 +97,7 @@ impl<E: Enclosure> Form<E> {
 
         let forms = linear_forms(&modes, precision);
         let cubic = cubic_in_modes(Homogeneous::composed(hamiltonian, 3, &forms, |_| true).as_ref(), precision);
-        // The twist needs what is even in each mode.
-        let is_even = |powers: &Exponents| (powers[0] + powers[CONJUGATE]).is_multiple_of(2);
-        let quartic = Homogeneous::composed(hamiltonian, 4, &forms, |powers| with_quartic || is_even(powers));
+        let quartic = quartic(hamiltonian, &modes, precision);
         let over_frequency = |(powers, value): (Exponents, &Complex<E>)| {
             let frequency = (0..2).fold(small(0), |sum, j| {
                 let winding = i32::from(powers[j]) - i32::from(powers[j + CONJUGATE]);
@@ -117,7 +118,7 @@ impl<E: Enclosure> Form<E> {
         // ½ · 1/(2ω_j n_j)
         let factor = |j: usize| self.small(1) / (self.small(4) * self.omega[j].clone() * self.modes[j].energy.clone());
         let factors = [factor(0), factor(1)];
-        let mut sum = coefficient_in_modes(self.quartic.as_ref(), wanted, self.precision);
+        let mut sum = self.quartic.coefficient(wanted, self.precision);
         for (powers, value) in of_degree(3).zip(&self.cubic) {
             // The partner in the bracket of each mode.
             let partner = |j: usize| {
@@ -157,7 +158,7 @@ impl<E: Enclosure> Form<E> {
 
     /// All but the resonant term of degree four.
     fn normal(self) -> NormalForm<E> {
-        let [k11, k12, k22] = [[2, 0, 2, 0], [1, 1, 1, 1], [0, 2, 0, 2]].map(|powers| self.rest(powers, false).re);
+        let [k11, k12, k22] = TWIST.map(|powers| self.rest(powers, false).re);
         let [first, second] = self.actions();
         let twist = [k11 / first.square(), k12 / (first.clone() * second.clone()), k22 / second.square()];
         // 2|c| |z₁| |z₂|ⁿ with |z_j|² = I_j/(2ω_j|n_j|).
@@ -172,112 +173,68 @@ impl<E: Enclosure> Form<E> {
     }
 }
 
-impl<E: Enclosure> Mode<E> {
-    /// The mode of frequency ω beside one whose squared frequency is `other`.
-    fn new(hessian: &[[E; VARIABLES]; VARIABLES], omega: &E, other: &E, precision: E::Precision) -> Option<Self> {
-        let zero = || E::small(0, precision);
-        let gradient = |x: &[E; VARIABLES]| -> [E; VARIABLES] {
-            std::array::from_fn(|a| (0..VARIABLES).fold(zero(), |sum, b| sum + hessian[a][b].clone() * x[b].clone()))
+/// H₄ by monomials of z₁, z₂, z̄₁, z̄₂.
+enum Quartic<E> {
+    /// In the real coordinates.
+    Real(Option<Homogeneous<E>>),
+    /// At z₁²z̄₁², z₁z̄₁z₂z̄₂ and z₂²z̄₂².
+    Twist([E; 3]),
+}
+
+/// The monomials of the twist.
+const TWIST: [Exponents; 3] = [[2, 0, 2, 0], [1, 1, 1, 1], [0, 2, 0, 2]];
+
+impl<E: Enclosure> Quartic<E> {
+    fn whole(hamiltonian: &Series<E>, modes: &[Mode<E>; 2], precision: E::Precision) -> Self {
+        Self::Real(Homogeneous::composed(hamiltonian, 4, &linear_forms(modes, precision), |_| true))
+    }
+
+    /// What is even in each mode, which the twist needs.
+    fn even(hamiltonian: &Series<E>, modes: &[Mode<E>; 2], precision: E::Precision) -> Self {
+        let is_even = |powers: &Exponents| (powers[0] + powers[CONJUGATE]).is_multiple_of(2);
+        Self::Real(Homogeneous::composed(hamiltonian, 4, &linear_forms(modes, precision), is_even))
+    }
+
+    /// With Q = re v ⊗ re v + im v ⊗ im v of each mode: ¼(Q₁∂∂)²H₄, (Q₁∂∂)(Q₂∂∂)H₄ and ¼(Q₂∂∂)²H₄.
+    fn contracted(hamiltonian: &Series<E>, modes: &[Mode<E>; 2], precision: E::Precision) -> Self {
+        let factorial = |powers: Exponents| powers.iter().flat_map(|&power| 1..=i32::from(power)).product();
+        let derivative = |powers: Exponents| {
+            hamiltonian.coefficient(powers).map(|value| value.clone() * E::small(factorial(powers), precision))
         };
-        let turned = |[a, b, c, d]: [E; VARIABLES]| [c, d, -a, -b];
-        let flow = |x: &[E; VARIABLES]| turned(gradient(x));
-        // The unit vector whose part in the plane is the largest.
-        let candidates = (0..VARIABLES).map(|unit| {
-            let one = E::small(1, precision);
-            let mut y = flow(&turned(hessian.each_ref().map(|row| row[unit].clone() * one.clone())));
-            y[unit] = y[unit].clone() + other.clone() * one;
-            let slope = gradient(&y);
-            let energy = (0..VARIABLES).fold(zero(), |sum, a| sum + y[a].clone() * slope[a].clone());
-            (y, energy)
-        });
-        let size = |energy: &E| energy.bounds().into_iter().map(f64::abs).fold(f64::INFINITY, f64::min);
-        let certain = candidates.filter(|(_, energy)| energy.strict_sign().is_some());
-        let (y, energy) = certain.max_by(|p, q| size(&p.1).total_cmp(&size(&q.1)))?;
-        let image = flow(&y);
-        let vector = std::array::from_fn(|a| Complex { re: image[a].clone(), im: omega.clone() * y[a].clone() });
-        Some(Self { vector, energy })
+        let fourth: Vec<Option<E>> = of_degree(4).map(derivative).collect();
+        let sum = |terms: &mut dyn Iterator<Item = E>| terms.reduce(|sum, term| sum + term);
+        let once = |form: &[E]| -> Vec<Option<E>> {
+            let at = |powers: Exponents| {
+                let terms = of_degree(2).zip(form).filter_map(|(pair, q)| {
+                    let place = place_in_degree(&std::array::from_fn(|k| powers[k] + pair[k]))?;
+                    Some(fourth[place].clone()? * q.clone())
+                });
+                sum(&mut { terms })
+            };
+            of_degree(2).map(at).collect()
+        };
+        let twice = |once: &[Option<E>], form: &[E]| {
+            let terms = once.iter().zip(form).filter_map(|(value, q)| Some(value.clone()? * q.clone()));
+            sum(&mut { terms }).unwrap_or_else(|| E::small(0, precision))
+        };
+        let [first, second] = modes.each_ref().map(Mode::squared);
+        let [of_first, of_second] = [once(&first), once(&second)];
+        let quarter = E::small(1, precision) / E::small(4, precision);
+        let [own, other] = [twice(&of_first, &first), twice(&of_second, &second)].map(|value| value * quarter.clone());
+        Self::Twist([own, twice(&of_first, &second), other])
     }
-}
 
-/// x in the real coordinates X₁, X₂, Y₁, Y₂ of z_j = X_j + iY_j: z v + z̄ v̄ = 2X re v − 2Y im v.
-fn linear_forms<E: Enclosure>(modes: &[Mode<E>; 2], precision: E::Precision) -> [[E; VARIABLES]; VARIABLES] {
-    std::array::from_fn(|a| {
-        std::array::from_fn(|k| {
-            let part = &modes[k % CONJUGATE].vector[a];
-            let value = if k < CONJUGATE { part.re.clone() } else { -part.im.clone() };
-            E::small(2, precision) * value
-        })
-    })
-}
-
-/// The coefficients of all monomials of degree three in z₁, z₂, z̄₁, z̄₂. That of a conjugate is the conjugate: the same
-/// operations with other signs.
-fn cubic_in_modes<E: Enclosure>(real: Option<&Homogeneous<E>>, precision: E::Precision) -> Vec<Complex<E>> {
-    let mut cubic: Vec<Complex<E>> = Vec::with_capacity(of_degree(3).len());
-    for [a, b, c, d] in of_degree(3) {
-        let known = place_in_degree(&[c, d, a, b]).and_then(|place| cubic.get(place)).map(Complex::conjugate);
-        cubic.push(known.unwrap_or_else(|| coefficient_in_modes(real, [a, b, c, d], precision)));
-    }
-    cubic
-}
-
-/// The coefficient of a monomial in z₁, z₂, z̄₁, z̄₂, from X = (z + z̄)/2 and Y = (z − z̄)/(2i).
-fn coefficient_in_modes<E: Enclosure>(
-    real: Option<&Homogeneous<E>>,
-    wanted: Exponents,
-    precision: E::Precision,
-) -> Complex<E> {
-    let zero = || E::small(0, precision);
-    let mut sum = Complex { re: zero(), im: zero() };
-    let whole = [0, 1].map(|j| wanted[j] + wanted[j + CONJUGATE]);
-    for first in 0..=whole[0] {
-        for second in 0..=whole[1] {
-            // Powers of Y₁ and Y₂.
-            let powers = [whole[0] - first, whole[1] - second, first, second];
-            let Some(value) = real.and_then(|real| real.coefficient(powers)) else { continue };
-            let share = |j: usize, y: u8| KRAWTCHOUK[whole[j] as usize][y as usize][wanted[j + CONJUGATE] as usize];
-            let count = share(0, first) * share(1, second);
-            if count == 0 {
-                continue;
-            }
-            let part = value.clone() * E::small(count, precision);
-            // (1/i)ⁿ
-            match (first + second) % 4 {
-                0 => sum.re = sum.re + part,
-                1 => sum.im = sum.im - part,
-                2 => sum.re = sum.re - part,
-                _ => sum.im = sum.im + part,
+    fn coefficient(&self, wanted: Exponents, precision: E::Precision) -> Complex<E> {
+        match self {
+            Self::Real(real) => coefficient_in_modes(real.as_ref(), wanted, precision),
+            Self::Twist(values) => {
+                let known = TWIST.iter().zip(values).find(|(powers, _)| **powers == wanted);
+                let re = known.map_or_else(|| E::line(precision), |(_, value)| value.clone());
+                Complex { re, im: E::small(0, precision) }
             }
         }
     }
-    let scale = E::small(1, precision) / E::small(1 << (whole[0] + whole[1]), precision);
-    sum.scaled(&scale)
 }
-
-/// The coefficient of z̄^k in (z + z̄)^(n−y) (z − z̄)^y, by n, y and k.
-const KRAWTCHOUK: [[[i32; DEGREE + 1]; DEGREE + 1]; DEGREE + 1] = {
-    let mut table = [[[0; DEGREE + 1]; DEGREE + 1]; DEGREE + 1];
-    let mut n = 0;
-    while n <= DEGREE {
-        let mut y = 0;
-        while y <= n {
-            table[n][y][0] = 1;
-            let mut factor = 0;
-            while factor < n {
-                let mut k = factor + 1;
-                while k > 0 {
-                    let lower = table[n][y][k - 1];
-                    table[n][y][k] += if factor < y { -lower } else { lower };
-                    k -= 1;
-                }
-                factor += 1;
-            }
-            y += 1;
-        }
-        n += 1;
-    }
-    table
-};
 
 /// The quotient of two monomials, if it is one.
 fn divided(product: Exponents, powers: Exponents) -> Option<Exponents> {

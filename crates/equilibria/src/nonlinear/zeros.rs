@@ -6,18 +6,30 @@
 
 use dashu_ratio::RBig;
 
-use super::judge::{MAXIMUM, Question};
+use super::normal_form::NormalForm;
+use super::reduced_hamiltonian::farthest;
+use super::taylor::taylor;
 use crate::stability::exact::{ExactBody, Family, FamilyChart};
-use crate::stability::{Constants, LinearType, Reduced};
+use crate::stability::{Constants, Reduced};
 use bifdiag_numbers::enclosure::Enclosure;
 use bifdiag_numbers::form::EnclosedForm;
-use bifdiag_numbers::wide::{Interval384, Interval1024};
+use bifdiag_numbers::wide::{Interval128, Interval192, Interval384, Interval1024};
 
-/// The zeros of D₄ between two places of a family inside of which it is elliptic, by rising t, in ranges of t; `None` where
-/// enclosures do not isolate all of them, or one is at an end.
-pub(super) fn zeros(body: &ExactBody, chart: &FamilyChart, range: [&RBig; 2]) -> Option<Vec<[RBig; 2]>> {
-    // Interpolation costs three bits for each degree at most; beside special bodies N has many sizes.
-    enclosed::<Interval384>(body, chart, range).or_else(|| enclosed::<Interval1024>(body, chart, range))
+/// The zeros of D₄ between two places of a family inside of which it is elliptic, by rising t, in ranges of t that are sharp, or
+/// as narrow as they can be had; `None` where enclosures do not isolate all of them, or one is at an end.
+pub(super) fn zeros(
+    body: &ExactBody,
+    chart: &FamilyChart,
+    range: [&RBig; 2],
+    is_sharp: impl Fn(&[RBig; 2]) -> bool,
+) -> Option<Vec<[RBig; 2]>> {
+    // Interpolation costs two bits for each degree at most; beside special bodies N has many sizes.
+    let sharp = |zeros: &Vec<[RBig; 2]>| zeros.iter().all(&is_sharp);
+    enclosed::<Interval128>(body, chart, range)
+        .filter(sharp)
+        .or_else(|| enclosed::<Interval192>(body, chart, range).filter(sharp))
+        .or_else(|| enclosed::<Interval384>(body, chart, range))
+        .or_else(|| enclosed::<Interval1024>(body, chart, range))
 }
 
 fn enclosed<E>(body: &ExactBody, chart: &FamilyChart, [lo, hi]: [&RBig; 2]) -> Option<Vec<[RBig; 2]>>
@@ -28,7 +40,8 @@ where
     let known = chart.zeros_of_degeneracy(body);
     let degree = chart.degree_of_determinant(body) - known.len();
     let width = hi - lo;
-    let places: Vec<RBig> = (0..=degree).map(|k| place(k, degree)).collect();
+    let places: Vec<RBig> =
+        spread_places(degree + 1).into_iter().map(|u| RBig::try_from(u).unwrap_or(RBig::ZERO)).collect();
     let values = places.iter().map(|u| {
         let t = lo + &width * u;
         let distance = known.iter().fold(RBig::ONE, |product, zero| product * (&t - zero));
@@ -36,16 +49,21 @@ where
     });
     let values: Vec<E> = values.collect::<Option<_>>()?;
     let places: Vec<E> = places.iter().map(|u| E::rational(u, ())).collect();
-    let roots = EnclosedForm::through(&places, values).simple_roots()?;
+    let roots = EnclosedForm::through(&places, &values).simple_roots()?;
     let range = |root: E| root.exact_bounds().map(|ends| ends.map(|u| lo + &width * u));
     roots.into_iter().map(range).collect()
 }
 
-/// Node k of Chebyshev's, rounded, in (0, 1).
-fn place(k: usize, degree: usize) -> RBig {
-    let angle = std::f64::consts::FRAC_PI_4 * (2 * k + 1) as f64 / (degree + 1) as f64;
-    let sine = libm::sin(angle);
-    RBig::try_from(sine * sine).unwrap_or(RBig::ZERO)
+/// Nodes of Chebyshev's in (0, 1), rounded, in an order of which each beginning is spread over all of them: by their numbers with
+/// the binary digits reversed. Through values at these places `EnclosedForm::through` loses less than two bits for each degree.
+fn spread_places(count: usize) -> Vec<f64> {
+    let bits = count.next_power_of_two().trailing_zeros();
+    let reversed = |k: usize| (0..bits).fold(0, |number, bit| number << 1 | (k >> bit & 1));
+    let node = |k: usize| {
+        let sine = libm::sin(std::f64::consts::FRAC_PI_4 * (2 * k + 1) as f64 / count as f64);
+        sine * sine
+    };
+    (0..1 << bits).map(reversed).filter(|number| *number < count).map(node).collect()
 }
 
 /// N at t, where there are two distinct imaginary pairs.
@@ -55,9 +73,8 @@ where
 {
     let state = chart.state_over(body, c, [t, t]);
     let reduced = Reduced::new(c, &state);
-    let question = Question { c, state: &state, reduced: &reduced, kind: LinearType::Elliptic, setting: MAXIMUM };
-    let determinant = question.normal_form()?.arnold;
     let [beta, chi] = reduced.coefficients();
+    let determinant = NormalForm::arnold(&taylor(c, &state, farthest(&state)), beta, chi, ())?;
     let axis = determinant * chi.clone() * reduced.discriminant().clone();
     if body.active.len() == 1 && matches!(chart.family, Family::Generic(_)) {
         return Some(axis);
@@ -67,4 +84,31 @@ where
     let cube = |x: &E| x.square() * x.clone();
     let weight = cube(&cube(&chart.total(t, ())));
     Some(axis * chi.clone() * resonance * weight)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use bifdiag_numbers::enclosure::Arithmetic;
+
+    fn rational(p: i32, q: u32) -> RBig {
+        RBig::from_parts(p.into(), q.into())
+    }
+
+    /// A polynomial of degree 45 with simple roots all over (0, 1), from values of 128 bits.
+    #[test]
+    fn a_high_degree_takes_few_bits_at_spread_places() {
+        let planted: Vec<RBig> = (1..=45).map(|k| rational(2 * k + 1, 97)).collect();
+        let value =
+            |u: &RBig| Interval128::rational(&planted.iter().fold(RBig::ONE, |product, x| product * (u - x)), ());
+        let places: Vec<RBig> = spread_places(46).into_iter().map(|u| RBig::try_from(u).unwrap()).collect();
+        let values: Vec<Interval128> = places.iter().map(value).collect();
+        let places: Vec<Interval128> = places.iter().map(|u| Interval128::rational(u, ())).collect();
+        let found = EnclosedForm::through(&places, &values).simple_roots().unwrap();
+        assert_eq!(found.len(), planted.len());
+        for (range, root) in found.iter().zip(&planted) {
+            let [lo, hi] = range.exact_bounds().unwrap();
+            assert!(lo <= *root && *root <= hi && hi - lo < rational(1, 1_000_000_007), "{range:?}");
+        }
+    }
 }

@@ -168,14 +168,25 @@ impl<E: Enclosure> State<E> {
         self.s.clone() * self.j.square() / c.small(2)
     }
 
-    /// l and h in the body's units, each with a bound on its error.
-    #[must_use]
-    pub fn place(&self, c: &Constants<E>, frame: &Frame) -> [(f64, f64); 2] {
+    /// l and h in the frame's units, in doubles.
+    fn in_frame(&self, c: &Constants<E>) -> [[f64; 2]; 2] {
         let x = self.x(c);
         let l = (x.clone() * c.small(2)).sqrt();
         let h = x / self.j.clone() - self.potential(c);
-        [(l, frame.momentum_unit), (h, frame.energy_unit)].map(|(value, unit)| {
-            let [lo, hi] = value.bounds();
+        [l, h].map(|value| value.bounds())
+    }
+
+    /// Narrower enclosures tell no more of l and h in doubles.
+    #[must_use]
+    pub fn is_sharp(&self, c: &Constants<E>) -> bool {
+        self.in_frame(c).iter().all(|[lo, hi]| *hi <= lo.next_up().next_up())
+    }
+
+    /// l and h in the body's units, each with a bound on its error.
+    #[must_use]
+    pub fn place(&self, c: &Constants<E>, frame: &Frame) -> [(f64, f64); 2] {
+        let [l, h] = self.in_frame(c);
+        [(l, frame.momentum_unit), (h, frame.energy_unit)].map(|([lo, hi], unit)| {
             let middle = lo + 0.5 * (hi - lo);
             (middle * unit, (hi - middle).max(middle - lo) * unit)
         })

@@ -90,7 +90,26 @@ pub enum BorderError {
 /// # Errors
 /// [`BorderError`].
 pub fn find(segment: &BodySegment, options: &BorderOptions) -> Result<Border, BorderError> {
-    let mut bracket = ClassBracket::new(segment, options)?;
+    let side = |t: f64, end| {
+        ClassifiedBody::of(segment, t, options.accuracy).map_err(|source| BorderError::NoClass { end, source })
+    };
+    between(segment, [side(0.0, "lower")?, side(1.0, "upper")?], options)
+}
+
+/// The same where the atlases and classes of both ends are known.
+///
+/// # Errors
+/// [`BorderError::SameClass`].
+pub(crate) fn find_between(
+    segment: &BodySegment,
+    [low, high]: [(Atlas, Class); 2],
+    options: &BorderOptions,
+) -> Result<Border, BorderError> {
+    between(segment, [ClassifiedBody::new(0.0, low), ClassifiedBody::new(1.0, high)], options)
+}
+
+fn between(segment: &BodySegment, ends: [ClassifiedBody; 2], options: &BorderOptions) -> Result<Border, BorderError> {
+    let mut bracket = ClassBracket::new(segment, ends, options)?;
     for looks in 1.. {
         let Some(t) = bracket.next() else { break };
         bracket.look(t);
@@ -162,16 +181,16 @@ struct ClassBracket<'a> {
 }
 
 impl<'a> ClassBracket<'a> {
-    fn new(segment: &'a BodySegment, options: &'a BorderOptions) -> Result<Self, BorderError> {
-        let side = |t: f64, end| {
-            ClassifiedBody::of(segment, t, options.accuracy).map_err(|source| BorderError::NoClass { end, source })
-        };
-        let (low, high) = (side(0.0, "lower")?, side(1.0, "upper")?);
+    fn new(
+        segment: &'a BodySegment,
+        [low, high]: [ClassifiedBody; 2],
+        options: &'a BorderOptions,
+    ) -> Result<Self, BorderError> {
         if low.class == high.class {
             return Err(BorderError::SameClass { class: low.class.name().clone() });
         }
         let wanted = options.tolerance / segment.length().max(f64::MIN_POSITIVE);
-        Ok(Self { segment, options, low, high, zone: None, wanted, ordinary: special(segment, GOLDEN), atlases: 2 })
+        Ok(Self { segment, options, low, high, zone: None, wanted, ordinary: shown(&segment.body(GOLDEN)), atlases: 2 })
     }
 
     /// Where to look next; `None` when nothing more is to be gained.
@@ -218,7 +237,7 @@ impl<'a> ClassBracket<'a> {
             let [Ok(low), Ok(high)] = beside.map(|t| ClassifiedBody::of(self.segment, t, Accuracy::Fast)) else {
                 continue;
             };
-            let is_ordinary = beside.iter().all(|t| special(self.segment, *t) == self.ordinary);
+            let is_ordinary = [&low, &high].into_iter().all(|side| side.shown == self.ordinary);
             if is_ordinary && low.class == self.low.class && high.class != self.low.class {
                 (self.low, self.high) = (low, high);
             }
@@ -231,7 +250,7 @@ impl<'a> ClassBracket<'a> {
         // Inside, f64 gives a class or leaves a zone open, whose sides are sought; a proof would fill the zone in part.
         match ClassifiedBody::of(self.segment, t, Accuracy::Fast) {
             // Bodies that are more special than those around them lie on a border, and belong to neither side.
-            Ok(side) if special(self.segment, t) == self.ordinary => {
+            Ok(side) if side.shown == self.ordinary => {
                 if side.class == self.low.class {
                     self.low = side;
                 } else {
@@ -249,8 +268,8 @@ impl<'a> ClassBracket<'a> {
 }
 
 /// What is special about a body but for the sums of its moments, which no diagram shows.
-fn special(segment: &BodySegment, t: f64) -> Flags {
-    Flags { plate: false, unphysical: false, ..segment.body(t).flags() }
+fn shown(body: &Body) -> Flags {
+    Flags { plate: false, unphysical: false, ..body.flags() }
 }
 
 /// Why a body has no class.
@@ -269,12 +288,16 @@ struct ClassifiedBody {
     t: f64,
     atlas: Atlas,
     class: Class,
+    shown: Flags,
 }
 
 impl ClassifiedBody {
     fn of(segment: &BodySegment, t: f64, accuracy: Accuracy) -> Result<Self, NoClass> {
-        let (atlas, class) = class_of(&segment.body(t), accuracy)?;
-        Ok(Self { t, atlas, class })
+        Ok(Self::new(t, class_of(&segment.body(t), accuracy)?))
+    }
+
+    fn new(t: f64, (atlas, class): (Atlas, Class)) -> Self {
+        Self { t, shown: shown(atlas.body()), atlas, class }
     }
 }
 

@@ -23,8 +23,6 @@ pub(super) struct NormalForm {
     pub twist: [Fixed; 3],
     /// K₁₁ω₂² + K₁₂ω₁ω₂ + K₂₂ω₁².
     pub arnold: Fixed,
-    /// B² of the term that stays at ω₁ = 3ω₂.
-    pub quartic: Fixed,
 }
 
 #[derive(Clone)]
@@ -42,9 +40,13 @@ impl Complex {
         Self { re: &self.re * x, im: &self.im * x }
     }
 
-    /// self/(ix).
-    fn over_imaginary(&self, x: &Fixed) -> Option<Self> {
-        Some(Self { re: self.im.over(x)?, im: -&self.re.over(x)? })
+    /// −ix self.
+    fn turned(&self, x: &Fixed) -> Self {
+        Self { re: &self.im * x, im: -&(&self.re * x) }
+    }
+
+    fn over(&self, x: &Fixed) -> Option<Self> {
+        Some(Self { re: self.re.over(x)?, im: self.im.over(x)? })
     }
 
     fn conjugate(&self) -> Self {
@@ -97,24 +99,33 @@ fn cross(x: &[Complex; 3], y: &[Complex; 3]) -> [Complex; 3] {
     [(1, 2), (2, 0), (0, 1)].map(|(j, k)| &(&x[j] * &y[k]) - &(&x[k] * &y[j]))
 }
 
-fn combined(terms: &[(Complex, &Vector)]) -> Vector {
-    let part = |n: usize, k: usize| terms.iter().fold(zero(), |sum, (factor, v)| &sum + &(factor * &v[n][k]));
+/// A vector and multiples of others.
+fn combined(first: Vector, terms: &[(Complex, &Vector)]) -> Vector {
+    let part =
+        |n: usize, k: usize| terms.iter().fold(first[n][k].clone(), |sum, (factor, v)| &sum + &(factor * &v[n][k]));
     [0, 1].map(|n| [0, 1, 2].map(|k| part(n, k)))
+}
+
+fn mapped(v: &Vector, of: impl Fn(&Complex) -> Complex) -> Vector {
+    v.each_ref().map(|part| part.each_ref().map(&of))
 }
 
 /// The flow in the six variables.
 struct Flow<'a> {
     at: &'a Rotation,
-    mu: Fixed,
     j: Fixed,
-    /// 1/a.
-    inverse: [Fixed; 3],
+    /// (a_i − a_j)/a_k for cyclic i, j, k, by k.
+    torques: [Fixed; 3],
     /// ω₁, ω₂, −ω₁, −ω₂.
     rates: [Fixed; 4],
     /// Of iω₁, iω₂, −iω₁, −iω₂.
     modes: [Vector; 4],
+    /// Forms that give the shares of the modes in a vector.
+    shares: [Vector; 4],
     /// Twice the energies of modes with amplitude 1.
     energies: [Fixed; 2],
+    /// The equilibria beside this one that are longer, and that turn faster.
+    beside: [Vector; 2],
 }
 
 impl NormalForm {
@@ -123,21 +134,25 @@ impl NormalForm {
         let two = Fixed::whole(2);
         let (flow, b, c) = Flow::new(at)?;
         let [one, other] = [0, 1].map(|k| flow.rates[k].clone());
-        // I = n|ζ|².
-        let n = [flow.energies[0].over(&one)?, (-&flow.energies[1]).over(&other)?];
+        let n = flow.actions()?;
         let double = [flow.second(0, 0)?, flow.second(1, 1)?];
         let steady = [flow.second(0, 2)?, flow.second(1, 3)?];
-        let k11 = flow.shift(0, &[(0, &steady[0]), (2, &double[0])])?.over(&(&two * &n[0]))?;
-        let k22 = (-&flow.shift(1, &[(1, &steady[1]), (3, &double[1])])?).over(&(&two * &n[1]))?;
+        let k11 = flow.shift(0, &[(0, &steady[0]), (2, &double[0])]).over(&(&two * &n[0]))?;
+        let k22 = (-&flow.shift(1, &[(1, &steady[1]), (3, &double[1])])).over(&(&two * &n[1]))?;
         let mixed = [(0, &steady[1]), (1, &flow.second(0, 3)?), (3, &flow.second(0, 1)?)];
-        let k12 = flow.shift(0, &mixed)?.over(&n[1])?;
+        let k12 = flow.shift(0, &mixed).over(&n[1])?;
         let squares = [one.square(), other.square()];
         let arnold = &(&(&k11 * &squares[1]) + &(&k22 * &squares[0])) + &(&k12 * &(&one * &other));
-        // ζ̇₁ = … + βζ₂³ stems from 2n₁|β| √(I₁/n₁) (I₂/n₂)^{3/2} cos(…).
-        let beta = flow.share(0, &flow.quadratic(&flow.modes[1], &double[1]))?;
+        Some(Self { b, c, twist: [k11, k12, k22], arnold })
+    }
+
+    /// B² of the term that stays at ω₁ = 3ω₂: ζ̇₁ = … + βζ₂³ stems from 2n₁|β| √(I₁/n₁) (I₂/n₂)^{3/2} cos(…).
+    pub fn quartic(at: &Rotation) -> Option<Fixed> {
+        let (flow, ..) = Flow::new(at)?;
+        let n = flow.actions()?;
+        let beta = flow.share(0, &flow.quadratic(&flow.modes[1], &flow.second(1, 1)?));
         let size = &beta.re.square() + &beta.im.square();
-        let quartic = (&(&Fixed::whole(4) * &size) * &n[0]).over(&(&n[1].square() * &n[1]))?;
-        Some(Self { b, c, twist: [k11, k12, k22], arnold, quartic })
+        (&(&Fixed::whole(4) * &size) * &n[0]).over(&(&n[1].square() * &n[1]))
     }
 }
 
@@ -180,13 +195,15 @@ impl<'a> Flow<'a> {
         let omega = [square.root()?, c.over(&square)?.root()?];
         let mut flow = Self {
             at,
-            mu: &tau[0] + &a[0],
             rates: [omega[0].clone(), omega[1].clone(), -&omega[0], -&omega[1]],
-            modes: [(); 4].map(|()| [(); 2].map(|()| [(); 3].map(|()| zero()))),
+            modes: [(); 4].map(|()| nothing()),
+            shares: [(); 4].map(|()| nothing()),
             energies: [Fixed::whole(0), Fixed::whole(0)],
+            beside: [(); 2].map(|()| nothing()),
             j,
-            inverse,
+            torques: [(1, 2, 0), (2, 0, 1), (0, 1, 2)].map(|(i, j, k)| &(&a[i] - &a[j]) * &inverse[k]),
         };
+        let mu = &tau[0] + &a[0];
         for n in 0..2 {
             // (−ω²M + iωΓ + K)g = 0, by its first or its second row.
             let inertia = |k: usize| &hessian[k] - &(&omega[n].square() * &mass[k]);
@@ -198,16 +215,29 @@ impl<'a> Flow<'a> {
             let candidates = rows.map(|[x, y]| {
                 let g = [0, 1, 2].map(|k| &x.times(&basis[0][k]) + &y.times(&basis[1][k]));
                 let mode = flow.mode(&omega[n], &momentum, g)?;
-                let conjugate = mode.each_ref().map(|part| part.each_ref().map(Complex::conjugate));
-                let energy = flow.energy(&conjugate, &mode).re;
-                energy.strict_sign().map(|_| (mode, conjugate, energy))
+                let conjugate = mapped(&mode, Complex::conjugate);
+                let form = energy_with(&conjugate, a, &mu);
+                let energy = shared(&form, &mode).re;
+                energy.strict_sign().map(|_| (mode, conjugate, form, energy))
             });
             let size = |energy: &Fixed| energy.to_f64().abs();
-            let best = candidates.into_iter().flatten().max_by(|p, q| size(&p.2).total_cmp(&size(&q.2)));
-            (flow.modes[n], flow.modes[n + 2], flow.energies[n]) = best?;
+            let best = candidates.into_iter().flatten().max_by(|p, q| size(&p.3).total_cmp(&size(&q.3)));
+            let (mode, conjugate, form, energy) = best?;
+            let over = Fixed::whole(1).over(&energy)?;
+            flow.shares[n] = mapped(&form, |x| x.times(&over));
+            flow.shares[n + 2] = mapped(&flow.shares[n], Complex::conjugate);
+            (flow.modes[n], flow.modes[n + 2], flow.energies[n]) = (mode, conjugate, energy);
         }
+        let still = || [zero(), zero(), zero()];
+        let gamma = || gamma.each_ref().map(|x| Complex::real(x.clone()));
+        flow.beside = [[still(), gamma()], [gamma(), still()]].map(|v| flow.rest(v));
         let signs = [0, 1].map(|n| flow.energies[n].sign());
         (signs == [Some(1), Some(-1)]).then_some((flow, b, c))
+    }
+
+    /// n of both modes: I = n|ζ|².
+    fn actions(&self) -> Option<[Fixed; 2]> {
+        Some([self.energies[0].over(&self.rates[0])?, (-&self.energies[1]).over(&self.rates[1])?])
     }
 
     /// The mode of iω with this part of γ.
@@ -218,46 +248,29 @@ impl<'a> Flow<'a> {
             let twice = &g[k] + &g[k];
             &sum + &(&turned[k] - &twice).times(&momentum[k])
         });
-        let along = Complex { re: along.re.over(&self.j)?, im: along.im.over(&self.j)? };
+        let along = along.over(&self.j)?;
         let omega = [0, 1, 2].map(|k| &(&g[k] - &turned[k]) + &along.times(&self.at.gamma[k]));
         Some([omega, g])
     }
 
-    /// The second variation of H − l + μ|γ|²/2, under which modes of different frequencies are orthogonal.
-    fn energy(&self, [p, g]: &Vector, [q, h]: &Vector) -> Complex {
-        (0..3).fold(zero(), |sum, k| {
-            let moved = &(&(&p[k] - &g[k]) * &q[k]) - &(&p[k] * &h[k]);
-            &sum + &(&moved.times(&self.at.a[k]) + &(&g[k] * &h[k]).times(&self.mu))
-        })
-    }
-
     /// The share of a mode in a vector.
-    fn share(&self, mode: usize, of: &Vector) -> Option<Complex> {
-        let (energy, partner) = (&self.energies[mode % 2], (mode + 2) % 4);
-        let value = self.energy(&self.modes[partner], of);
-        Some(Complex { re: value.re.over(energy)?, im: value.im.over(energy)? })
-    }
-
-    fn shares(&self, of: &Vector) -> Option<[Complex; 4]> {
-        let [p, q, r, s] = [0, 1, 2, 3].map(|mode| self.share(mode, of));
-        Some([p?, q?, r?, s?])
+    fn share(&self, mode: usize, of: &Vector) -> Complex {
+        shared(&self.shares[mode], of)
     }
 
     /// What no mode has a share in: the directions of other relative equilibria.
-    fn rest(&self, of: &Vector) -> Option<Vector> {
-        let shares = self.shares(of)?;
-        let mut terms = vec![(Complex::real(Fixed::whole(1)), of)];
-        terms.extend((0..4).map(|n| (Complex { re: -&shares[n].re, im: -&shares[n].im }, &self.modes[n])));
-        Some(combined(&terms))
+    fn rest(&self, of: Vector) -> Vector {
+        let terms = [0, 1, 2, 3].map(|n| {
+            let share = self.share(n, &of);
+            (Complex { re: -&share.re, im: -&share.im }, &self.modes[n])
+        });
+        combined(of, &terms)
     }
 
     /// Twice the symmetric bilinear part of the equations for ω and γ.
     fn quadratic(&self, [p, g]: &Vector, [q, h]: &Vector) -> Vector {
-        let a = &self.at.a;
-        let momentum = |x: &[Complex; 3]| [0, 1, 2].map(|k| x[k].times(&a[k]));
-        let (one, other) = (cross(&momentum(p), q), cross(&momentum(q), p));
-        let turned = [0, 1, 2].map(|k| &one[k] + &other[k]);
-        let omega = [0, 1, 2].map(|k| turned[k].times(&self.inverse[k]));
+        let cyclic = [(1, 2, 0), (2, 0, 1), (0, 1, 2)];
+        let omega = cyclic.map(|(i, j, k)| (&(&p[i] * &q[j]) + &(&q[i] * &p[j])).times(&self.torques[k]));
         let (one, other) = (cross(g, q), cross(h, p));
         [omega, [0, 1, 2].map(|k| &one[k] + &other[k])]
     }
@@ -265,40 +278,55 @@ impl<'a> Flow<'a> {
     /// The coefficient of ζᵢζⱼ, where ζ₃ and ζ₄ are the conjugates of ζ₁ and ζ₂.
     fn second(&self, i: usize, j: usize) -> Option<Vector> {
         let (first, second) = (&self.modes[i], &self.modes[j]);
-        let half = if i == j { Fixed::whole(1).half() } else { Fixed::whole(1) };
-        let forced = self.quadratic(first, second).map(|part| part.map(|x| x.times(&half)));
-        let shares = self.shares(&forced)?;
+        let mut forced = self.quadratic(first, second);
+        if i == j {
+            forced = mapped(&forced, |x| x.times(&Fixed::whole(1).half()));
+        }
+        let shares = [0, 1, 2, 3].map(|n| self.share(n, &forced));
+        let over = |rate: &Fixed| Fixed::whole(1).over(rate);
         if i.abs_diff(j) == 2 {
             // Constant: |γ| and ⟨γ, 𝐥⟩ keep their values.
             let a = &self.at.a;
             let of = |f: &dyn Fn(usize) -> Complex| (0..3).fold(zero(), |sum, k| &sum - &f(k));
             let length = of(&|k| &first[1][k] * &second[1][k]);
             let moment = of(&|k| (&(&first[1][k] * &second[0][k]) + &(&second[1][k] * &first[0][k])).times(&a[k]));
-            let moment = Complex { re: moment.re.over(&self.j)?, im: moment.im.over(&self.j)? };
-            let gamma = self.at.gamma.each_ref().map(|x| Complex::real(x.clone()));
-            let still = || [zero(), zero(), zero()];
-            let longer = self.rest(&[still(), gamma.clone()])?;
-            let faster = self.rest(&[gamma, still()])?;
-            let mut terms = vec![(&moment - &length, &faster), (length, &longer)];
+            let moment = moment.over(&self.j)?;
+            let [longer, faster] = &self.beside;
+            let mut terms = vec![(&moment - &length, faster), (length, longer)];
             for (n, share) in shares.iter().enumerate() {
-                terms.push((share.over_imaginary(&-&self.rates[n])?, &self.modes[n]));
+                terms.push((share.turned(&over(&-&self.rates[n])?), &self.modes[n]));
             }
-            return Some(combined(&terms));
+            return Some(combined(nothing(), &terms));
         }
+        // What has no share in a mode grows by 1/(iω), the others by 1/(i(ω − ω_n)).
         let rate = &self.rates[i] + &self.rates[j];
-        let rest = self.rest(&forced)?;
-        let mut terms = vec![(Complex::real(Fixed::whole(1)).over_imaginary(&rate)?, &rest)];
+        let plain = over(&rate)?;
+        let mut terms = Vec::new();
         for (n, share) in shares.iter().enumerate() {
-            terms.push((share.over_imaginary(&(&rate - &self.rates[n]))?, &self.modes[n]));
+            let beyond = &over(&(&rate - &self.rates[n]))? - &plain;
+            terms.push((share.turned(&beyond), &self.modes[n]));
         }
-        Some(combined(&terms))
+        Some(combined(mapped(&forced, |x| x.turned(&plain)), &terms))
     }
 
     /// What products of modes with terms of second order add to the frequency of a mode.
-    fn shift(&self, mode: usize, pairs: &[(usize, &Vector)]) -> Option<Fixed> {
-        let forced: Vec<Vector> = pairs.iter().map(|(n, vector)| self.quadratic(&self.modes[*n], vector)).collect();
-        let terms: Vec<(Complex, &Vector)> =
-            forced.iter().map(|vector| (Complex::real(Fixed::whole(1)), vector)).collect();
-        Some(self.share(mode, &combined(&terms))?.im)
+    fn shift(&self, mode: usize, pairs: &[(usize, &Vector)]) -> Fixed {
+        sum(pairs.iter().map(|(n, vector)| self.share(mode, &self.quadratic(&self.modes[*n], vector)).im))
     }
+}
+
+fn nothing() -> Vector {
+    [(); 2].map(|()| [(); 3].map(|()| zero()))
+}
+
+/// The second variation of H − l + μ|γ|²/2 with a vector, as a form: modes of different frequencies are orthogonal.
+fn energy_with([p, g]: &Vector, a: &[Fixed; 3], mu: &Fixed) -> Vector {
+    let omega = [0, 1, 2].map(|k| (&p[k] - &g[k]).times(&a[k]));
+    [omega, [0, 1, 2].map(|k| &g[k].times(mu) - &p[k].times(&a[k]))]
+}
+
+/// The value of a form.
+fn shared(form: &Vector, of: &Vector) -> Complex {
+    let parts = form.iter().flatten().zip(of.iter().flatten());
+    parts.fold(zero(), |sum, (x, y)| &sum + &(x * y))
 }

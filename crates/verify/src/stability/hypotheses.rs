@@ -118,10 +118,10 @@ impl Stretch {
     /// At ω₁ = 3ω₂: |K₁₁ + 3K₁₂ + 9K₂₂| against 3√3|B|.
     fn markeev(&self, spaces: &Spaces, [lo, hi]: &[RBig; 2], bits: usize) -> Option<(NonlinearVerdict, Reason)> {
         let t = Fixed::of(lo, bits).hull(&Fixed::of(hi, bits));
-        let form = NormalForm::new(&rotation(spaces, self.branch, &t, bits)?)?;
-        let [k11, k12, k22] = &form.twist;
+        let at = rotation(spaces, self.branch, &t, bits)?;
+        let [k11, k12, k22] = &NormalForm::new(&at)?.twist;
         let along = &(k11 + &(&Fixed::whole(3) * k12)) + &(&Fixed::whole(9) * k22);
-        let rest = &along.square() - &(&Fixed::whole(27) * &form.quartic);
+        let rest = &along.square() - &(&Fixed::whole(27) * &NormalForm::quartic(&at)?);
         let verdict = if rest.strict_sign()? > 0 { NonlinearVerdict::Stable } else { NonlinearVerdict::Unstable };
         Some((verdict, Reason::Resonance13))
     }
