@@ -164,7 +164,7 @@ commands! {
     Sphere(SphereArguments) = "sphere", sphere::EXAMPLES;
     /// Follow the body's motion in space: attitude, Euler's angles, angular velocity
     Orbit(OrbitArguments) = "orbit", orbit::EXAMPLES;
-    /// Follow families of periodic orbits
+    /// Find the periodic orbits at a point, or follow families of them
     Periodic(PeriodicArguments) = "periodic", periodic::PERIODIC_EXAMPLES;
     /// Open the explorer, a page for the browser, on this machine
     Explore(Box<ExploreArguments>) = "explore", explore::EXAMPLES;

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use bifdiag_schema::{
     AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassDocument, ClassesDocument,
     ClassificationDocument, ComparisonDocument, CriticalDocument, CriticalSpinDocument, ExplanationDocument,
-    FindDocument, GridDocument, MotionDocument, PartAnswerDocument, PeriodicFamiliesDocument, PointProofDocument,
-    ProvedMotionDocument, RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument, SpinDownDocument,
-    StandingDocument, StateDocument, SteadyAxesDocument, SteadySpinsDocument,
+    FindDocument, GridDocument, MotionDocument, PartAnswerDocument, PeriodicDocument, PeriodicFamiliesDocument,
+    PointProofDocument, ProvedMotionDocument, RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument,
+    SpinDownDocument, StandingDocument, StateDocument, SteadyAxesDocument, SteadySpinsDocument,
 };
 use clap::{Args, Command, ValueEnum};
 use schemars::{Schema, schema_for};
@@ -93,6 +93,8 @@ pub enum Name {
     SteadySpins,
     /// The answer of `bifdiag spin-down --json`
     SpinDown,
+    /// The answer of `bifdiag periodic --json`
+    Periodic,
     /// The answer of `bifdiag periodic family --json`
     PeriodicFamilies,
     /// The answer of `bifdiag bodies --json`
@@ -138,6 +140,7 @@ impl Name {
             Self::CriticalSpin => schema_for!(CriticalSpinDocument),
             Self::SteadySpins => schema_for!(SteadySpinsDocument),
             Self::SpinDown => schema_for!(SpinDownDocument),
+            Self::Periodic => schema_for!(PeriodicDocument),
             Self::PeriodicFamilies => schema_for!(PeriodicFamiliesDocument),
             Self::Bodies => schema_for!(BodiesDocument),
             Self::Explain => schema_for!(ExplanationDocument),

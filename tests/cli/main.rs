@@ -18,6 +18,7 @@ mod scan;
 mod schemas;
 mod sections;
 mod sentences;
+mod short_orbits;
 mod spins;
 mod streams;
 mod thresholds;

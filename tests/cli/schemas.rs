@@ -124,6 +124,7 @@ fn documents_fit_their_schemas() {
         let families = format!("periodic family {more} --members 12 --branches --json");
         assert_fits("periodic-families", &bifdiag(&families).succeeds().json());
     }
+    assert_fits("periodic", &bifdiag("periodic --body paper --h 2.6 --l 3.25 --json").succeeds().json());
     assert_fits("bodies", &bifdiag("bodies --json").succeeds().json());
     assert_fits("explain", &bifdiag("explain cusp --json").succeeds().json());
     assert_fits("compare", &bifdiag("compare paper katok:1 --json").succeeds().json());

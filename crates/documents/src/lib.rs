@@ -13,6 +13,7 @@ mod find;
 mod grid;
 mod integrals;
 pub mod layout;
+mod orbit_list;
 mod periodic;
 pub mod reading;
 pub mod scan;
@@ -37,6 +38,7 @@ pub use critical::{critical, equilibria, steady_axes};
 pub use find::{find, witness};
 pub use grid::{GridAxis, grid};
 pub use integrals::{further_integrals, integrable, integrable_words};
+pub use orbit_list::periodic;
 pub use periodic::{periodic_families, periodic_orbit};
 pub use section::{chaos, drift, integrator, section, sections, tolerance_option};
 pub use spin::{

@@ -28,6 +28,7 @@ pub fn periodic_orbit(body: &Body, orbit: &PeriodicOrbit) -> PeriodicOrbitDocume
         action: orbit.action,
         symmetric: orbit.symmetric,
         proved: false,
+        enclosure: None,
     }
 }
 

@@ -1,4 +1,4 @@
-//! The next crossing of the section S = ⟨ω, r×γ⟩ = 0, enclosed with its derivative.
+//! The next crossings of the section S = ⟨ω, r×γ⟩ = 0, enclosed with its derivative.
 //!
 //! In a step S is known as a polynomial with a bound of what it leaves. The step is cut into pieces until on each either S or
 //! Ṡ has one sign for all motions of the set: there is no crossing, or at most one for each motion. A piece on which neither
@@ -16,9 +16,10 @@ use bifdiag_numbers::interval::Interval;
 use dashu_ratio::RBig;
 use thiserror::Error;
 
-use crate::bound::{exp, up};
+use crate::bound::{exp, frobenius, norm, up};
 use crate::field::{Equations, FREE, QuadraticField};
-use crate::scalar::DoubleDouble;
+use crate::scalar::{DoubleDouble, Scalar};
+use crate::set::{self, FramedSet, ROUNDINGS, inverse_bound};
 use crate::start::ExactStart;
 use crate::step::Step;
 
@@ -33,6 +34,42 @@ pub struct Return {
     pub derivative: [[Interval; FREE]; FREE],
     /// The sign of Ṡ there.
     pub direction: Sign,
+    /// Crossings in either direction after the start until then, this one counted.
+    pub crossings: u32,
+}
+
+/// Where motions start: a set of γ and ω, with ω in units of a power of two near the motion's frequency.
+#[derive(Clone, Debug)]
+pub struct Starts {
+    speed: RBig,
+    set: FramedSet<DoubleDouble, FREE>,
+}
+
+impl Starts {
+    /// All γ and ω within `radius` of the given ones in each coordinate, ω in units of [`ExactStart::speed`].
+    #[must_use]
+    pub fn near(body: &Body, start: &ExactStart, radius: f64) -> Self {
+        let speed = start.speed(body);
+        let mut set = start.free::<DoubleDouble>(&speed, (), 106);
+        for r in &mut set.radii {
+            *r = up(*r + radius);
+        }
+        Self { speed, set }
+    }
+
+    /// The box of all γ and ω within `radii` of doubles, exactly these; γ need not have length 1.
+    #[must_use]
+    pub fn boxed(body: &Body, middle: [f64; FREE], radii: [f64; FREE]) -> Option<Self> {
+        let exact: Vec<RBig> = middle.iter().filter_map(|x| RBig::try_from(*x).ok()).collect();
+        let [x, y, z, a, b, c] = <[RBig; FREE]>::try_from(exact).ok()?;
+        let speed = ExactStart { gamma: [x, y, z], omega: [a, b, c], phi: RBig::ZERO }.speed(body);
+        // A power of two.
+        let unit = speed.to_f64().value();
+        let scaled = |i: usize| if i < 3 { 1.0 } else { 1.0 / unit };
+        let middle = std::array::from_fn(|i| DoubleDouble::double(middle[i] * scaled(i), ()));
+        let set = FramedSet::new(middle, std::array::from_fn(|i| up(radii[i] * scaled(i))));
+        Some(Self { speed, set })
+    }
 }
 
 /// Why there is no enclosure of the return.
@@ -86,18 +123,32 @@ pub fn first_return(
     direction: Option<Sign>,
     longest: f64,
 ) -> Result<Return, ReturnError> {
+    let mut found = returns(body, &Starts::near(body, start, radius), direction, 1, longest)?;
+    found.pop().ok_or(ReturnError::NotBack { time: 0.0 })
+}
+
+/// The first `count` crossings after time 0, in a direction if one is given. Starts need not lie on the section: where S = 0
+/// within the set, its motions pass the section in one direction at the start, and that does not count.
+///
+/// # Errors
+/// [`ReturnError`].
+pub fn returns(
+    body: &Body,
+    starts: &Starts,
+    direction: Option<Sign>,
+    count: usize,
+    longest: f64,
+) -> Result<Vec<Return>, ReturnError> {
     if body.is_euler() {
         return Err(ReturnError::NoSection);
     }
-    let speed = start.speed(body);
+    let Starts { speed, set } = starts;
     let seconds = 1.0 / speed.to_f64().value();
-    let field = Field::new(&Equations::free(body, &speed), (), DoubleDouble::full());
+    let field = Field::new(&Equations::free(body, speed), (), DoubleDouble::full());
     let section = Section::new(body);
-    let mut set = start.free::<DoubleDouble>(&speed, (), 106);
-    for r in &mut set.radii {
-        *r = up(*r + radius);
-    }
-    let (mut now, mut flow, mut is_first) = (Interval::ZERO, identity(), true);
+    let mut set = set.clone();
+    let (mut now, mut flow, mut is_first) = (Interval::ZERO, FlowDerivative::start(), true);
+    let (mut found, mut crossings) = (Vec::with_capacity(count), 0);
     // A crossing at the very end of a step is found with another length.
     let (mut length, mut tries) = (LONGEST, 0);
     while now.lo * seconds < longest {
@@ -105,31 +156,39 @@ pub fn first_return(
         let step = Step::new(&field, set.clone(), length).ok_or(wide)?;
         let reach = up(2.0 * (step.deviation() + step.rest()));
         let piece = Crossing { field: &field, section: &section, step: &step, s: section.series(&step), reach };
-        match piece.find(is_first, direction) {
-            Found::Nothing => {}
-            Found::Tangency(_) if tries < TRIES => {
-                tries += 1;
-                length = 0.77 * step.length();
-                continue;
-            }
-            Found::Tangency([a, b]) => {
+        let (all, trouble) = piece.find(is_first);
+        let is_wanted = |sign: Sign| direction.is_none_or(|wanted| wanted == sign);
+        let wanted = all.iter().filter(|(_, sign)| is_wanted(*sign)).count();
+        // What comes after the last crossing that is wanted is of no interest.
+        if let Some([a, b]) = trouble.filter(|_| found.len() + wanted < count) {
+            if tries == TRIES {
                 return Err(ReturnError::Tangency { from: (now.lo + a) * seconds, to: (now.hi + b) * seconds });
             }
-            Found::At(ends, sign) => {
-                let (state, derivative) = piece.cross(ends, &flow).ok_or(wide)?;
-                let scaled = |i: usize| if i < 3 { Interval::ONE } else { Interval::point(1.0 / seconds) };
-                let clock = Interval::point(seconds) * (now + Interval { lo: ends[0], hi: ends[1] });
-                return Ok(Return {
-                    time: [clock.lo, clock.hi],
-                    state: std::array::from_fn(|i| state[i] * scaled(i)),
-                    derivative: std::array::from_fn(|i| {
-                        std::array::from_fn(|j| derivative[i][j] * scaled(i) / scaled(j))
-                    }),
-                    direction: sign,
-                });
+            tries += 1;
+            length = 0.77 * step.length();
+            continue;
+        }
+        for (ends, sign) in all {
+            crossings += 1;
+            if !is_wanted(sign) {
+                continue;
+            }
+            let ends = piece.narrowed(ends, sign);
+            let (state, derivative) = piece.cross(ends, &flow.matrix()).ok_or(wide)?;
+            let scaled = |i: usize| if i < 3 { Interval::ONE } else { Interval::point(1.0 / seconds) };
+            let clock = Interval::point(seconds) * (now + Interval { lo: ends[0], hi: ends[1] });
+            found.push(Return {
+                time: [clock.lo, clock.hi],
+                state: std::array::from_fn(|i| state[i] * scaled(i)),
+                derivative: std::array::from_fn(|i| std::array::from_fn(|j| derivative[i][j] * scaled(i) / scaled(j))),
+                direction: sign,
+                crossings,
+            });
+            if found.len() == count {
+                return Ok(found);
             }
         }
-        flow = product(&piece.flow(step.length()), &flow);
+        flow = flow.followed(&piece.flow(step.length()));
         is_first = false;
         now = now + Interval::point(step.length());
         (length, tries) = (LONGEST, 0);
@@ -186,13 +245,6 @@ impl Section {
     }
 }
 
-enum Found {
-    Nothing,
-    Tangency([f64; 2]),
-    /// Between these times of the step, with this sign of Ṡ.
-    At([f64; 2], Sign),
-}
-
 /// A step beside the section.
 struct Crossing<'a> {
     field: &'a Field,
@@ -224,42 +276,36 @@ impl Crossing<'_> {
         rate + ball(2.0 * self.section.norm * (size * steep + e * speed + size * self.step.defect()))
     }
 
-    /// The first crossing in a direction. At the start of the first step S may be 0.
-    fn find(&self, is_first: bool, direction: Option<Sign>) -> Found {
+    /// The crossings of a step in order, each as a piece with the sign of Ṡ on it, up to a piece on which that cannot be told. At
+    /// the start of the first step S may be 0.
+    #[expect(clippy::type_complexity, reason = "crossings, and what ends them")]
+    fn find(&self, is_first: bool) -> (Vec<([f64; 2], Sign)>, Option<[f64; 2]>) {
+        let mut found = Vec::new();
         let mut pieces = vec![[0.0, self.step.length()]];
         while let Some([a, b]) = pieces.pop() {
             let t = Interval { lo: a, hi: b };
             if self.value(t).strict_sign().is_some() {
                 continue;
             }
-            match self.rate(t).strict_sign() {
-                Some(sign) => {
-                    let [before, after] = [a, b].map(|t| self.value(Interval::point(t)).strict_sign());
-                    let starts_here = is_first && a == 0.0 && before.is_none() && after == Some(sign);
-                    if starts_here || before == Some(sign) {
-                        continue;
-                    }
-                    if before == Some(-sign) && after == Some(-sign) {
-                        continue;
-                    }
-                    if before == Some(-sign) && after == Some(sign) {
-                        if direction.is_none_or(|wanted| wanted == sign) {
-                            return Found::At(self.narrowed([a, b], sign), sign);
-                        }
-                        continue;
-                    }
-                    if b - a < SHORTEST * self.step.length() {
-                        return Found::Tangency([a, b]);
-                    }
+            if let Some(sign) = self.rate(t).strict_sign() {
+                let [before, after] = [a, b].map(|t| self.value(Interval::point(t)).strict_sign());
+                let starts_here = is_first && a == 0.0 && before.is_none() && after == Some(sign);
+                if starts_here || before == Some(sign) || (before == Some(-sign) && after == Some(-sign)) {
+                    continue;
                 }
-                None if b - a < SHORTEST * self.step.length() => return Found::Tangency([a, b]),
-                None => {}
+                if before == Some(-sign) && after == Some(sign) {
+                    found.push(([a, b], sign));
+                    continue;
+                }
+            }
+            if b - a < SHORTEST * self.step.length() {
+                return (found, Some([a, b]));
             }
             // Off the middle, so that cuts do not fall on a crossing that is there by symmetry.
             let middle = a + 0.46 * (b - a);
             pieces.extend([[middle, b], [a, middle]]);
         }
-        Found::Nothing
+        (found, None)
     }
 
     /// The part of a piece with a crossing outside of which S has the signs of its ends.
@@ -275,10 +321,9 @@ impl Crossing<'_> {
         [a, b]
     }
 
-    /// The derivative of the flow from the start of the step, for all its motions.
-    fn flow(&self, time: f64) -> Matrix {
-        let (matrix, rest) = self.step.derivative(&RBig::try_from(time).unwrap_or(RBig::ZERO));
-        matrix.map(|row| row.map(|x| Interval::point(x) + ball(rest)))
+    /// The derivative of the flow from the start of the step, for all its motions: a matrix, and a bound of how far it may be.
+    fn flow(&self, time: f64) -> (set::Matrix<FREE>, f64) {
+        self.step.derivative(&RBig::try_from(time).unwrap_or(RBig::ZERO))
     }
 
     /// Where the motions cross between two times of the step, and the derivative of that by the start.
@@ -286,7 +331,7 @@ impl Crossing<'_> {
         let t = a + 0.5 * (b - a);
         let time = RBig::try_from(t).ok()?;
         let set = self.step.at(&time);
-        let p = set.middle.each_ref().map(|x| Interval::point(crate::scalar::Scalar::to_double(x)).widened(4.0));
+        let p = set.middle.each_ref().map(|x| Interval::point(x.to_double()).widened(4.0));
         let around = |p: &[Interval; FREE]| std::array::from_fn::<_, FREE, _>(|i| p[i] + ball(set.radii[i]));
         // All motions between a and b: |x(t) − x(t')| ≤ ‖f‖ |t − t'|, with ‖f‖ from the bound of ‖x‖.
         let size = self.step.size() + self.reach;
@@ -331,7 +376,9 @@ impl Crossing<'_> {
             let beside = (0..FREE).map(|m| turned[i][m].magnitude()).sum::<f64>() * rest;
             p[i] - delay * f[i] + ball(up(along) + up(beside))
         });
-        Some((state, product(&turned, &product(&self.flow(t), flow))))
+        let (last, rest) = self.flow(t);
+        let last = last.map(|row| row.map(|x| Interval::point(x) + ball(rest)));
+        Some((state, product(&turned, &product(&last, flow))))
     }
 }
 
@@ -341,8 +388,33 @@ fn ball(r: f64) -> Interval {
     if r.is_finite() { Interval { lo: -r, hi: r } } else { Interval::LINE }
 }
 
-fn identity() -> Matrix {
-    std::array::from_fn(|i| std::array::from_fn(|j| Interval::point(f64::from(u8::from(i == j)))))
+/// The derivative of the flow over many steps: P(1 + E), ‖E‖ ≤ `error`. With W = M + Δ for the next step and P′ = MP, rounded,
+/// WP(1 + E) = P′(1 + F)(1 + E), F = P′⁻¹(MP − P′ + ΔP): what is not known is never multiplied by the sizes of all steps, as it
+/// would be in a product of matrices of intervals.
+struct FlowDerivative {
+    matrix: set::Matrix<FREE>,
+    error: f64,
+}
+
+impl FlowDerivative {
+    fn start() -> Self {
+        Self { matrix: set::identity(), error: 0.0 }
+    }
+
+    fn followed(&self, (map, rest): &(set::Matrix<FREE>, f64)) -> Self {
+        let matrix = set::product(map, &self.matrix);
+        let inverse = inverse_bound(&matrix);
+        let size = frobenius(&self.matrix);
+        let beside = up(inverse * (ROUNDINGS * frobenius(map) * size + rest * size));
+        Self { matrix, error: up(self.error + beside + self.error * beside) }
+    }
+
+    fn matrix(&self) -> Matrix {
+        self.matrix.map(|row| {
+            let beside = ball(norm(&row) * self.error);
+            row.map(|x| Interval::point(x) + beside)
+        })
+    }
 }
 
 fn product(left: &Matrix, right: &Matrix) -> Matrix {

@@ -7,7 +7,7 @@ use crate::scalar::Scalar;
 pub type Matrix<const N: usize> = [[f64; N]; N];
 
 /// Roundings of a sum of N products, N ≤ 9, of rounded entries.
-const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
+pub(crate) const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
 
 /// A frame whose inverse is larger than this is made orthogonal.
 const STRETCH: f64 = 50.0;
@@ -110,6 +110,13 @@ fn inverse_defect<const N: usize>(inverse: &Matrix<N>, frame: &Matrix<N>) -> f64
     let defect: Matrix<N> =
         std::array::from_fn(|i| std::array::from_fn(|j| product[i][j] - f64::from(u8::from(i == j))));
     up(frobenius(&defect) + ROUNDINGS * N as f64 * frobenius(inverse) * frobenius(frame))
+}
+
+/// A bound of ‖M⁻¹‖, infinite where there is none: M⁻¹ = (1 − D)⁻¹G with D = 1 − GM.
+pub(crate) fn inverse_bound<const N: usize>(matrix: &Matrix<N>) -> f64 {
+    let Some(inverse) = inverse(matrix) else { return f64::INFINITY };
+    let defect = inverse_defect(&inverse, matrix);
+    if defect < 0.5 { up(frobenius(&inverse) / (1.0 - defect)) } else { f64::INFINITY }
 }
 
 /// The columns of M brought to length 1, and the inverse of that; `None` where it is larger than [`STRETCH`].

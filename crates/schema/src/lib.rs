@@ -68,8 +68,8 @@ pub use motion::{
 pub use nonlinear::{Damped, FrictionDocument, NonlinearDocument, NonlinearVerdict, Reason, ResonancesDocument};
 pub use part::{PartAnswerDocument, PartDocument, PrincipalDocument};
 pub use periodic::{
-    FamilyEnd, FamilyEndDocument, OrbitEventDocument, OrbitEventKind, OrbitStability, PeriodicBranchDocument,
-    PeriodicFamiliesDocument, PeriodicFamilyDocument, PeriodicOrbitDocument,
+    FamilyEnd, FamilyEndDocument, OrbitEnclosureDocument, OrbitEventDocument, OrbitEventKind, OrbitStability,
+    PeriodicBranchDocument, PeriodicDocument, PeriodicFamiliesDocument, PeriodicFamilyDocument, PeriodicOrbitDocument,
 };
 pub use point_proof::{PointProofDocument, checksum};
 pub use scan::{

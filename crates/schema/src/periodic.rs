@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::term::term;
-use super::{GivenBody, Head, PartDocument};
+use super::{Ends, GivenBody, Head, PartDocument};
 
 term! {
     /// What the multipliers of a periodic orbit say of its stability.
@@ -45,6 +45,22 @@ pub struct PeriodicOrbitDocument {
     pub symmetric: bool,
     /// Whether its existence was proved.
     pub proved: bool,
+    /// What holds it, where it was proved.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub enclosure: Option<OrbitEnclosureDocument>,
+}
+
+/// Decimals that are rounded outward: between them lies what was proved to exist.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct OrbitEnclosureDocument {
+    /// γ where the orbit starts.
+    pub gamma: [Ends; 3],
+    /// ω there.
+    pub omega: [Ends; 3],
+    /// The period.
+    pub period: Ends,
+    /// The sum of the two multipliers.
+    pub trace: Ends,
 }
 
 term! {
@@ -160,6 +176,36 @@ pub struct PeriodicFamiliesDocument {
     pub fixed_h: Option<String>,
     /// The families, by equilibrium, the faster oscillation first.
     pub families: Vec<PeriodicFamilyDocument>,
+    /// The part from which A and r were computed, when one was given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub part: Option<PartDocument>,
+}
+
+/// The answer of `periodic`: the periodic orbits with few crossings of the section P at one point.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PeriodicDocument {
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
+    /// The body.
+    #[serde(flatten)]
+    pub body: GivenBody,
+    /// Energy, as given.
+    pub h: String,
+    /// Vertical angular momentum, as given.
+    pub l: String,
+    /// The most crossings of P in a period that were asked for, inward and outward.
+    pub crossings: u32,
+    /// The isolated orbits, each once, by their crossings, then by their periods; each starts where it is highest.
+    pub orbits: Vec<PeriodicOrbitDocument>,
+    /// One orbit of each continuum of orbits of one period, such as a resonant torus of an integrable body.
+    pub continua: Vec<PeriodicOrbitDocument>,
+    /// For m = 1, 2, … the sum of the indices of the isolated fixed points of the m-th return to the maxima of ⟨γ,r⟩.
+    pub index_sums: Vec<i32>,
+    /// Whether every cell of the section was decided.
+    pub complete: bool,
+    /// What that rests on, or what may be missing.
+    pub why: String,
     /// The part from which A and r were computed, when one was given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part: Option<PartDocument>,

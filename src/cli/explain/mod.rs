@@ -8,7 +8,7 @@ use clap::Args;
 
 use super::export::answer;
 use super::failure::Failure;
-use super::terminal::Report;
+use super::terminal::{Report, wrapped};
 use glossary::{Entry, Glossary};
 
 pub const EXPLAIN_EXAMPLES: &str = "\
@@ -149,20 +149,4 @@ fn list(glossary: &Glossary) -> String {
         report.line(wrapped(&terms.join("; ")));
     }
     report.text()
-}
-
-/// Lines of at most 100 columns, indented.
-fn wrapped(text: &str) -> String {
-    const COLUMNS: usize = 100;
-    let mut lines: Vec<String> = Vec::new();
-    for word in text.split(' ') {
-        match lines.last_mut() {
-            Some(line) if line.chars().count() + 1 + word.chars().count() <= COLUMNS => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(format!("  {word}")),
-        }
-    }
-    lines.join("\n")
 }

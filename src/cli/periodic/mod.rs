@@ -1,26 +1,35 @@
 //! `bifdiag periodic`: periodic orbits.
 
 mod family;
+mod short;
 
 use clap::{Args, Subcommand};
 
 use super::failure::Failure;
 use super::terminal::Timings;
 use family::{FAMILY_EXAMPLES, FamilyArguments};
+use short::ShortArguments;
 
 pub const PERIODIC_EXAMPLES: &str = "\
 Examples:
-  bifdiag periodic family --body paper --l 1.5
-  bifdiag periodic family --body paper --from G2.1 --l 1.5 --json";
+  bifdiag periodic --body paper --h 2.6 --l 3.25
+  bifdiag periodic --body paper --h 2.6 --l 3.25 --crossings 4 --json
+  bifdiag periodic family --body paper --from G2.1 --l 1.5
+
+Every periodic orbit of γ and ω at (h, l) with at most N crossings of the section P: found from cells that cover P, with an index \
+for each, and proved one by one by Krawczyk's operator on the enclosed return map.";
 
 /// `bifdiag periodic`.
 #[derive(Debug, Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub struct PeriodicArguments {
     #[command(subcommand)]
-    pub command: PeriodicCommand,
+    pub command: Option<PeriodicCommand>,
+    #[command(flatten)]
+    pub short: ShortArguments,
 }
 
-/// What is asked of periodic orbits.
+/// What else is asked of periodic orbits.
 #[derive(Debug, Subcommand)]
 pub enum PeriodicCommand {
     /// Follow the families of periodic orbits that begin at relative equilibria
@@ -30,6 +39,7 @@ pub enum PeriodicCommand {
 
 pub fn run(arguments: &PeriodicArguments, timings: &Timings) -> Result<(), Failure> {
     match &arguments.command {
-        PeriodicCommand::Family(arguments) => family::run(arguments, timings),
+        None => short::run(&arguments.short, timings),
+        Some(PeriodicCommand::Family(arguments)) => family::run(arguments, timings),
     }
 }

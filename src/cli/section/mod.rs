@@ -21,6 +21,7 @@ use super::terminal::{Progress, Timings, counted};
 use plan::Plan;
 
 pub use arguments::{EXAMPLES, SectionArguments};
+pub use sites::poincare_failure;
 
 pub fn run(arguments: &SectionArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     let plan = Plan::new(arguments)?;

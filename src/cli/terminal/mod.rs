@@ -7,5 +7,5 @@ mod stderr;
 
 pub use bifdiag_numbers::decimal::{bound, counted, fixed, significant};
 pub use progress::{Progress, Timings};
-pub use report::{Report, Table, print};
+pub use report::{Report, Table, print, wrapped};
 pub use stderr::{is_terminal, log, say, say_styled};

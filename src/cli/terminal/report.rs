@@ -54,6 +54,22 @@ impl Report {
     }
 }
 
+/// Lines of at most 100 columns, indented.
+pub fn wrapped(text: &str) -> String {
+    const COLUMNS: usize = 100;
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ') {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= COLUMNS => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(format!("  {word}")),
+        }
+    }
+    lines.join("\n")
+}
+
 /// Rows of cells under a heading, columns as wide as needed; a cell may hold several lines.
 #[derive(Debug)]
 pub struct Table {

@@ -141,6 +141,12 @@ impl SectionSetting {
         self.momentum.to_f64()
     }
 
+    /// h and l, exactly.
+    #[must_use]
+    pub fn point(&self) -> [&Number; 2] {
+        [&self.energy, &self.momentum]
+    }
+
     /// The state over a point of the torus.
     ///
     /// # Errors

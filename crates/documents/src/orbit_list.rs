@@ -1,0 +1,94 @@
+//! All short periodic orbits at one point, as a document.
+
+use bifdiag_body::Number;
+use bifdiag_numbers::decimal::{self, counted};
+use bifdiag_periodic::list::{Gap, OrbitList};
+use bifdiag_periodic::proof::OrbitProof;
+use bifdiag_schema::{CommandLine, Ends, OrbitEnclosureDocument, PeriodicDocument, PeriodicOrbitDocument};
+use dashu_ratio::RBig;
+
+use crate::body::{given, head};
+use crate::periodic::periodic_orbit;
+use crate::subject::Subject;
+
+/// The periodic orbits at a point with at most so many crossings.
+#[must_use]
+pub fn periodic(
+    subject: &Subject,
+    command: CommandLine,
+    [h, l]: [&Number; 2],
+    crossings: u32,
+    list: &OrbitList,
+) -> PeriodicDocument {
+    let body = &subject.body;
+    let orbits = list.orbits.iter().map(|listed| {
+        let document = periodic_orbit(body, &listed.orbit);
+        match &listed.proof {
+            Ok(proof) => PeriodicOrbitDocument { proved: true, enclosure: Some(enclosure(proof)), ..document },
+            Err(_) => document,
+        }
+    });
+    PeriodicDocument {
+        head: head(command.json()),
+        body: given(body),
+        h: h.text().to_owned(),
+        l: l.text().to_owned(),
+        crossings,
+        orbits: orbits.collect(),
+        continua: list.continua.iter().map(|orbit| periodic_orbit(body, orbit)).collect(),
+        index_sums: list.index_sums.clone(),
+        complete: list.gaps.is_empty(),
+        why: why(list),
+        part: subject.part.clone(),
+    }
+}
+
+/// Digits of ends.
+const DIGITS: usize = 17;
+
+fn enclosure(proof: &OrbitProof) -> OrbitEnclosureDocument {
+    let [g1, g2, g3, w1, w2, w3] = proof.state.map(ends);
+    OrbitEnclosureDocument {
+        gamma: [g1, g2, g3],
+        omega: [w1, w2, w3],
+        period: ends(proof.period),
+        trace: ends(proof.trace),
+    }
+}
+
+fn ends(bounds: [f64; 2]) -> Ends {
+    // Bounds of what was proved are finite.
+    decimal::outward(&bounds.map(|x| RBig::try_from(x).unwrap_or_default()), DIGITS)
+}
+
+/// What completeness rests on, or what may be missing.
+fn why(list: &OrbitList) -> String {
+    if list.gaps.is_empty() {
+        let within = if list.slow == 0 {
+            String::new()
+        } else {
+            format!("; orbits of a longer period than {:.3e} were not looked for", list.longest)
+        };
+        return format!(
+            "evidence, not a proof: on each of {} cells of P, from nine samples each, the return has no fixed point, or one \
+             whose index is the winding number round the cell{within}",
+            list.effort[0]
+        );
+    }
+    let gaps = list.gaps.iter().map(|gap| match gap {
+        Gap::Cover { singular } => {
+            format!("P is not covered: {} too sharply bent", counted(*singular, "place is", "places are"))
+        }
+        Gap::Cells { count, gamma: [x, y, z], at_tangency } => {
+            let kind = if *at_tangency { " on the line of tangency" } else { "" };
+            format!(
+                "{}{kind} could not be decided, one of them at gamma = {x:.6},{y:.6},{z:.6}",
+                counted(*count, "cell", "cells")
+            )
+        }
+        Gap::Points { count } => {
+            format!("{} found at some of the crossings only", counted(*count, "orbit was", "orbits were"))
+        }
+    });
+    gaps.collect::<Vec<_>>().join("; ")
+}

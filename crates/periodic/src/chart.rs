@@ -1,0 +1,283 @@
+//! The section P at one (h, l) as a surface in ℝ⁶: charts by its tangent planes, and a cover by them.
+//!
+//! Coordinates are y = (γ, l/L), L a unit of momentum that no |l| on the energy surface exceeds. P is where |γ| = 1, ⟨γ,l⟩ = l, H = h and S = 0; at
+//! regular (h, l) the four gradients are independent (Theorem 10.6 of docs/mathematics.md), so that P is a graph over each
+//! of its tangent planes, on the boundary of the accessible region and over the poles as anywhere else.
+
+use std::collections::HashMap;
+
+use bifdiag_dynamics::field::{Dimension, HeavyTop, State, cross, dot};
+use bifdiag_dynamics::section::SectionCondition;
+use nalgebra::{Matrix4, SMatrix, Vector4};
+
+use crate::flow::{Phase as Point, Space};
+
+/// The section at one (h, l).
+#[derive(Clone, Copy, Debug)]
+pub struct Surface {
+    space: Space,
+    top: HeavyTop,
+    /// In units of the reduced top, as all below.
+    h: f64,
+    l: f64,
+    /// |S| that counts as large.
+    section: f64,
+}
+
+impl Surface {
+    /// Of a top with weight; (h, l) accessible and on no curve.
+    #[must_use]
+    pub fn new(top: &HeavyTop, h: f64, l: f64) -> Self {
+        let units = top.units();
+        let (h, l) = (units.reduce(h, Dimension::ENERGY), units.reduce(l, Dimension::MOMENTUM));
+        let space = Space::new(top, h);
+        Self { space, top: *top, h, l, section: SectionCondition::Height.scale(&space.top, h) }
+    }
+
+    /// The top as given.
+    #[must_use]
+    pub fn top(&self) -> &HeavyTop {
+        &self.top
+    }
+
+    /// A state as a point.
+    #[must_use]
+    pub fn point(&self, state: &State) -> Point {
+        self.space.point(&state.reduced(self.top.units()))
+    }
+
+    /// A point as a state.
+    #[must_use]
+    pub fn state(&self, y: &Point) -> State {
+        self.space.state(y).restored(self.top.units())
+    }
+
+    /// The four equations, each in its own unit.
+    fn residual(&self, y: &Point) -> Vector4<f64> {
+        let (state, top) = (self.space.state(y), &self.space.top);
+        Vector4::new(
+            0.5 * (dot(state.gamma, state.gamma) - 1.0),
+            (dot(state.gamma, state.l) - self.l) / self.space.unit,
+            (top.energy(&state) - self.h) / self.energy_unit(),
+            SectionCondition::Height.value(top, &state) / self.section,
+        )
+    }
+
+    fn energy_unit(&self) -> f64 {
+        self.h + self.space.top.center_norm()
+    }
+
+    /// Their gradients, as columns.
+    fn gradients(&self, y: &Point) -> SMatrix<f64, 6, 4> {
+        let (State { gamma, l }, top) = (self.space.state(y), &self.space.top);
+        let [of_length, of_momentum, of_energy] = self.space.gradients(y);
+        let turned = cross(top.angular_velocity(l), top.center());
+        let across = top.angular_velocity(cross(top.center(), gamma));
+        let of_section = Point::from_fn(|i, _| if i < 3 { turned[i] } else { self.space.unit * across[i - 3] });
+        SMatrix::from_columns(&[
+            of_length,
+            of_momentum / self.space.unit,
+            of_energy / self.energy_unit(),
+            of_section / self.section,
+        ])
+    }
+
+    /// Ṡ, in units of |∇S| |f|: the sine of the angle at which the motion crosses P.
+    #[must_use]
+    pub fn slope(&self, y: &Point) -> f64 {
+        let (normal, field) = (self.gradients(y).column(3).into_owned(), self.space.field(y));
+        normal.dot(&field) / (normal.norm() * field.norm()).max(f64::MIN_POSITIVE)
+    }
+}
+
+/// A square [−radius, radius]² of the tangent plane at a point, over which P is a graph.
+#[derive(Clone, Debug)]
+pub struct Chart {
+    /// The point.
+    pub center: Point,
+    /// An orthonormal basis of the tangent plane.
+    pub across: [Point; 2],
+    /// Of what is orthogonal to it.
+    normal: SMatrix<f64, 6, 4>,
+    /// Half a side of the square.
+    pub radius: f64,
+}
+
+/// Steps of Newton's method onto the surface.
+const STEPS: usize = 12;
+/// How far P may be from the tangent plane over a square, as a part of its half side.
+const BEND: f64 = 0.3;
+/// Halvings of a square before a point counts as singular.
+const HALVINGS: usize = 12;
+
+impl Chart {
+    /// About a point of P; `radius` is halved until P is a flat graph over the square. `None` near a singular point.
+    #[must_use]
+    pub fn new(surface: &Surface, center: Point, radius: f64) -> Option<Self> {
+        let mut basis: Vec<Point> = Vec::with_capacity(6);
+        let gradients = surface.gradients(&center);
+        for k in 0..4 {
+            let direction = orthogonal_to(&basis, gradients.column(k).normalize())?;
+            basis.push(direction);
+        }
+        while basis.len() < 6 {
+            let unit = (0..6)
+                .filter_map(|i| orthogonal_to(&basis, Point::ith(i, 1.0)).map(|v| (i, v)))
+                .max_by(|(i, _), (j, _)| left(&basis, *i).total_cmp(&left(&basis, *j)));
+            basis.push(unit?.1);
+        }
+        let normal = SMatrix::from_columns(&basis[..4]);
+        let mut chart = Self { center, across: [basis[4], basis[5]], normal, radius };
+        for _ in 0..HALVINGS {
+            if chart.is_flat(surface) {
+                return Some(chart);
+            }
+            chart.radius *= 0.5;
+        }
+        None
+    }
+
+    fn is_flat(&self, surface: &Surface) -> bool {
+        let r = self.radius;
+        let rim = [[-r, -r], [-r, 0.0], [-r, r], [0.0, -r], [0.0, r], [r, -r], [r, 0.0], [r, r]];
+        rim.iter().all(|at| self.place(surface, *at).is_some_and(|y| self.height(&y) < BEND * r))
+    }
+
+    /// Coordinates of a point in the tangent plane.
+    #[must_use]
+    pub fn coordinates(&self, y: &Point) -> [f64; 2] {
+        let beside = y - self.center;
+        self.across.map(|e| e.dot(&beside))
+    }
+
+    /// The distance of a point from the tangent plane.
+    #[must_use]
+    pub fn height(&self, y: &Point) -> f64 {
+        (self.normal.transpose() * (y - self.center)).norm()
+    }
+
+    /// The point of P over a point of the tangent plane.
+    #[must_use]
+    pub fn place(&self, surface: &Surface, at: [f64; 2]) -> Option<Point> {
+        let flat = self.center + self.across[0] * at[0] + self.across[1] * at[1];
+        let mut y = flat;
+        let mut last = f64::INFINITY;
+        for _ in 0..STEPS {
+            let matrix: Matrix4<f64> = surface.gradients(&y).transpose() * self.normal;
+            let step = self.normal * matrix.lu().solve(&surface.residual(&y))?;
+            y -= step;
+            let size = step.norm();
+            if size < 1e-15 || (size < 1e-12 && size >= 0.5 * last) {
+                return Some(y);
+            }
+            if (y - flat).norm() > 2.0 * self.radius {
+                return None;
+            }
+            last = size;
+        }
+        None
+    }
+
+    /// Whether a point of P is in the square, or in a smaller one.
+    #[must_use]
+    pub fn holds(&self, y: &Point, part: f64) -> bool {
+        let [u, v] = self.coordinates(y);
+        u.abs().max(v.abs()) <= part * self.radius && self.height(y) <= self.radius
+    }
+}
+
+/// What of unit vector i is orthogonal to a basis, squared.
+fn left(basis: &[Point], i: usize) -> f64 {
+    1.0 - basis.iter().map(|e| e[i] * e[i]).sum::<f64>()
+}
+
+/// The part of a unit vector that is orthogonal to a basis, of length 1.
+fn orthogonal_to(basis: &[Point], mut v: Point) -> Option<Point> {
+    for _ in 0..2 {
+        for e in basis {
+            v -= e * e.dot(&v);
+        }
+        let length = v.norm();
+        if length < 1e-9 {
+            return None;
+        }
+        v /= length;
+    }
+    Some(v)
+}
+
+/// The largest half side of a square.
+pub const RADIUS: f64 = 0.12;
+/// Points of each side of a square that have to lie in others.
+const RIM: i32 = 4;
+/// The part of a square in which they have to lie.
+const INNER: f64 = 0.9;
+
+/// A cover of P.
+#[derive(Clone, Debug)]
+pub struct Cover {
+    /// The charts.
+    pub charts: Vec<Chart>,
+    /// Every point of the rim of each square lies well within another one, as far as it was tried: the squares have no rim
+    /// together, and cover every component that has a seed.
+    pub closed: bool,
+    /// Where that could not be reached.
+    pub singular: Vec<Point>,
+}
+
+/// Covers the components of P in which the seeds lie, from chart to chart; at most `most` charts.
+#[must_use]
+pub fn cover(surface: &Surface, seeds: &[Point], most: usize) -> Cover {
+    let mut cover = Cover { charts: Vec::new(), closed: true, singular: Vec::new() };
+    let mut grid: HashMap<[i32; 3], Vec<usize>> = HashMap::new();
+    for seed in seeds {
+        cover.add(surface, &mut grid, *seed);
+    }
+    let mut next = 0;
+    while next < cover.charts.len() {
+        if cover.charts.len() > most {
+            cover.closed = false;
+            break;
+        }
+        let chart = cover.charts[next].clone();
+        for k in -RIM..RIM {
+            let (along, side) = (chart.radius * f64::from(k) / f64::from(RIM), chart.radius);
+            for at in [[along, -side], [side, along], [-along, side], [-side, -along]] {
+                match chart.place(surface, at) {
+                    Some(y) => cover.add(surface, &mut grid, y),
+                    None => cover.closed = false,
+                }
+            }
+        }
+        next += 1;
+    }
+    cover
+}
+
+fn place_of(y: &Point) -> [i32; 3] {
+    // γ is a unit vector, so that the numbers are small.
+    [0, 1, 2].map(|i| (y[i] / (1.5 * RADIUS)).floor() as i32)
+}
+
+impl Cover {
+    /// A chart about a point, unless one holds it.
+    fn add(&mut self, surface: &Surface, grid: &mut HashMap<[i32; 3], Vec<usize>>, y: Point) {
+        let place = place_of(&y);
+        let neighbours = (0..27).map(|k| [place[0] + k / 9 - 1, place[1] + k / 3 % 3 - 1, place[2] + k % 3 - 1]);
+        let held =
+            neighbours.filter_map(|place| grid.get(&place)).flatten().any(|chart| self.charts[*chart].holds(&y, INNER));
+        if held {
+            return;
+        }
+        match Chart::new(surface, y, RADIUS) {
+            Some(chart) => {
+                grid.entry(place).or_default().push(self.charts.len());
+                self.charts.push(chart);
+            }
+            None => {
+                self.closed = false;
+                self.singular.push(y);
+            }
+        }
+    }
+}

@@ -1,0 +1,212 @@
+//! The search: a cover of the section is cut into cells until each is decided.
+
+use bifdiag_dynamics::section::SectionError;
+use nalgebra::Vector2;
+
+use super::cell::{Cell, Samples, Verdict, judge};
+use super::newton::{FixedPoint, Guess, newton};
+use crate::chart::{Chart, Cover};
+use crate::flow::Phase as Point;
+use crate::section_map::{Image, SectionMap};
+
+/// How many returns are looked at, and how much work may be done.
+#[derive(Clone, Copy, Debug)]
+pub struct SearchOptions {
+    /// The largest m.
+    pub turns: usize,
+    /// Cuts of a cell.
+    pub levels: u32,
+    /// Cells in all.
+    pub cells: usize,
+}
+
+/// A cell that could not be decided.
+#[derive(Clone, Copy, Debug)]
+pub struct OpenCell {
+    /// Its middle.
+    pub middle: Point,
+    /// Half a side.
+    pub half: f64,
+    /// Bit m − 1.
+    pub turns: u32,
+    /// It meets the line of tangency.
+    pub at_tangency: bool,
+}
+
+/// A point of a curve of fixed points.
+#[derive(Clone, Copy, Debug)]
+pub struct OnCurve {
+    /// The point.
+    pub fixed: FixedPoint,
+    /// Half a side of its cell.
+    pub half: f64,
+}
+
+/// What the search found.
+#[derive(Clone, Debug, Default)]
+pub struct Found {
+    /// Fixed points of each Rᵐ, each once for every cell whose samples go round it.
+    pub points: Vec<FixedPoint>,
+    /// Points of curves of fixed points.
+    pub on_curves: Vec<OnCurve>,
+    /// What is left.
+    pub open: Vec<OpenCell>,
+    /// Cells that were looked at.
+    pub cells: usize,
+    /// Motions that were followed.
+    pub motions: usize,
+    /// Those that did not come back in time.
+    pub slow: usize,
+}
+
+/// Cells each chart is cut into, a side, before the first look.
+const FIRST: u32 = 2;
+/// Cuts after which curves of fixed points are looked for.
+const CURVES: u32 = 2;
+/// Cells that are looked at together.
+const BATCH: usize = 4096;
+/// |det(DRᵐ − 1)| below this part of its square norm: 1 is a double multiplier.
+const PARABOLIC: f64 = 3e-5;
+
+/// Searches a cover.
+///
+/// # Errors
+/// Those of [`SectionMap::images`].
+pub fn search(map: &SectionMap<'_>, cover: &Cover, options: &SearchOptions) -> Result<Found, SectionError> {
+    let all = (1 << options.turns) - 1;
+    let mut found = Found::default();
+    let mut level: Vec<Cell> = Vec::new();
+    for (chart, Chart { radius, .. }) in cover.charts.iter().enumerate() {
+        let half = radius / f64::from(FIRST);
+        for k in 0..FIRST * FIRST {
+            let at = [k % FIRST, k / FIRST].map(|i| half * (2.0 * f64::from(i) + 1.0) - radius);
+            level.push(Cell { chart, at, half, open: all });
+        }
+    }
+    for depth in 0..=options.levels {
+        let mut next = Vec::new();
+        for batch in level.chunks(BATCH) {
+            let undecided = look(map, cover, options, batch, depth, &mut found)?;
+            let spent = found.cells + next.len() > options.cells;
+            for (cell, open, samples) in undecided {
+                if depth == options.levels || spent {
+                    let (middle, at_tangency) = samples.map_or_else(
+                        || (cover.charts[cell.chart].center, true),
+                        |samples| (samples.middle, !samples.whole),
+                    );
+                    found.open.push(OpenCell { middle, half: cell.half, turns: open, at_tangency });
+                } else {
+                    next.extend(cell.parts(open));
+                }
+            }
+        }
+        level = next;
+    }
+    Ok(found)
+}
+
+type Undecided = (Cell, u32, Option<Samples>);
+
+/// Looks at some cells; those that stay open, and for which m.
+fn look(
+    map: &SectionMap<'_>,
+    cover: &Cover,
+    options: &SearchOptions,
+    cells: &[Cell],
+    depth: u32,
+    found: &mut Found,
+) -> Result<Vec<Undecided>, SectionError> {
+    let samples: Vec<Option<Samples>> =
+        cells.iter().map(|cell| cell.samples(map.surface(), &cover.charts[cell.chart])).collect();
+    let starts: Vec<Point> = samples.iter().flatten().flat_map(|s| s.points.iter().copied().flatten()).collect();
+    // Where a crossing is born the later ones are counted anew: two more are needed to compare.
+    let images = map.images(&starts, options.turns + 2)?;
+    found.cells += cells.len();
+    found.motions += starts.len();
+    found.slow += images.iter().filter(|images| images.len() < options.turns).count();
+    let mut rest = &images[..];
+    let mut open: Vec<Undecided> = Vec::new();
+    let (mut ones, mut lines) = (Vec::new(), Vec::new());
+    for (cell, samples) in cells.iter().zip(samples) {
+        let Some(samples) = samples else {
+            open.push((*cell, cell.open, None));
+            continue;
+        };
+        let mut own: [&[Image]; 9] = [&[]; 9];
+        for (own, _) in own.iter_mut().zip(&samples.points).filter(|(_, point)| point.is_some()) {
+            let (first, others) = rest.split_at(1);
+            (*own, rest) = (&first[0], others);
+        }
+        let chart = &cover.charts[cell.chart];
+        let mut undecided = 0;
+        let place = open.len();
+        for m in (1..=options.turns).filter(|m| cell.open >> (m - 1) & 1 == 1) {
+            let guess = |at| Guess { chart, at, turns: m, reach: 2.0 * cell.reach() };
+            match judge(cell, chart, &samples, &own, m) {
+                Verdict::Empty => continue,
+                Verdict::One(at, index) => ones.push((place, guess(at), index, *cell)),
+                Verdict::Open { line } if line && depth >= CURVES => lines.push((place, guess(cell.at), *cell)),
+                Verdict::Open { .. } => {}
+            }
+            undecided |= 1 << (m - 1);
+        }
+        if undecided != 0 {
+            open.push((*cell, undecided, Some(samples)));
+        }
+    }
+    let guesses: Vec<Guess<'_>> = ones.iter().map(|(_, guess, ..)| guess.clone()).collect();
+    for ((place, guess, index, cell), fixed) in ones.iter().zip(newton(map, &guesses, false)?) {
+        if let Some(fixed) = fixed.filter(|fixed| is_in(cell, fixed) && fixed.index() == *index) {
+            found.points.push(fixed);
+            open[*place].1 &= !(1 << (guess.turns - 1));
+        }
+    }
+    let guesses: Vec<Guess<'_>> = lines.iter().map(|(_, guess, _)| guess.clone()).collect();
+    let first = newton(map, &guesses, true)?;
+    let curves = on_curves(map, &lines, &first)?;
+    for ((place, guess, cell), fixed) in lines.iter().zip(curves) {
+        if let Some(fixed) = fixed {
+            found.on_curves.push(OnCurve { fixed, half: cell.half });
+            open[*place].1 &= !(1 << (guess.turns - 1));
+        }
+    }
+    open.retain(|(_, turns, _)| *turns != 0);
+    Ok(open)
+}
+
+fn is_in(cell: &Cell, fixed: &FixedPoint) -> bool {
+    (fixed.at[0] - cell.at[0]).abs().max((fixed.at[1] - cell.at[1]).abs()) <= cell.reach()
+}
+
+/// 1 is a double multiplier.
+fn is_parabolic(fixed: &FixedPoint) -> bool {
+    fixed.derivative.determinant().abs() <= PARABOLIC * fixed.derivative.norm_squared()
+}
+
+/// Fixed points with others beside them, in the direction in which Rᵐ is like the identity: points of a curve.
+fn on_curves(
+    map: &SectionMap<'_>,
+    lines: &[(usize, Guess<'_>, Cell)],
+    first: &[Option<FixedPoint>],
+) -> Result<Vec<Option<FixedPoint>>, SectionError> {
+    let mut beside = Vec::new();
+    for (k, ((_, guess, cell), fixed)) in lines.iter().zip(first).enumerate() {
+        let Some(fixed) = fixed.filter(|fixed| is_in(cell, fixed) && is_parabolic(fixed)) else { continue };
+        let svd = fixed.derivative.svd(false, true);
+        let Some(rows) = svd.v_t else { continue };
+        let kernel = rows.row(svd.singular_values.imin()).transpose();
+        for side in [0.5, -0.5] {
+            let at = Vector2::from(fixed.at) + kernel * (side * cell.half);
+            beside.push((k, Guess { at: at.into(), reach: 0.25 * cell.half, ..guess.clone() }));
+        }
+    }
+    let guesses: Vec<Guess<'_>> = beside.iter().map(|(_, guess)| guess.clone()).collect();
+    let second = newton(map, &guesses, true)?;
+    let mut curves = vec![None; lines.len()];
+    for (pair, found) in beside.chunks(2).zip(second.chunks(2)) {
+        if found.iter().all(|fixed| fixed.is_some_and(|fixed| is_parabolic(&fixed))) {
+            curves[pair[0].0] = first[pair[0].0];
+        }
+    }
+    Ok(curves)
+}

@@ -1,0 +1,82 @@
+//! All short orbits at a point, and their proofs.
+
+use bifdiag_body::{Body, Number};
+use bifdiag_dynamics::poincare::SectionSetting;
+use bifdiag_dynamics::section::Monitor;
+use bifdiag_periodic::list::{ListOptions, OrbitList, list};
+use bifdiag_periodic::proof::{ProofError, prove};
+
+fn number(text: &str) -> Number {
+    text.parse().unwrap()
+}
+
+fn setting(moments: [&str; 3], center: [&str; 3], [h, l]: [&str; 2]) -> SectionSetting {
+    SectionSetting::new(&Body::parse(&moments, &center).unwrap(), &number(h), &number(l)).unwrap()
+}
+
+fn found(setting: &SectionSetting, crossings: u32) -> OrbitList {
+    list(setting, &ListOptions { crossings, ..ListOptions::default() }, &Monitor::default()).unwrap()
+}
+
+const PAPER: ([&str; 3], [&str; 3]) = (["2", "1.1", "1"], ["0.94868", "0", "0.61623"]);
+/// No coordinate of r is 0: no orbit is symmetric.
+const GENERIC: ([&str; 3], [&str; 3]) = (["2", "1.5", "1"], ["0.3", "0.5", "0.8"]);
+
+/// A symmetric pair of unstable orbits among six; each is proved, and the enclosures hold what was computed.
+#[test]
+fn all_orbits_of_a_point_are_proved() {
+    let setting = setting(PAPER.0, PAPER.1, ["6.5", "3.25"]);
+    let list = found(&setting, 2);
+    assert!(list.gaps.is_empty() && list.continua.is_empty(), "{:?}", list.gaps);
+    assert_eq!(list.orbits.len(), 6);
+    assert_eq!(list.index_sums, [2]);
+    for listed in &list.orbits {
+        let (orbit, proof) = (&listed.orbit, listed.proof.unwrap());
+        assert!(orbit.residual < 1e-12 && (orbit.product() - 1.0).abs() < 1e-9, "{orbit:?}");
+        assert!((orbit.h - 6.5).abs() < 1e-12 && (orbit.l - 3.25).abs() < 1e-12);
+        assert_eq!(proof.crossings, orbit.crossings);
+        for (bounds, x) in [(proof.period, orbit.period), (proof.trace, orbit.trace)] {
+            let slack = 1e-9;
+            assert!(bounds[0] - slack < x && x < bounds[1] + slack && bounds[1] - bounds[0] < 1e-5, "{bounds:?} {x}");
+        }
+        assert_eq!(listed.index, if orbit.trace > 2.0 { -1 } else { 1 });
+    }
+}
+
+/// A start that is not on a periodic orbit, an orbit that is run through twice, and one at another h.
+#[test]
+fn what_is_not_so_is_not_proved() {
+    let setting = setting(PAPER.0, PAPER.1, ["2.6", "3.25"]);
+    let list = found(&setting, 2);
+    let orbit = &list.orbits[0].orbit;
+    let ([g1, g2, g3], [w1, w2, w3]) = (orbit.start.gamma, setting.torus().top().inverse_inertia(orbit.start.l));
+    let (body, start) = (setting.body(), [g1, g2, g3, w1, w2, w3]);
+    let longest = 5.0 * orbit.period;
+    assert!(prove(body, setting.point(), start, 1, longest).is_ok());
+    assert_eq!(prove(body, setting.point(), start, 2, longest), Err(ProofError::Repeated));
+    let beside = [g1, g2, g3, w1 + 1e-6, w2, w3];
+    assert!(prove(body, setting.point(), beside, 1, longest).is_err());
+    let other = [&number("2.600001"), &number("3.25")];
+    assert_eq!(prove(body, other, start, 1, longest), Err(ProofError::NotContracting));
+}
+
+/// On resonant tori of Lagrange's top every orbit is one of a continuum; none is listed as isolated.
+#[test]
+fn continua_of_an_integrable_top_are_listed_once() {
+    let setting = setting(["2", "2", "1"], ["0", "0", "1"], ["3.5", "2"]);
+    let list = found(&setting, 2);
+    assert!(list.orbits.is_empty(), "{:?}", list.orbits);
+    for orbit in &list.continua {
+        assert!((orbit.trace - 2.0).abs() < 1e-4 && orbit.residual < 1e-10, "{orbit:?}");
+    }
+}
+
+/// A body without symmetry.
+#[test]
+fn a_body_without_symmetry_has_orbits_that_are_not_symmetric() {
+    let setting = setting(GENERIC.0, GENERIC.1, ["1.5", "0.5"]);
+    let list = found(&setting, 2);
+    assert!(list.gaps.is_empty(), "{:?}", list.gaps);
+    assert_eq!((list.orbits.len(), &list.index_sums[..]), (6, &[2][..]));
+    assert!(list.orbits.iter().all(|listed| !listed.orbit.symmetric && listed.proof.is_ok()));
+}

@@ -1,0 +1,117 @@
+//! `bifdiag periodic`: every periodic orbit with few crossings of the section at one point.
+
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+
+use bifdiag_documents::Subject;
+use bifdiag_dynamics::poincare::SectionSetting;
+use bifdiag_dynamics::section::{Monitor, SectionError};
+use bifdiag_periodic::list::{ListError, ListOptions, MOST_CROSSINGS, list};
+use bifdiag_schema::{PeriodicDocument, PeriodicOrbitDocument};
+use clap::Args;
+
+use crate::cli::export::answer;
+use crate::cli::failure::{Failure, failed};
+use crate::cli::input::{BodyArguments, PointArguments, head};
+use crate::cli::section::poincare_failure;
+use crate::cli::terminal::interrupt::stoppable;
+use crate::cli::terminal::{Report, Table, Timings, significant, wrapped};
+
+/// The orbits at a point.
+#[derive(Debug, Args)]
+pub struct ShortArguments {
+    #[command(flatten)]
+    pub body: BodyArguments,
+    #[command(flatten)]
+    pub point: PointArguments,
+    /// The most crossings of P in a period, inward and outward
+    #[arg(long, value_name = "N", default_value_t = 2, help_heading = "Orbits")]
+    pub crossings: u32,
+    /// Print the orbits as JSON
+    #[arg(long, help_heading = "Output")]
+    pub json: bool,
+}
+
+pub fn run(arguments: &ShortArguments, timings: &Timings) -> Result<(), Failure> {
+    let subject = arguments.body.subject()?;
+    let missing =
+        |name: &str| Failure::input(format!("{name} is missing: a point such as --h 4.45 --l 3.25 is needed"));
+    let h = arguments.point.energy.as_ref().ok_or_else(|| missing("--h"))?;
+    let l = arguments.point.momentum.as_ref().ok_or_else(|| missing("--l"))?;
+    let crossings = arguments.crossings;
+    if crossings < 2 || crossings > MOST_CROSSINGS || crossings % 2 == 1 {
+        return Err(Failure::input(format!(
+            "--crossings {crossings}: a periodic orbit crosses P inward as often as outward; 2, 4, … up to {MOST_CROSSINGS} is \
+             possible"
+        )));
+    }
+    let setting = SectionSetting::new(&subject.body, h, l).map_err(poincare_failure)?;
+    let monitor = Arc::new(Monitor::default());
+    let stop = Arc::clone(&monitor);
+    let interruptible = stoppable(move || stop.stop.store(true, Ordering::Relaxed));
+    let options = ListOptions { crossings, ..ListOptions::default() };
+    let found = timings.stage("orbits", || list(&setting, &options, &monitor));
+    drop(interruptible);
+    let found = found.map_err(|error| match error {
+        ListError::Setting(error) => poincare_failure(error),
+        ListError::Section(SectionError::Interrupted) => Failure::work("interrupted"),
+        error => failed("the orbits could not be found")(error),
+    })?;
+    let command = subject.command("periodic").option("h", h.text()).option("l", l.text());
+    let command = command.option("crossings", crossings.to_string());
+    let document = bifdiag_documents::periodic(&subject, command, [h, l], crossings, &found);
+    answer(arguments.json, &document, || text(&subject, &document))
+}
+
+/// Significant digits.
+const DIGITS: usize = 6;
+
+/// γ of an orbit in a plane of symmetry is 0 but for this.
+const ROUNDING: f64 = 1e-13;
+
+fn text(subject: &Subject, document: &PeriodicDocument) -> String {
+    let mut report = Report::default();
+    head(subject, &mut report);
+    report.line(format!(
+        "periodic orbits at h = {}, l = {} with at most {} crossings of P:",
+        document.h, document.l, document.crossings
+    ));
+    report.line("");
+    if document.orbits.is_empty() {
+        report.line("none that is isolated");
+    } else {
+        report.line(table(&document.orbits).text());
+    }
+    if !document.continua.is_empty() {
+        report.line("");
+        report.line("one orbit of each continuum of orbits of one period:");
+        report.line(table(&document.continua).text());
+    }
+    report.line("");
+    report.line(format!("{}:", if document.complete { "complete" } else { "not complete" }));
+    report.line(wrapped(&document.why));
+    report.text()
+}
+
+fn table(orbits: &[PeriodicOrbitDocument]) -> Table {
+    let mut table =
+        Table::new(&["crossings", "T", "trace", "stability", "symmetric", "action", "proved", "starts at gamma"]);
+    for orbit in orbits {
+        let gamma = orbit.gamma.map(|x| significant(if x.abs() < ROUNDING { 0.0 } else { x }, DIGITS)).join(" ");
+        table.row([
+            orbit.crossings.to_string(),
+            significant(orbit.period, DIGITS),
+            significant(orbit.multipliers[0][0] + orbit.multipliers[1][0], DIGITS),
+            orbit.stability.word().to_owned(),
+            yes(orbit.symmetric),
+            significant(orbit.action, DIGITS),
+            yes(orbit.proved),
+            gamma,
+        ]);
+    }
+    table
+}
+
+fn yes(is: bool) -> String {
+    if is { "yes" } else { "no" }.to_owned()
+}

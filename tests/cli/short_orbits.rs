@@ -1,0 +1,48 @@
+//! `periodic`: all periodic orbits with few crossings at one point.
+
+use crate::builder::bifdiag;
+
+/// At h = 2.6, l = 3.25 the paper's body has two orbits with two crossings, both stable and symmetric, and none with four.
+#[test]
+fn the_orbits_at_a_point_are_found_and_proved() {
+    let list = bifdiag("periodic --body paper --h 2.6 --l 3.25 --crossings 4 --json").succeeds().json();
+    let orbits = list["orbits"].as_array().unwrap();
+    assert_eq!(orbits.len(), 2);
+    assert_eq!((&list["h"], &list["l"], &list["crossings"]), (&"2.6".into(), &"3.25".into(), &4.into()));
+    for (orbit, period) in orbits.iter().zip([2.981_163_46, 4.279_876_66]) {
+        assert!((orbit["period"].as_f64().unwrap() - period).abs() < 1e-8, "{orbit}");
+        assert_eq!((&orbit["crossings"], &orbit["proved"]), (&2.into(), &true.into()), "{orbit}");
+        assert_eq!((&orbit["stability"], &orbit["symmetric"]), (&"elliptic".into(), &true.into()), "{orbit}");
+        // What was computed lies close to what was proved.
+        let ends = |value: &serde_json::Value| [0, 1].map(|k| value[k].as_str().unwrap().parse::<f64>().unwrap());
+        let [lo, hi] = ends(&orbit["enclosure"]["period"]);
+        assert!(lo < hi && hi - lo < 1e-7 && lo - 1e-9 < period && period < hi + 1e-9, "{lo} {hi}");
+        for i in 0..3 {
+            for name in ["gamma", "omega"] {
+                let ([lo, hi], x) = (ends(&orbit["enclosure"][name][i]), orbit[name][i].as_f64().unwrap());
+                assert!(hi - lo < 1e-10 && (x - lo).abs() < 1e-10, "{name} {lo} {hi} {x}");
+            }
+        }
+    }
+    assert_eq!((&list["complete"], &list["index_sums"]), (&true.into(), &serde_json::json!([2, 2])));
+    assert!(list["why"].as_str().unwrap().starts_with("evidence, not a proof: "));
+}
+
+#[test]
+fn the_table_tells_what_was_found() {
+    bifdiag("periodic --body paper --h 2.6 --l 3.25")
+        .succeeds()
+        .printing("2.98116")
+        .printing("elliptic")
+        .printing("complete:\n  evidence, not a proof");
+}
+
+#[test]
+fn points_without_a_section_and_odd_crossings_are_refused() {
+    bifdiag("periodic --body paper --h 2.6").refused().telling("--l is missing");
+    bifdiag("periodic --body paper --l 2.6").refused().telling("--h is missing");
+    bifdiag("periodic --body paper --h 2.6 --l 3.25 --crossings 3").refused().telling("inward as often as outward");
+    bifdiag("periodic --body paper --h 2.6 --l 3.25 --crossings 0").refused().telling("--crossings 0");
+    bifdiag("periodic --body paper --h 0.1 --l 3.25").refused().telling("1.63");
+    bifdiag("periodic --body euler --h 2.6 --l 1").refused().telling("r = 0");
+}
