@@ -238,6 +238,8 @@ fn what_has_no_measure_says_so() {
     let torus = paper();
     let (_, measures) = measured(&torus, &starts(&torus, 4.45, 3.25, 2), 20);
     assert_eq!(measures[0].rotation, Err(RotationUndefined::TooFewReturns { returns: 10 }));
+    assert!(measures[0].lyapunov.is_none());
+    let (_, measures) = measured(&torus, &starts(&torus, 4.45, 3.25, 2), 60);
     assert!(measures[0].lyapunov.is_some());
     let start = starts(&torus, 4.45, 3.25, 1)[0];
     let times = [(start, 0.0), (start, f64::NAN), (start, f64::INFINITY), (start, -1.0)];

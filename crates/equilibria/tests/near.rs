@@ -5,7 +5,10 @@
 
 use bifdiag_body::{Body, BodyAxis, Tensor};
 use bifdiag_equilibria::critical::Equilibrium;
-use bifdiag_equilibria::permanent::{AxisRotation, BoxedBody, SettledTypes, SpinType, nearest_steady, settled_types};
+use bifdiag_equilibria::permanent::{
+    AxisRotation, BoxedBody, SettledTypes, SpinType, angle_between, equally_near, nearest_permanent, nearest_steady,
+    settled_types,
+};
 use bifdiag_equilibria::stability::LinearType;
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
@@ -161,4 +164,28 @@ fn the_range_of_a_sleeping_top_is_narrow() {
     nominal[8] = -1_000_000;
     let hanging = settled_types(&Case { nominal, within: [0; 9] }.boxed(), [0.0, 0.0, 1.0]);
     assert!(hanging.ranges.iter().all(|range| range.from.is_none_or(SpinType::is_stable)), "{hanging:?}");
+}
+
+/// Directions that r and the differences of moments put into a plane of symmetry of Staude's cone have two nearest axes, both of
+/// the cone and at one angle; others have one.
+#[test]
+fn axes_at_one_angle_are_all_found() {
+    for (a, r, up, count) in [
+        (["1", "2", "3"], ["0", "0", "1"], [1.0, 1.0, 1.0], 1),
+        (["1", "2", "3"], ["0", "0", "1"], [1.0, -1.0, 0.5], 1),
+        (["1", "2", "3"], ["0", "1", "0"], [1.0, 0.3, -1.0], 1),
+        (["1", "2", "3"], ["0", "0", "1"], [1.0, 0.9, 1.0], 0),
+        (["1", "2", "3"], ["0.1", "0.2", "0.3"], [1.0, 1.0, 0.0], 0),
+    ] {
+        let body = Body::parse(&a, &r).unwrap();
+        let nearest = nearest_permanent(&body, up).unwrap();
+        let others = equally_near(&body, up, nearest.axis);
+        assert_eq!(others.len(), count, "{a:?} {r:?} {up:?} {others:?}");
+        for other in others {
+            assert!((angle_between(other, up) - nearest.angle).abs() < 1e-9, "{a:?} {r:?} {up:?}");
+            // What lies on the cone is its own nearest axis.
+            let found = nearest_permanent(&body, other).unwrap();
+            assert!(found.angle < 1e-9 && angle_between(other, nearest.axis) > 0.1, "{found:?}");
+        }
+    }
 }

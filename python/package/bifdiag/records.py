@@ -166,8 +166,8 @@ class Classification(behaviour.Classification):
 
 @dataclass(frozen=True, slots=True)
 class Sample(behaviour.Sample):
-    """A point well inside a region; where no double lies inside, the doubles nearest to one, which the certificate has
-    exactly.
+    """A point inside a region, chosen where it is wide; where no double lies inside, the doubles nearest to one, which the
+    certificate has exactly.
 
     Attributes
     ----------

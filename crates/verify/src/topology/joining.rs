@@ -8,39 +8,48 @@ use crate::order::gluing::Classes;
 pub(crate) struct Joining<'a> {
     minima: &'a [usize],
     saddles: Vec<Saddle>,
-    /// The minimum that the reflection which leads from a saddle to its mirror image makes of one.
-    image: &'a dyn Fn(usize, usize) -> usize,
 }
 
 struct Saddle {
     position: usize,
+    mirror: Mirror,
     /// A minimum of the component on each side, where they are known.
     arms: Option<[usize; 2]>,
 }
 
+/// A reflection that takes a saddle to the other one at its position; or, with `exchanges`, to itself and each of its sides to the
+/// other.
+pub(crate) struct Mirror {
+    /// What it makes of each minimum.
+    pub image: Vec<usize>,
+    pub exchanges: bool,
+}
+
+/// Arms that are tried, each with the number of its saddle.
+type Choice = Vec<(usize, [usize; 2])>;
+
+/// Positions of unknown saddles for which all choices are tried.
+const MOST_OPEN: usize = 3;
+
 impl<'a> Joining<'a> {
-    /// Finds the arms of all saddles, which are listed by rising position; `path` finds those of one saddle by its number,
-    /// `image` the mirror image of a minimum under the reflection of a saddle, both by number. `None` when not all of them
-    /// follow.
+    /// Finds the arms of all saddles, which are listed by rising position; `path` finds those of one saddle by its number.
+    /// `None` when not all of them follow.
     pub fn new(
         minima: &'a [usize],
-        saddles: &[usize],
-        image: &'a dyn Fn(usize, usize) -> usize,
+        saddles: Vec<(usize, Mirror)>,
         path: impl Fn(usize) -> Option<[usize; 2]>,
     ) -> Option<Self> {
-        let saddles = saddles.iter().map(|&position| Saddle { position, arms: None }).collect();
-        let mut found = Self { minima, saddles, image };
+        let saddles = saddles.into_iter().map(|(position, mirror)| Saddle { position, mirror, arms: None }).collect();
+        let mut found = Self { minima, saddles };
         let mut lost = vec![false; found.saddles.len()];
         loop {
             found.settle();
             let open: Vec<usize> = (0..lost.len()).filter(|&n| found.saddles[n].arms.is_none()).collect();
-            let Some(&first) = open.first() else {
+            if open.is_empty() {
                 return Some(found);
-            };
-            let position = found.saddles[first].position;
-            let last = open.iter().all(|&n| found.saddles[n].position == position);
-            if let Some(arms) = if last { found.joined(position, &open) } else { None } {
-                for (n, arms) in open.into_iter().zip(arms) {
+            }
+            if let Some(choice) = found.only_choice(&open) {
+                for (n, arms) in choice {
                     found.saddles[n].arms = Some(arms);
                 }
                 continue;
@@ -58,7 +67,7 @@ impl<'a> Joining<'a> {
 
     /// A minimum of the only component below a position.
     pub fn only(&self, position: usize) -> Option<usize> {
-        match self.components(position)[..] {
+        match self.components(position, &Choice::new())[..] {
             [component] => Some(component),
             _ => None,
         }
@@ -73,45 +82,61 @@ impl<'a> Joining<'a> {
         }
     }
 
-    /// The arms of a saddle, or of one and its mirror image, where all others are known: of all pairs of components below it those
-    /// that leave the sphere connected, if they join the same components.
-    fn joined(&self, position: usize, open: &[usize]) -> Option<Vec<[usize; 2]>> {
-        let below = self.components(position);
-        let mut classes = self.classes(position);
-        let mut found: Option<(Vec<usize>, Vec<[usize; 2]>)> = None;
-        for (place, &p) in below.iter().enumerate() {
-            for &q in &below[place..] {
-                let arms = match open {
-                    [_] => vec![[p, q]],
-                    [one, _] => vec![[p, q], [p, q].map(|minimum| classes.root((self.image)(*one, minimum)))],
-                    _ => return None,
-                };
-                let parts_with = |mut classes: Classes| {
-                    for [p, q] in &arms {
-                        classes.join(*p, *q);
-                    }
-                    (0..self.minima.len()).map(|n| classes.root(n)).collect::<Vec<usize>>()
-                };
-                let whole = parts_with(self.classes(usize::MAX));
-                if whole.iter().any(|root| *root != whole[0]) {
-                    continue;
-                }
-                let joined = parts_with(self.classes(position));
-                let agrees = |first: &[usize]| {
-                    (0..joined.len()).all(|n| (0..n).all(|m| (first[n] == first[m]) == (joined[n] == joined[m])))
-                };
-                if found.as_ref().is_some_and(|(first, _)| !agrees(first)) {
-                    return None;
-                }
-                found.get_or_insert((joined, arms));
-            }
+    /// The arms of all unknown saddles: of all that the symmetry allows those that leave the sphere connected, if they join the same
+    /// components at every height.
+    fn only_choice(&self, open: &[usize]) -> Option<Choice> {
+        let position = |n: usize| self.saddles[n].position;
+        let groups: Vec<&[usize]> = open.chunk_by(|&m, &n| position(m) == position(n)).collect();
+        if groups.len() > MOST_OPEN {
+            return None;
         }
-        found.map(|(_, arms)| arms)
+        let mut choices: Vec<Choice> = vec![Vec::new()];
+        for group in &groups {
+            let longer = choices.iter().map(|chosen| self.longer(chosen, group)).collect::<Option<Vec<_>>>()?;
+            choices = longer.concat();
+        }
+        choices.retain(|chosen| {
+            let mut classes = self.classes(usize::MAX, chosen);
+            (0..self.minima.len()).all(|n| classes.root(n) == classes.root(0))
+        });
+        let parts = |chosen: &Choice| {
+            let above = |group: &&[usize]| {
+                let mut classes = self.classes(position(group[0]) + 1, chosen);
+                // Each class is named by its least member.
+                (0..self.minima.len()).map(|n| classes.root(n)).collect::<Vec<usize>>()
+            };
+            groups.iter().map(above).collect::<Vec<_>>()
+        };
+        let first = choices.first()?;
+        let expected = parts(first);
+        choices.iter().all(|other| parts(other) == expected).then(|| first.clone())
     }
 
-    /// One minimum of each component below a position, as far as the saddles are known.
-    fn components(&self, position: usize) -> Vec<usize> {
-        let mut classes = self.classes(position);
+    /// A choice for lower saddles with each that is possible for those at one position: any two components below, whose images the
+    /// mirror image joins, and of which an exchange of sides makes each the other.
+    fn longer(&self, chosen: &Choice, group: &[usize]) -> Option<Vec<Choice>> {
+        let Saddle { position, mirror, .. } = &self.saddles[group[0]];
+        let mut classes = self.classes(*position, chosen);
+        let below = self.components(*position, chosen);
+        let mut found = Vec::new();
+        for (place, &p) in below.iter().enumerate() {
+            for &q in &below[place..] {
+                let image = [p, q].map(|minimum| classes.root(mirror.image[minimum]));
+                let arms = match group {
+                    [one] if !mirror.exchanges || image == [q, p] => vec![(*one, [p, q])],
+                    [_] => continue,
+                    [one, other] => vec![(*one, [p, q]), (*other, image)],
+                    _ => return None,
+                };
+                found.push(chosen.iter().copied().chain(arms).collect());
+            }
+        }
+        Some(found)
+    }
+
+    /// One minimum of each component below a position, as far as the saddles are known or chosen.
+    fn components(&self, position: usize, chosen: &Choice) -> Vec<usize> {
+        let mut classes = self.classes(position, chosen);
         let below = (0..self.minima.len()).filter(|&n| self.minima[n] < position);
         let mut roots: Vec<usize> = below.map(|n| classes.root(n)).collect();
         roots.sort_unstable();
@@ -119,9 +144,11 @@ impl<'a> Joining<'a> {
         roots
     }
 
-    fn classes(&self, position: usize) -> Classes {
+    fn classes(&self, position: usize, chosen: &Choice) -> Classes {
         let mut classes = Classes::new(self.minima.len());
-        for [p, q] in self.saddles.iter().filter(|saddle| saddle.position < position).filter_map(|saddle| saddle.arms) {
+        let known = self.saddles.iter().filter_map(|saddle| Some((saddle.position, saddle.arms?)));
+        let chosen = chosen.iter().map(|(n, arms)| (self.saddles[*n].position, *arms));
+        for (_, [p, q]) in known.chain(chosen).filter(|(at, _)| *at < position) {
             classes.join(p, q);
         }
         classes
@@ -133,12 +160,13 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// Minima and saddles of a sphere: their positions, and the arms of the saddles. With `mirrored` each saddle has a mirror
-    /// image, and minima 2n and 2n + 1 are mirror images of each other.
+    /// Minima and saddles of a sphere: their positions, the arms of the saddles, and which of them a reflection takes to itself, with
+    /// its sides exchanged. With `mirrored` each other saddle has a mirror image, and minima 2n and 2n + 1 are mirror images of each
+    /// other.
     #[derive(Debug)]
     struct Tree {
         minima: Vec<usize>,
-        saddles: Vec<(usize, [usize; 2])>,
+        saddles: Vec<(usize, [usize; 2], bool)>,
         mirrored: bool,
     }
 
@@ -148,7 +176,7 @@ mod tests {
     }
 
     fn trees() -> impl Strategy<Value = Tree> {
-        let saddle = (any::<prop::sample::Index>(), any::<prop::sample::Index>(), 1..20usize);
+        let saddle = (any::<prop::sample::Index>(), any::<prop::sample::Index>(), 1..20usize, any::<bool>());
         let saddles = prop::collection::vec(saddle, 1..6);
         (prop::collection::vec(0..8usize, 1..6), saddles, any::<bool>()).prop_map(|(mut minima, saddles, mirrored)| {
             minima.sort_unstable();
@@ -158,12 +186,14 @@ mod tests {
             }
             let minima: Vec<usize> = minima.into_iter().map(|p| 40 * p).collect();
             let mut list = Vec::new();
-            for (number, (p, q, up)) in saddles.into_iter().enumerate() {
-                let (p, q) = (p.index(count), q.index(count));
+            for (number, (p, q, up, alone)) in saddles.into_iter().enumerate() {
+                let exchanges = mirrored && alone;
+                let p = p.index(count);
+                let q = if exchanges { image(p, count) } else { q.index(count) };
                 let position = minima[p].max(minima[q]) + 40 * up - 30 + 4 * number;
-                list.push((position, [p, q]));
-                if mirrored {
-                    list.push((position, [image(p, count), image(q, count)]));
+                list.push((position, [p, q], exchanges));
+                if mirrored && !exchanges {
+                    list.push((position, [image(p, count), image(q, count)], false));
                 }
             }
             list.sort_unstable();
@@ -182,44 +212,64 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(3000))]
+        #![proptest_config(ProptestConfig::with_cases(10000))]
 
         /// Whatever paths are missing, what follows is true at each height.
         #[test]
         fn components_are_those_of_all_paths(tree in trees(), known in any::<u16>()) {
             let Tree { minima, saddles, mirrored } = &tree;
-            let whole = partition(minima, saddles, usize::MAX);
+            let arms: Vec<(usize, [usize; 2])> = saddles.iter().map(|(position, arms, _)| (*position, *arms)).collect();
+            let whole = partition(minima, &arms, usize::MAX);
             if whole.iter().any(|class| *class != whole[0]) {
                 return Ok(());
             }
-            let positions: Vec<usize> = saddles.iter().map(|(position, _)| *position).collect();
+            let mirror = |exchanges| {
+                let all = 0..minima.len();
+                let image = all.map(|n| if *mirrored { image(n, minima.len()) } else { n }).collect();
+                Mirror { image, exchanges }
+            };
+            let list = saddles.iter().map(|(position, _, exchanges)| (*position, mirror(*exchanges))).collect();
             let path = |n: usize| (known >> n & 1 == 1).then(|| saddles[n].1);
-            let image = |_, n: usize| if *mirrored { image(n, minima.len()) } else { n };
-            let Some(found) = Joining::new(minima, &positions, &image, path) else { return Ok(()) };
-            for &position in &positions {
-                prop_assert_eq!(partition(minima, &found.arms(), position), partition(minima, saddles, position));
+            let Some(found) = Joining::new(minima, list, path) else { return Ok(()) };
+            for (position, _) in &arms {
+                prop_assert_eq!(partition(minima, &found.arms(), *position), partition(minima, &arms, *position));
             }
         }
+    }
+
+    fn joined(
+        minima: &[usize],
+        saddles: &[usize],
+        image: &[usize],
+        exchanged: Option<usize>,
+    ) -> Option<Vec<(usize, [usize; 2])>> {
+        let mirror = |(n, &position): (usize, &usize)| {
+            (position, Mirror { image: image.to_vec(), exchanges: exchanged == Some(n) })
+        };
+        let found = Joining::new(minima, saddles.iter().enumerate().map(mirror).collect(), |_| None)?;
+        Some(found.arms())
     }
 
     /// Two minima, and two saddles that are mirror images: both join them, and no path is asked for.
     #[test]
     fn mirror_images_join_the_two_sides() {
-        let found = Joining::new(&[0, 1], &[2, 2], &|_, n| n, |_| unreachable!("no path is needed")).unwrap();
-        assert_eq!(found.arms(), [(2, [0, 1]), (2, [0, 1])]);
-        assert_eq!((found.only(1), found.only(2), found.only(3)), (Some(0), None, Some(0)));
+        assert_eq!(joined(&[0, 1], &[2, 2], &[0, 1], None).unwrap(), [(2, [0, 1]), (2, [0, 1])]);
         // A saddle that may be on either side of another one is not decided.
-        assert!(Joining::new(&[0, 1], &[2, 3], &|_, n| n, |_| None).is_none());
+        assert!(joined(&[0, 1], &[2, 3], &[0, 1], None).is_none());
+        let mirror = || Mirror { image: vec![0, 1], exchanges: false };
+        let found =
+            Joining::new(&[0, 1], vec![(2, mirror()), (2, mirror())], |_| unreachable!("no path is needed")).unwrap();
+        assert_eq!((found.only(1), found.only(2), found.only(3)), (Some(0), None, Some(0)));
     }
 
-    /// Two minima that are mirror images are joined above; whatever a pair of saddles below joins to the third one, its mirror image
-    /// joins the other. Without the symmetry nothing follows.
+    /// Above a pair of saddles a third one lies between two minima that are mirror images, and its sides are, too: it does not lead to
+    /// the third minimum, so that the pair does. Without the symmetry nothing follows.
     #[test]
     fn mirror_images_join_both_minima_of_a_pair() {
-        let upper = |n: usize| (n == 2).then_some([1, 2]);
-        let swapped = |_, n: usize| [0, 2, 1][n];
-        let found = Joining::new(&[0, 1, 1], &[2, 2, 3], &swapped, upper).unwrap();
-        assert_eq!(found.arms(), [(2, [0, 1]), (2, [0, 2]), (3, [1, 2])]);
-        assert!(Joining::new(&[0, 1, 1], &[2, 2, 3], &|_, n| n, upper).is_none());
+        let [swapped, same] = [[0, 2, 1], [0, 1, 2]];
+        let found = joined(&[0, 1, 1], &[2, 2, 3], &swapped, Some(2)).unwrap();
+        assert_eq!(found[..2], [(2, [0, 1]), (2, [0, 2])]);
+        assert!(joined(&[0, 1, 1], &[2, 2, 3], &swapped, None).is_none());
+        assert!(joined(&[0, 1, 1], &[2, 2, 3], &same, None).is_none());
     }
 }

@@ -2,7 +2,7 @@
 
 use super::component::Component;
 use super::descent::Descent;
-use super::joining::Joining;
+use super::joining::{Joining, Mirror};
 use super::landscape::{Coordinates, Landscape, Origin};
 use super::morse::{Nature, nature};
 use crate::equilibria::pieces::Branch;
@@ -17,6 +17,25 @@ struct Critical {
     origin: Origin,
     /// Of one of a pair, the space in which it is mirrored.
     base: Option<usize>,
+    /// Of one alone, a space of one axis along which U falls: reflected there, its sides change places.
+    falls_along: Option<usize>,
+}
+
+impl Critical {
+    /// The reflection of a saddle that leads to the other one of a pair, or exchanges its sides. Minima that are no pair over its
+    /// space lie in its plane.
+    fn mirror(&self, minima: &[&Self]) -> Mirror {
+        let space = self.base.or(self.falls_along);
+        let image = |(number, minimum): (usize, &&Self)| {
+            let is_other = |n: &usize| *n != number && minima[*n].position == minimum.position;
+            let moved = space.is_some() && minimum.base == space;
+            if moved { (0..minima.len()).find(is_other).unwrap_or(number) } else { number }
+        };
+        Mirror {
+            image: minima.iter().enumerate().map(image).collect(),
+            exchanges: self.base.is_none() && space.is_some(),
+        }
+    }
 }
 
 /// A point of the sphere: its position, and the number of a minimum to which a path descends from it.
@@ -43,15 +62,9 @@ impl Merging {
         let descent = Descent { land: &land, minima: &minima };
         let list = positions(Nature::Minimum);
         let saddles: Vec<&Origin> = of(Nature::Saddle).map(|saddle| &saddle.origin).collect();
-        let bases = |nature: Nature| of(nature).map(|critical| critical.base).collect::<Vec<Option<usize>>>();
-        let (of_minima, of_saddles) = (bases(Nature::Minimum), bases(Nature::Saddle));
-        // What is no pair over the space lies in the plane of reflection.
-        let image = |saddle: usize, minimum: usize| {
-            let other = |&n: &usize| n != minimum && list[n] == list[minimum];
-            let is_moved = of_saddles[saddle].is_some() && of_minima[minimum] == of_saddles[saddle];
-            if is_moved { (0..list.len()).find(other).unwrap_or(minimum) } else { minimum }
-        };
-        let joining = Joining::new(&list, &positions(Nature::Saddle), &image, |n| descent.arms(saddles[n]))?;
+        let mirrors =
+            of(Nature::Saddle).map(|saddle| (saddle.position, saddle.mirror(&of(Nature::Minimum).collect::<Vec<_>>())));
+        let joining = Joining::new(&list, mirrors.collect(), |n| descent.arms(saddles[n]))?;
         let foot = |position: usize, from: &Origin| joining.only(position).or_else(|| descent.any(from));
         let maxima =
             of(Nature::Maximum).map(|maximum| Some((maximum.position, foot(maximum.position, &maximum.origin)?)));
@@ -122,9 +135,15 @@ fn criticals(orders: &Orders, slab: &Slab, land: &Landscape) -> Option<Vec<Criti
         }
         let nature = nature(orders.spaces, &level.point)?;
         let base = if let Branch::Over(base) | Branch::Rotation(base) = piece.branch { Some(base) } else { None };
+        let falls = |&space: &usize| {
+            let tau = level.point.tau.as_ref().and_then(|tau| tau[space].strict_sign());
+            orders.spaces.list[space].axes.len() == 1 && tau == Some(-1)
+        };
+        // At γ_i = 0 the second variation along e_i is μ − a_i (Proposition 4.1).
+        let falls_along = if base.is_none() { orders.spaces.passive().into_iter().find(falls) } else { None };
         let mut add = |mirrored| {
             let origin = land.equilibrium(&level.point, mirrored)?;
-            found.push(Critical { position, nature, origin, base });
+            found.push(Critical { position, nature, origin, base, falls_along });
             Some(())
         };
         add(None)?;

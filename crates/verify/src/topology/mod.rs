@@ -35,7 +35,10 @@ pub(crate) fn check(
     let mut known: Vec<Option<Landscape>> = slabs.iter().map(|_| None).collect();
     for (region, sample) in document.regions.iter().zip(samples) {
         let (number, position) = sample.cell;
-        let open = || Refused::Region { region: region.id.clone(), why: "its topology is not confirmed" };
+        let open = || Refused::Region {
+            region: region.id.clone(),
+            why: "its topology is neither confirmed nor refuted: no path was proved",
+        };
         let slab = &slabs[number];
         let found = if position + 1 == slab.levels.len() {
             // Above every critical value U is the sphere.

@@ -51,7 +51,8 @@ pub fn chaos_measures(
     let stopped = monitor.is_stopped();
     let measure = |(orbit, growth): (&OrbitSection, Growth)| ChaosMeasure {
         orbit: orbit.orbit,
-        lyapunov: growth.lyapunov.filter(|_| orbit.points.len() > FEWEST_RETURNS),
+        // Every other crossing returns to the incoming half.
+        lyapunov: growth.lyapunov.filter(|_| orbit.points.len() > 2 * FEWEST_RETURNS),
         rotation: if stopped { Err(RotationUndefined::Interrupted) } else { rotation_number(&orbit.points) },
         judgement: match (orbit.report.end, growth.lyapunov) {
             (OrbitEnd::StaysOnSection, _) => Judgement::open(OpenReason::StaysOnSection),
