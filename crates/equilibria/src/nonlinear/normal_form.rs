@@ -52,7 +52,7 @@ impl<E: Enclosure> NormalForm<E> {
     pub fn with_quartic(hamiltonian: &Series<E>, b: &E, c: &E, precision: E::Precision) -> Option<Self> {
         let form = Form::new(hamiltonian, b, c, precision, Quartic::whole)?;
         // 2|c| |z₁| |z₂|ⁿ with |z_j|² = I_j/(2ω_j|n_j|).
-        let size = form.squared_size(form.rest([1, 0, 0, 3], true));
+        let size = form.squared_size(&form.rest([1, 0, 0, 3], true));
         let [first, second] = form.actions();
         let quartic = size / (first * second.square() * second);
         Some(Self { quartic: Some(quartic), ..form.normal() })
@@ -152,7 +152,7 @@ impl<E: Enclosure> Form<E> {
     }
 
     /// 4|c|².
-    fn squared_size(&self, value: Complex<E>) -> E {
+    fn squared_size(&self, value: &Complex<E>) -> E {
         self.small(4) * (value.re.square() + value.im.square())
     }
 
@@ -163,7 +163,7 @@ impl<E: Enclosure> Form<E> {
         let twist = [k11 / first.square(), k12 / (first.clone() * second.clone()), k22 / second.square()];
         // 2|c| |z₁| |z₂|ⁿ with |z_j|² = I_j/(2ω_j|n_j|).
         let resonant = of_degree(3).zip(&self.cubic).find(|(powers, _)| *powers == [1, 0, 0, 2]);
-        let cubic = resonant.map_or_else(|| self.small(0), |(_, value)| self.squared_size(value.clone()));
+        let cubic = resonant.map_or_else(|| self.small(0), |(_, value)| self.squared_size(value));
         let cubic = cubic / (first * second.square());
         let Self { omega, squares, signs, .. } = self;
         let mixed = twist[1].clone() * omega[0].clone() * omega[1].clone();

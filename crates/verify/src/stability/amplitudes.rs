@@ -100,7 +100,7 @@ fn cross(x: &[Complex; 3], y: &[Complex; 3]) -> [Complex; 3] {
 }
 
 /// A vector and multiples of others.
-fn combined(first: Vector, terms: &[(Complex, &Vector)]) -> Vector {
+fn combined(first: &Vector, terms: &[(Complex, &Vector)]) -> Vector {
     let part =
         |n: usize, k: usize| terms.iter().fold(first[n][k].clone(), |sum, (factor, v)| &sum + &(factor * &v[n][k]));
     [0, 1].map(|n| [0, 1, 2].map(|k| part(n, k)))
@@ -230,7 +230,7 @@ impl<'a> Flow<'a> {
         }
         let still = || [zero(), zero(), zero()];
         let gamma = || gamma.each_ref().map(|x| Complex::real(x.clone()));
-        flow.beside = [[still(), gamma()], [gamma(), still()]].map(|v| flow.rest(v));
+        flow.beside = [[still(), gamma()], [gamma(), still()]].map(|v| flow.rest(&v));
         let signs = [0, 1].map(|n| flow.energies[n].sign());
         (signs == [Some(1), Some(-1)]).then_some((flow, b, c))
     }
@@ -259,9 +259,9 @@ impl<'a> Flow<'a> {
     }
 
     /// What no mode has a share in: the directions of other relative equilibria.
-    fn rest(&self, of: Vector) -> Vector {
+    fn rest(&self, of: &Vector) -> Vector {
         let terms = [0, 1, 2, 3].map(|n| {
-            let share = self.share(n, &of);
+            let share = self.share(n, of);
             (Complex { re: -&share.re, im: -&share.im }, &self.modes[n])
         });
         combined(of, &terms)
@@ -296,7 +296,7 @@ impl<'a> Flow<'a> {
             for (n, share) in shares.iter().enumerate() {
                 terms.push((share.turned(&over(&-&self.rates[n])?), &self.modes[n]));
             }
-            return Some(combined(nothing(), &terms));
+            return Some(combined(&nothing(), &terms));
         }
         // What has no share in a mode grows by 1/(iω), the others by 1/(i(ω − ω_n)).
         let rate = &self.rates[i] + &self.rates[j];
@@ -306,7 +306,7 @@ impl<'a> Flow<'a> {
             let beyond = &over(&(&rate - &self.rates[n]))? - &plain;
             terms.push((share.turned(&beyond), &self.modes[n]));
         }
-        Some(combined(mapped(&forced, |x| x.turned(&plain)), &terms))
+        Some(combined(&mapped(&forced, |x| x.turned(&plain)), &terms))
     }
 
     /// What products of modes with terms of second order add to the frequency of a mode.
