@@ -11,6 +11,8 @@ export interface Drawing {
   /** Names of curves, and their points as `Diagram.curves` has them. */
   names: string[];
   curves: Float64Array;
+  /** What lies at the point, where one was given. */
+  place: Place | null;
 }
 
 export interface Place {
@@ -37,7 +39,7 @@ export type Site = [body: string, h: string, l: string];
 /** The name of a call to its arguments and its answer. */
 export interface Calls {
   presets: [[], string[]];
-  draw: [[body: string, view: Window | null, height: number, width: number], Drawing];
+  draw: [[body: string, view: Window | null, height: number, width: number, point: [h: number, l: number] | null], Drawing];
   locate: [[body: string, h: number, l: number], Place];
   surgeries: [[body: string, from: [h: number, l: number], to: [h: number, l: number]], string[]];
   partOfFile: [[name: string, bytes: Uint8Array, density: string, mass: string, units: string, pivot: string], string];

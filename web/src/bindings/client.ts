@@ -5,12 +5,13 @@ import moduleUrl from "./generated/bifdiag_web_bg.wasm?url";
 /** Somebody asked again before this was answered. */
 export class Superseded extends Error {}
 
-/** The module is compiled once and shared by all workers. Fetched as bytes: no server needs to know its type. */
+/** The module is compiled once and shared by all workers: while it arrives where the server knows its type, and else afterwards. */
 let compiled: Promise<WebAssembly.Module> | undefined;
 const compile = () =>
   (compiled ??= fetch(moduleUrl).then(async (response) => {
     if (!response.ok) throw new Error(`the program could not be loaded: ${response.status} ${response.statusText}`);
-    return WebAssembly.compile(await response.arrayBuffer());
+    const known = response.headers.get("Content-Type")?.startsWith("application/wasm");
+    return known ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
   }));
 
 interface Waiting {

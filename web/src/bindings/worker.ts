@@ -1,5 +1,5 @@
 /** One worker: the module and what is kept of the last question. It answers in the order in which it is asked. */
-import type { Answer, Arguments, Drawing, Name, Question, Reply, Site } from "./calls";
+import type { Answer, Arguments, Drawing, Name, Place, Question, Reply, Site } from "./calls";
 import type { Atlas, Orbit, Portrait, Window } from "./documents";
 import partsUrl from "./generated/bifdiag_web_parts_bg.wasm?url";
 import init, * as guest from "./generated/bifdiag_web.js";
@@ -32,13 +32,19 @@ function sectionOf(site: Site): guest.Section {
 }
 
 /** `view`: what is to be seen; null: what suits the body. */
-function draw(body: string, view: Window | null, height: number, width: number): Drawing {
+function draw(body: string, view: Window | null, height: number, width: number, point: [number, number] | null): Drawing {
   const { of, text, document } = diagramOf(body);
   const window = view ?? document.drawing.view.main;
   const { h, l } = window;
   const names = document.curves.map((curve) => curve.id);
   const curves = of.curves(names, Math.max(0, l[0]), l[1], (h[1] - h[0]) / width / 3);
-  return { text, window, rows: of.columns(l[0], l[1], height), rowCount: height, names, curves };
+  return { text, window, rows: of.columns(l[0], l[1], height), rowCount: height, names, curves, place: point && locate(body, ...point) };
+}
+
+function locate(body: string, h: number, l: number): Place {
+  const { of } = diagramOf(body);
+  const [region, distance] = of.locate(h, l) as unknown as [number, number];
+  return { region, distance, nearest: of.nearest(h, l) };
 }
 
 /** The readers of parts, loaded when the first one is given. Fetched as bytes: no server needs to know its type. */
@@ -55,11 +61,7 @@ async function parts(): Promise<typeof import("./generated/bifdiag_web_parts.js"
 const answers: { [N in Name]: (...values: Arguments<N>) => Answer<N> | Promise<Answer<N>> } = {
   presets: () => guest.presets(),
   draw,
-  locate(body, h, l) {
-    const { of } = diagramOf(body);
-    const [region, distance] = of.locate(h, l) as unknown as [number, number];
-    return { region, distance, nearest: of.nearest(h, l) };
-  },
+  locate,
   surgeries: (body, from, to) => diagramOf(body).of.surgeries(Float64Array.from(from), Float64Array.from(to)),
   partOfFile: async (...part) => (await parts()).part_of_file(...part),
   partOfTensor: async (...part) => (await parts()).part_of_tensor(...part),

@@ -91,7 +91,7 @@ export function drag(element: HTMLElement, { start, move, end, handle, sideways 
     if (event.button !== 0 || down !== undefined) return;
     down = event.pointerId;
     element.setPointerCapture(event.pointerId);
-    if (event.pointerType === "touch") finger.down(event, handle?.(event) ?? false);
+    if (event.pointerType !== "mouse") finger.down(event, handle?.(event) ?? false);
     else begin(event);
   });
   element.addEventListener("pointermove", (event) => {

@@ -140,13 +140,13 @@ export const LESSONS: Lesson[] = [
   },
 ];
 
-/** A lesson as a page to print. */
-export function worksheetOf({ title, minutes, objectives, tasks, worksheet }: Lesson): string {
+/** A lesson as a page to print; `address` opens it. */
+export function worksheetOf({ title, minutes, objectives, tasks, worksheet }: Lesson, address: string): string {
   const list = (items: string[], kind: "ol" | "ul") => `<${kind}>${items.map((item) => `<li>${item}</li>`).join("")}</${kind}>`;
   const room = '<div class="room"></div>';
   const predictions = tasks.map(({ question, choices }) => `<p>${question}</p>${list(choices.map((choice) => `☐ ${choice}`), "ul")}<p>What I saw:</p>${room}`);
   return `<!doctype html><html lang="en"><meta charset="utf-8"><title>${title}</title>
 <style>body{font:16px/1.5 system-ui,sans-serif;max-width:46rem;margin:2rem auto;padding:0 1rem}ul{list-style:none}.room{height:5rem;border-bottom:1px dotted #888}</style>
-<h1>${title}</h1><p>${minutes} minutes. Name: ____________________</p><h2>What you will be able to do</h2>${list(objectives, "ol")}
+<h1>${title}</h1><p>${minutes} minutes. Name: ____________________</p><p>The page: <a href="${address}">${address}</a></p><h2>What you will be able to do</h2>${list(objectives, "ol")}
 <h2>Predict, then observe</h2>${predictions.join("")}<h2>On your own</h2><ol>${worksheet.map((task) => `<li>${task}${room}</li>`).join("")}</ol></html>`;
 }

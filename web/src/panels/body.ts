@@ -5,7 +5,6 @@ import { mark, numberField } from "../draw/field";
 import { rounded, valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
 import { octant } from "./octant";
-import { partForm } from "./part";
 import { sweep } from "./sweep";
 import { triangle } from "./triangle";
 
@@ -110,7 +109,13 @@ export function bodyPanel(session: Session, presets: Preset[]): HTMLElement {
       notes,
     ),
   );
-  element.append(partForm(session, element));
+  // Loaded when a part is about to be given.
+  const part = make("details", { className: "part", data: { testid: "part" } }, make("summary", {}, "A real part: drop a mesh here, or enter a tensor"));
+  let form: Promise<void> | undefined;
+  const load = () => void (form ??= import("./part").then(({ partForm }) => partForm(session, part, element)));
+  part.addEventListener("toggle", load);
+  element.addEventListener("dragover", (event) => (event.preventDefault(), load()));
+  element.append(part);
   return element;
 }
 

@@ -41,7 +41,7 @@ export function gestures(canvas: HTMLCanvasElement, handlers: Handlers): void {
     if (!handlers.ready() || event.button === 2) return;
     canvas.setPointerCapture(event.pointerId);
     fingers.set(event.pointerId, place(event));
-    if (event.pointerType === "touch" && fingers.size === 1) return finger.down(event, handlers.handle(...place(event)));
+    if (event.pointerType !== "mouse" && fingers.size === 1) return finger.down(event, handlers.handle(...place(event)));
     finger.up();
     if (fingers.size > 1 || event.shiftKey || event.button === 1) begin("view");
     else set(event);

@@ -15,8 +15,8 @@ const choice = (name: string, ...options: [value: string, label: string][]): HTM
 
 const value = (field: HTMLInputElement): string => field.value.trim();
 
-/** `zone`: where files may be dropped. */
-export function partForm(session: Session, zone: HTMLElement): HTMLElement {
+/** Fills a form; `zone`: where files may be dropped. */
+export function partForm(session: Session, form: HTMLDetailsElement, zone: HTMLElement): void {
   const units = choice("units", ...["kg,m,s", "kg,mm,s", "g,mm,s", "g,cm,s"].map((name): [string, string] => [name, name.replace(/,/g, " ")]));
   const density = input("density", "density", "Density of a mesh, in the units of mass and length");
   const mass = input("mass", "or mass", "Mass, for a mesh or a tensor");
@@ -26,7 +26,6 @@ export function partForm(session: Session, zone: HTMLElement): HTMLElement {
   const about = choice("about", ["com", "about the centre of mass"], ["point", "about the fixed point"]);
   const products = choice("products", ["", "sign of the products?"], ["tensor", "Ixy = −∫ xy dm"], ["integral", "Ixy = +∫ xy dm"]);
   const told = make("p", { className: "note", data: { testid: "part-note" } });
-  const form = make("details", { className: "part", data: { testid: "part" } }, make("summary", {}, "A real part: drop a mesh here, or enter a tensor"));
 
   const take = async (part: Promise<PartBlock>): Promise<void> => {
     try {
@@ -47,7 +46,6 @@ export function partForm(session: Session, zone: HTMLElement): HTMLElement {
     await take(session.partOfFile(chosen.name, bytes, block ? "" : value(density), block ? "" : value(mass), units.value, value(point)));
   };
   file.addEventListener("change", () => file.files?.[0] && void read(file.files[0]).then(() => (file.value = "")));
-  zone.addEventListener("dragover", (event) => event.preventDefault());
   zone.addEventListener("drop", (event) => {
     event.preventDefault();
     const dropped = event.dataTransfer?.files[0];
@@ -64,5 +62,4 @@ export function partForm(session: Session, zone: HTMLElement): HTMLElement {
     make("div", { className: "row" }, tensor, about, products, button("take", "Use this tensor as the body", ofTensor, { testid: "part-take" })),
     told,
   );
-  return form;
 }

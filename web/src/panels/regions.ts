@@ -38,7 +38,7 @@ function row(session: Session, region: Region, dark: boolean): HTMLTableRowEleme
 
 export function regionsPanel(session: Session): HTMLElement {
   const body = make("tbody", {});
-  const head = make("tr", {}, ...["", "P", "U", "E"].map((name, i) => make("th", { title: ["", "the section: S² a sphere, T² a torus, M²₂ a surface of genus 2, which has two handles", "the accessible region on the sphere: D² a disc, S² the whole sphere, S²∖2D² a sphere with two holes", "the energy surface, of three dimensions"][i]! }, name)));
+  const head = make("tr", {}, ...["region", "P", "U", "E"].map((name, i) => make("th", { title: ["its id in documents", "the section: S² a sphere, T² a torus, M²₂ a surface of genus 2, which has two handles", "the accessible region on the sphere: D² a disc, S² the whole sphere, S²∖2D² a sphere with two holes", "the energy surface, of three dimensions"][i]! }, name)));
   const caption = make("p", { className: "note" });
   let shownDocument: string | undefined;
   const show = () => {

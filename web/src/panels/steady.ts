@@ -8,7 +8,7 @@ import { stabilityLine } from "./stability";
 export function steadyTable(session: Session): HTMLElement {
   const title = make("h3", {});
   const body = make("tbody", {});
-  const head = make("tr", {}, ...["", "h", "no friction", "friction"].map((name) => make("th", {}, name)));
+  const head = make("tr", {}, ...["curve", "h", "no friction", "friction"].map((name) => make("th", {}, name)));
   const exceptions = make("p", { className: "note", data: { testid: "verdict-changes" } });
   const element = make("div", { className: "steady", hidden: true }, title, make("table", {}, make("thead", {}, head), body), exceptions);
   const show = () => {

@@ -1,6 +1,4 @@
 /** Take it away: the address, the documents, pictures, data, and the lines that give the same. */
-import { crossingsCsv, crossingsNpz, pictureOf, save, svgOf } from "../export/files";
-import { record } from "../export/video";
 import type { Sheet } from "../draw/canvas";
 import { button, copied, make, panel } from "../draw/dom";
 import { valueOf } from "../state/numbers";
@@ -33,6 +31,9 @@ export function pythonLines(state: Asked): string {
   return lines.join("\n");
 }
 
+/** Loaded when first used. */
+const files = () => import("../export/files");
+
 export function takePanel(session: Session, sheets: Sheets): HTMLElement {
   const link = make("a", { href: "#", data: { testid: "permalink" } }, "Link to this view");
   link.addEventListener("click", (event) => {
@@ -48,12 +49,13 @@ export function takePanel(session: Session, sheets: Sheets): HTMLElement {
     python.textContent = pythonLines(session.state);
   };
   session.on(["body", "point", "atlas", "theme", "address"], refresh);
-  const json = button("Atlas as JSON", "The document that bifdiag --json prints, byte for byte", () => save(`${nameOf(session)}.json`, session.text, "application/json"), { testid: "export-json" });
+  const json = button("Atlas as JSON", "The document that bifdiag --json prints, byte for byte", () => void files().then(({ save }) => save(`${nameOf(session)}.json`, session.text, "application/json")), { testid: "export-json" });
   const choice = make("select", { attributes: { "aria-label": "panel" } }, ...Object.keys(sheets).map((name) => make("option", { value: name }, name)));
-  const svg = button("SVG", "The selected panel as SVG", async () => save(`${choice.value}.svg`, await svgOf(sheets[choice.value]!), "image/svg+xml"), { testid: "export-svg" });
-  const png = button("PNG", "The selected panel as PNG", async () => save(`${choice.value}.png`, await pictureOf(sheets[choice.value]!)), { testid: "export-png" });
+  const svg = button("SVG", "The selected panel as SVG", async () => { const { save, svgOf } = await files(); save(`${choice.value}.svg`, await svgOf(sheets[choice.value]!), "image/svg+xml"); }, { testid: "export-svg" });
+  const png = button("PNG", "The selected panel as PNG", async () => { const { save, pictureOf } = await files(); save(`${choice.value}.png`, await pictureOf(sheets[choice.value]!)); }, { testid: "export-png" });
   let finish: (() => void) | null = null;
-  const video = button("Record", "Record a video of the selected panel; press again to stop", () => {
+  const video = button("Record", "Record a video of the selected panel; press again to stop", async () => {
+    const { record } = await import("../export/video");
     try {
       if (finish) finish();
       finish = finish ? null : record(sheets[choice.value]!, choice.value);
@@ -63,8 +65,8 @@ export function takePanel(session: Session, sheets: Sheets): HTMLElement {
     video.textContent = finish ? "Stop and save" : "Record";
     choice.disabled = finish !== null;
   }, { testid: "export-video" });
-  const csv = button("Crossings as CSV", "One line per crossing", () => save("section.csv", crossingsCsv(session.orbits.rows), "text/csv"), { testid: "export-csv" });
-  const npz = button("Crossings as NPZ", "Arrays for numpy.load", async () => save("section.npz", await crossingsNpz(session)), { testid: "export-npz" });
+  const csv = button("Crossings as CSV", "One line per crossing", () => void files().then(({ save, crossingsCsv }) => save("section.csv", crossingsCsv(session.orbits.rows), "text/csv")), { testid: "export-csv" });
+  const npz = button("Crossings as NPZ", "Arrays for numpy.load", async () => { const { save, crossingsNpz } = await files(); save("section.npz", await crossingsNpz(session)); }, { testid: "export-npz" });
   return panel(
     "Export",
     "Links, documents, pictures and data",

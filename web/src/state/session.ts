@@ -46,6 +46,8 @@ export class Session extends Emitter {
   resolution = { width: 600, height: 400 };
   private readonly pencil = new Channel(20);
   private readonly scholar = new Channel(60);
+  /** Makes the atlas with all verdicts, which takes tenths of a second: nothing that the hand does waits for it. */
+  private readonly archivist = new Channel(60);
   private generation = 0;
   /** The window that is kept while the body moves. */
   private held: Window | null = null;
@@ -59,7 +61,7 @@ export class Session extends Emitter {
   private sketched: Atlas | null = null;
   private sketchText = "";
   /** The drawing that was asked for last. */
-  private drawing: Promise<void> = Promise.resolve();
+  private drawing: Promise<Place | null> = Promise.resolve(null);
 
   constructor() {
     super();
@@ -182,7 +184,6 @@ export class Session extends Emitter {
     if (!this.opened) this.notice = "";
     this.failed = false;
     try {
-      // The point first, so that its section need not wait for the atlas with all verdicts.
       const early = newBody && this.state.point ? this.classify(generation) : null;
       early?.catch(() => undefined);
       if (newBody) {
@@ -218,7 +219,7 @@ export class Session extends Emitter {
   }
 
   private async document(generation: number): Promise<void> {
-    const text = await this.scholar.latest("atlas", bodyText(this.state));
+    const text = await this.archivist.latest("atlas", bodyText(this.state));
     if (generation !== this.generation) return;
     this.text = text;
     this.atlas = JSON.parse(text) as Atlas;
@@ -229,8 +230,8 @@ export class Session extends Emitter {
   private async sketch(): Promise<void> {
     const begun = performance.now();
     try {
-      await this.draw();
-      if (this.state.point) await this.look();
+      const place = await this.draw();
+      if (place) this.see(place);
     } catch (error) {
       if (error instanceof Superseded) return;
       return this.fail(error instanceof Error ? error.message : String(error));
@@ -298,27 +299,30 @@ export class Session extends Emitter {
   private async latestDrawing(): Promise<void> {
     for (let mine = this.draw(); ; mine = this.drawing) {
       try {
-        return await mine;
+        return void (await mine);
       } catch (error) {
         if (!(error instanceof Superseded) || mine === this.drawing) throw error;
       }
     }
   }
 
-  private draw(): Promise<void> {
+  private draw(): Promise<Place | null> {
     return (this.drawing = this.drawOnce());
   }
 
-  private async drawOnce(): Promise<void> {
+  private async drawOnce(): Promise<Place | null> {
     const { width, height } = this.resolution;
+    const { point } = this.state;
+    const place: [number, number] | null = point && [valueOf(point.h), valueOf(point.l)];
+    const at = this.dragging === "body" && place?.every(Number.isFinite) ? place : null;
     const numbers = [...this.state.A, ...this.state.r].map(valueOf);
-    const drawing = await this.pencil.latest("draw", bodyText(this.state), this.state.view ?? this.held, Math.round(height), width);
+    const drawing = await this.pencil.latest("draw", bodyText(this.state), this.state.view ?? this.held, Math.round(height), width, at);
     const curves = new Map<string, Float64Array>();
-    let at = 0;
+    let next = 0;
     for (const name of drawing.names) {
-      const count = drawing.curves[at++]!;
-      curves.set(name, drawing.curves.subarray(at, at + 2 * count));
-      at += 2 * count;
+      const count = drawing.curves[next++]!;
+      curves.set(name, drawing.curves.subarray(next, next + 2 * count));
+      next += 2 * count;
     }
     const { window, rows, rowCount } = drawing;
     // The same body in another window has the same document.
@@ -326,7 +330,7 @@ export class Session extends Emitter {
     this.drawn = { document: this.sketched!, numbers, window, rows, rowCount, curves };
     this.emit("drawing");
     // The picture may have got another size while this was made.
-    if (rowCount !== Math.round(this.resolution.height)) await this.draw();
+    return rowCount === Math.round(this.resolution.height) ? drawing.place : this.draw();
   }
 
   /** A quick look at the point while it moves. */
@@ -356,7 +360,11 @@ export class Session extends Emitter {
   private async look(): Promise<void> {
     const { point } = this.state;
     if (!point || !this.drawn) return;
-    const place = await this.pencil.latest("locate", bodyText(this.state), valueOf(point.h), valueOf(point.l));
+    this.see(await this.pencil.latest("locate", bodyText(this.state), valueOf(point.h), valueOf(point.l)));
+  }
+
+  private see(place: Place): void {
+    if (!this.drawn) return;
     const region = this.drawn.document.regions[place.region];
     const components = place.region === -1 ? [] : (region?.components ?? null);
     this.learn({

@@ -311,9 +311,16 @@ test("lessons ask first and show then", async () => {
   await ready(page);
   expect(await page.getByTestId("guide").textContent()).toContain("Not as predicted: only a small cap");
   const [sheet] = await Promise.all([page.waitForEvent("download"), page.getByTestId("worksheet").click()]);
-  expect(await readFile((await sheet.path())!, "utf8")).toContain("Predict, then observe");
+  const paper = await readFile((await sheet.path())!, "utf8");
+  expect(paper).toContain("Predict, then observe");
+  expect(paper).toContain(`${page.url().split("#")[0]}#lesson=sleeping-top`);
   expect(await page.getByTestId("input-l").inputValue()).toBe("2.1");
   await page.close();
+  // The link of the worksheet shows the body that is asked about, and no point yet.
+  const linked = await open("lesson=sleeping-top");
+  await expect.poll(() => linked.getByTestId("input-A2").inputValue()).toBe("1");
+  expect(await linked.getByTestId("input-h").inputValue()).toBe("");
+  await linked.close();
 });
 
 test("one panel alone for lecture pages", async () => {
