@@ -6,7 +6,7 @@ use bifdiag_equilibria::critical::Equilibrium;
 use bifdiag_periodic::family::{Family, Held, OrbitEvent, Stretch};
 use bifdiag_periodic::orbit::PeriodicOrbit;
 use bifdiag_schema::{
-    CommandLine, FamilyEndDocument, OrbitEventDocument, PeriodicBranchDocument, PeriodicFamiliesDocument,
+    CommandLine, FamilyEndingDocument, OrbitEventDocument, PeriodicBranchDocument, PeriodicFamiliesDocument,
     PeriodicFamilyDocument, PeriodicOrbitDocument,
 };
 
@@ -82,9 +82,9 @@ fn of_event(body: &Body, event: &OrbitEvent) -> OrbitEventDocument {
     }
 }
 
-fn end(stretch: &Stretch) -> FamilyEndDocument {
+fn end(stretch: &Stretch) -> FamilyEndingDocument {
     let last = stretch.members.last();
-    FamilyEndDocument {
+    FamilyEndingDocument {
         kind: stretch.end.kind,
         curves: stretch.end.curves.clone(),
         h: last.map(|orbit| orbit.h),

@@ -68,7 +68,7 @@ pub use motion::{
 pub use nonlinear::{Damped, FrictionDocument, NonlinearDocument, NonlinearVerdict, Reason, ResonancesDocument};
 pub use part::{PartAnswerDocument, PartDocument, PrincipalDocument};
 pub use periodic::{
-    FamilyEnd, FamilyEndDocument, OrbitEnclosureDocument, OrbitEventDocument, OrbitEventKind, OrbitStability,
+    FamilyEnd, FamilyEndingDocument, OrbitEnclosureDocument, OrbitEventDocument, OrbitEventKind, OrbitStability,
     PeriodicBranchDocument, PeriodicDocument, PeriodicFamiliesDocument, PeriodicFamilyDocument, PeriodicOrbitDocument,
 };
 pub use point_proof::{PointProofDocument, checksum};

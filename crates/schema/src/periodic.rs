@@ -97,7 +97,7 @@ term! {
 
 /// The end of a family.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct FamilyEndDocument {
+pub struct FamilyEndingDocument {
     /// How it ends.
     pub kind: FamilyEnd,
     /// The curves of the equilibria to which it comes, by their ids; empty for other ends.
@@ -116,7 +116,7 @@ pub struct PeriodicBranchDocument {
     /// Its orbits, from the other family on.
     pub members: Vec<PeriodicOrbitDocument>,
     /// How it ends.
-    pub end: FamilyEndDocument,
+    pub end: FamilyEndingDocument,
 }
 
 /// A special orbit of a family.
@@ -158,7 +158,7 @@ pub struct PeriodicFamilyDocument {
     /// Its special orbits, in order.
     pub events: Vec<OrbitEventDocument>,
     /// How it ends.
-    pub end: FamilyEndDocument,
+    pub end: FamilyEndingDocument,
 }
 
 /// The answer of `periodic family`.

@@ -9,7 +9,9 @@ use bifdiag_equilibria::critical::{Equilibrium, RelativeEquilibria};
 use bifdiag_equilibria::curves::{CriticalSet, CurveName};
 use bifdiag_periodic::family::{Family, FamilyOptions, Held, families};
 use bifdiag_plot::{Theme, draw_periods};
-use bifdiag_schema::{FamilyEnd, FamilyEndDocument, OrbitEventKind, PeriodicFamiliesDocument, PeriodicFamilyDocument};
+use bifdiag_schema::{
+    FamilyEnd, FamilyEndingDocument, OrbitEventKind, PeriodicFamiliesDocument, PeriodicFamilyDocument,
+};
 use clap::Args;
 
 use crate::cli::export::{FileSet, PictureArguments, PictureFormat, answer};
@@ -247,7 +249,7 @@ fn table(family: &PeriodicFamilyDocument, free: &'static str) -> Table {
 }
 
 /// How a family ends.
-fn ending(end: &FamilyEndDocument) -> String {
+fn ending(end: &FamilyEndingDocument) -> String {
     let curves = end.curves.join(", ");
     match end.kind {
         FamilyEnd::Equilibrium => format!("shrinks to an equilibrium of {curves}"),

@@ -94,8 +94,7 @@ fn text(subject: &Subject, document: &PeriodicDocument) -> String {
 }
 
 fn table(orbits: &[PeriodicOrbitDocument]) -> Table {
-    let mut table =
-        Table::new(&["crossings", "T", "trace", "stability", "symmetric", "action", "proved", "starts at gamma"]);
+    let mut table = Table::new(&["crossings", "T", "trace", "stability", "symmetric", "action", "proved", "gamma"]);
     for orbit in orbits {
         let gamma = orbit.gamma.map(|x| significant(if x.abs() < ROUNDING { 0.0 } else { x }, DIGITS)).join(" ");
         table.row([
