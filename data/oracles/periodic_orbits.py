@@ -129,7 +129,8 @@ def main():
                         good = True
                         for step in steps:
                             y, residual = closed(system, x, period, l, direction, step, base)
-                            good = residual < 1e-11
+                            # A period of nothing closes too.
+                            good = residual < 1e-11 and y[6] > 0.5 * period
                             if not good:
                                 break
                             x, period = y[:6] + direction * (amplitude - before) / 3, y[6]

@@ -4,7 +4,7 @@
 export const GROUPS = [
   ["Start", ["README.md", "docs/tutorial.md", "docs/explorer.md", "docs/recipes.md", "docs/glossary.md"]],
   ["Diagrams", ["docs/types.md", "docs/survey.md", "docs/scans.md", "docs/stability.md", "docs/draw-it-yourself.md"]],
-  ["Motion", ["docs/sections.md", "docs/proved-motion.md"]],
+  ["Motion", ["docs/sections.md", "docs/periodic-orbits.md", "docs/proved-motion.md"]],
   ["Real parts", ["docs/engineering.md", "examples/heavy-top-benchmark/README.md", "examples/heavy-top-benchmark/league.md"]],
   ["Programs", ["python/README.md", "docs/library.md", "docs/formats.md", "examples/cluster/README.md", "web/README.md"]],
   ["Mathematics", ["docs/mathematics.md", "docs/algorithms.md", "docs/errata.md", "docs/tenth-type.md"]],

@@ -67,7 +67,7 @@ pub struct Shot {
 }
 
 /// A defect that no correction has to better; the integrator rounds to a few 1e-16.
-const CLOSED: f64 = 2e-15;
+const CLOSED: f64 = 1e-14;
 /// The largest defect of an orbit that counts as closed.
 pub const RESIDUAL: f64 = 1e-13;
 const CORRECTIONS: u32 = 12;

@@ -101,9 +101,9 @@ impl Walker<'_> {
     /// Between two looks.
     fn look(&mut self, step: &TaylorStep, ends: [f64; 2], closing: Option<f64>) {
         let top = &self.space.top;
-        let states = ends.map(|x| step.state(x));
-        let height = |x: f64| SectionCondition::Height.value(top, &step.state(x));
-        let rate = |x: f64| SectionCondition::Height.rate(top, &step.state(x));
+        let states = ends.map(|x| at(step, x));
+        let height = |x: f64| SectionCondition::Height.value(top, &at(step, x));
+        let rate = |x: f64| SectionCondition::Height.rate(top, &at(step, x));
         let values = [self.height, closing.unwrap_or_else(|| SectionCondition::Height.value(top, &states[1]))];
         let rates = states.map(|state| SectionCondition::Height.rate(top, &state));
         self.largest = self.largest.max(values[1].abs());
@@ -118,14 +118,14 @@ impl Walker<'_> {
         for (ends, values) in pieces.into_iter().filter(|(_, values)| is_change(*values)) {
             self.found.crossings += 1;
             if values[1] < values[0] && self.found.maximum.is_none() {
-                self.found.maximum = Some(step.state(zero(height, ends, values)));
+                self.found.maximum = Some(at(step, zero(height, ends, values)));
             }
         }
         if !self.found.symmetric {
             let fixed = |reversor: &Reversor| {
                 let from = |state: &State| reversor.distance(self.space, state);
                 let moved = states.each_ref().map(|state| from(state).0);
-                is_change(moved) && from(&step.state(zero(|x| from(&step.state(x)).0, ends, moved))).1 < FIXED
+                is_change(moved) && from(&at(step, zero(|x| from(&at(step, x)).0, ends, moved))).1 < FIXED
             };
             self.found.symmetric = self.reversors.iter().any(fixed);
         }
@@ -134,6 +134,19 @@ impl Walker<'_> {
             *nearest = nearest.min((here - place).norm());
         }
     }
+}
+
+/// The state at x ∈ [0, 1] of a step. (Not fused: what is looked for has few digits to lose, and where the compiler may not
+/// count on the instruction it is a call.)
+fn at(step: &TaylorStep, x: f64) -> State {
+    let mut state = State::default();
+    for coefficient in step.coefficients().iter().rev() {
+        for i in 0..3 {
+            state.gamma[i] = state.gamma[i] * x + coefficient.gamma[i];
+            state.l[i] = state.l[i] * x + coefficient.l[i];
+        }
+    }
+    state
 }
 
 /// Zero belongs to the positive side, so that a zero at a look is seen once.

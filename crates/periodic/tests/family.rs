@@ -3,8 +3,10 @@
 use std::sync::atomic::AtomicBool;
 
 use bifdiag_body::Body;
+use bifdiag_dynamics::field::HeavyTop;
 use bifdiag_equilibria::critical::{Equilibrium, critical};
 use bifdiag_periodic::family::{Family, FamilyOptions, Held, families};
+use bifdiag_periodic::orbit::{Fixed, PeriodicOrbit, correct};
 use bifdiag_schema::{FamilyEnd, OrbitEventKind};
 
 static GO: AtomicBool = AtomicBool::new(false);
@@ -136,6 +138,23 @@ fn lagrange_precesses_regularly_in_the_families_of_its_axis() {
         }
     }
     assert!(count > 50, "{count}");
+}
+
+/// A family that comes to orbits of half its period ends there, and does not run through its own orbits a second time.
+#[test]
+fn a_family_ends_where_its_orbits_are_run_through_twice() {
+    let body = paper();
+    let list = critical(&body, &"2.5".parse().unwrap()).unwrap().list;
+    let found = followed(&body, list.last().unwrap(), 300, Held::Momentum);
+    let slow = found.iter().find(|family| family.frequency < 1.0).unwrap();
+    assert_eq!(slow.stretch.end.kind, FamilyEnd::Joined, "{:?}", slow.stretch.end);
+    // There its trace is 2: that of a doubling, squared, less 2. And an orbit of half the period is there.
+    let last = slow.stretch.members.last().unwrap();
+    assert!((last.trace - 2.0).abs() < 1e-3, "{last:?}");
+    let top = HeavyTop::new(&body);
+    let (start, period) = correct(&top, &last.start, 0.5 * last.period, Fixed::Both).unwrap();
+    let half = PeriodicOrbit::new(&top, &start, period).unwrap();
+    assert!((half.trace + 2.0).abs() < 1e-2 && half.residual <= 1e-13, "{half:?}");
 }
 
 /// Folds, doublings and crossings are where they are said to be: the trace there is 2 or −2, and l is kept.

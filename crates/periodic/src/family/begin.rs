@@ -36,7 +36,9 @@ impl Course<'_> {
         let Some(direction) = oscillation(&self.space.linearised(&point), frequency) else {
             return Ok(Stretch::none(FamilyEnd::Resonant));
         };
-        let guess = Ring { nodes: vec![point + direction * FIRST], period: std::f64::consts::TAU / frequency };
+        // Two nodes, half a turn apart: a family may end at orbits of half its period, where they meet.
+        let nodes = vec![point + direction * FIRST, point - direction * FIRST];
+        let guess = Ring { nodes, period: std::f64::consts::TAU / frequency };
         match self.setting().close(guess, &direction.push(0.0)) {
             Ok(first) => self.follow(first, 0.5 * FIRST, false),
             Err(_) => Ok(Stretch::none(FamilyEnd::Lost)),

@@ -68,7 +68,9 @@ fn locate(
     let mut best: Option<Located> = None;
     for _ in 0..STEPS {
         let place = (ends[0] - values[0] * (ends[1] - ends[0]) / (values[1] - values[0])).clamp(ends[0], ends[1]);
-        let Ok(member) = setting.ahead(from, place * distance) else { break };
+        // From the nearest orbit that is known: beside a crossing of families only a good guess leads to the right one.
+        let known = best.as_ref().map_or((from, 0.0), |last| (&last.member, last.place));
+        let Ok(member) = setting.ahead(known.0, (place - known.1) * distance) else { break };
         let value = test(setting, &member);
         let moved = best.as_ref().map_or(f64::INFINITY, |last| (last.place - place).abs());
         let error = best.as_ref().map_or(f64::INFINITY, |last| (parameter(&last.member) - parameter(&member)).abs());

@@ -154,25 +154,16 @@ impl<'a> Course<'a> {
     /// The longest step that does not go over a near end.
     fn left(&self, before: &Member, member: &Member) -> f64 {
         let towards = |now: f64, before: f64| if now < before { SHARE * now } else { LONGEST };
-        let joins = if member.shot.ring.nodes.len() > 1 && before.shot.ring.nodes.len() == member.shot.ring.nodes.len()
-        {
-            towards(member.from_half(), before.from_half())
-        } else {
-            LONGEST
-        };
-        towards(member.size(), before.size()).min(joins)
+        towards(member.size(), before.size()).min(towards(member.from_half(), before.from_half()))
     }
 
     /// The end that a member has reached.
     fn end(&self, before: &Member, member: &Member, period: f64) -> Result<Option<End>, FamilyError> {
-        let nodes = [before, member].map(|member| member.shot.ring.nodes.len());
-        if nodes[0] == nodes[1] && nodes[0].is_multiple_of(2) {
-            let [was, is] = [before, member].map(Member::from_half);
-            if is < SHRUNK && is < was {
-                return Ok(Some(End { kind: FamilyEnd::Joined, curves: Vec::new() }));
-            }
-        }
         let shrinks = member.size() < SHRUNK && member.size() < before.size();
+        let [was, is] = [before, member].map(Member::from_half);
+        if !shrinks && is < SHRUNK && is < was {
+            return Ok(Some(End { kind: FamilyEnd::Joined, curves: Vec::new() }));
+        }
         if !shrinks && member.orbit.period < GROWN * period {
             return Ok(None);
         }

@@ -65,7 +65,7 @@ impl Member {
         self.shot.frames[0].speed * self.shot.ring.period / std::f64::consts::TAU
     }
 
-    /// How far it is from having half its period.
+    /// How far it is from having half its period. (The number of nodes is even.)
     pub fn from_half(&self) -> f64 {
         let nodes = &self.shot.ring.nodes;
         (nodes[nodes.len() / 2] - nodes[0]).norm()
