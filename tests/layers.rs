@@ -14,7 +14,7 @@ const ORDER: [(&str, &str); 15] = [
     ),
     (
         "crates/schema/src",
-        "term shown json head integrable part command certificate classification nonlinear critical atlas point_proof find grid listing section motion periodic spin spin_down steady scan border comparison classes",
+        "term shown json head integrable part command certificate classification nonlinear critical atlas point_proof find grid listing section chaos motion periodic spin spin_down steady scan border comparison classes",
     ),
     ("crates/body/src", "axis rigid_body frame principal presets integrable part"),
     ("crates/equilibria/src", "curves stability nonlinear critical permanent"),
@@ -26,7 +26,7 @@ const ORDER: [(&str, &str); 15] = [
     ),
     ("crates/dynamics/src", "field integrator motion section poincare"),
     ("crates/enclosure/src", "bound scalar field set step start orbit return_map"),
-    ("crates/chaos/src", ""),
+    ("crates/chaos/src", "liouville share"),
     ("crates/periodic/src", "flow reversor shooting walk orbit family chart section_map proof list"),
     (
         "crates/survey/src",
@@ -34,14 +34,14 @@ const ORDER: [(&str, &str); 15] = [
     ),
     (
         "crates/documents/src",
-        "layout codes body integrals subject periodic orbit_list stability spin spin_down classification critical steady grid atlas certified scan reading border comparison classes find witnesses \
+        "layout codes body integrals subject chaos periodic orbit_list stability spin spin_down classification critical steady grid atlas certified scan reading border comparison classes find witnesses \
          section words",
     ),
     ("crates/verify/src", "refused numbers equilibria order topology stability document"),
     ("crates/plot/src", "page animation campbell periods steady diagram map section sphere part"),
     (
         "src/cli",
-        "failure terminal input export batch listings explain part spin atlas show classify critical verify section sphere \
+        "failure terminal input export batch listings explain part spin atlas show classify critical verify section chaos sphere \
          orbit periodic explore scan find classes compare arguments",
     ),
 ];

@@ -10,6 +10,7 @@ use clap::parser::ValueSource;
 use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser};
 
 use super::atlas::{self, AtlasArguments};
+use super::chaos::{self, ChaosArguments};
 use super::classes::{self, ClassArguments, ClassesArguments};
 use super::classify::{self, ClassifyArguments};
 use super::compare::{self, CompareArguments};
@@ -160,6 +161,8 @@ commands! {
     Explain(ExplainArguments) = "explain", explain::EXPLAIN_EXAMPLES;
     /// Compute a Poincaré section on the PP-torus
     Section(SectionArguments) = "section", section::EXAMPLES;
+    /// Measure the chaotic share of the energy surface at one point
+    Chaos(Box<ChaosArguments>) = "chaos", chaos::CHAOS_EXAMPLES;
     /// Draw U on the Poisson sphere at one point
     Sphere(SphereArguments) = "sphere", sphere::EXAMPLES;
     /// Follow the body's motion in space: attitude, Euler's angles, angular velocity

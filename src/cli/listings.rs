@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use bifdiag_schema::{
-    AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassDocument, ClassesDocument,
-    ClassificationDocument, ComparisonDocument, CriticalDocument, CriticalSpinDocument, ExplanationDocument,
-    FindDocument, GridDocument, MotionDocument, PartAnswerDocument, PeriodicDocument, PeriodicFamiliesDocument,
-    PointProofDocument, ProvedMotionDocument, RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument,
-    SpinDownDocument, StandingDocument, StateDocument, SteadyAxesDocument, SteadySpinsDocument,
+    AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ChaosPointDocument, ClassDocument,
+    ClassesDocument, ClassificationDocument, ComparisonDocument, CriticalDocument, CriticalSpinDocument,
+    ExplanationDocument, FindDocument, GridDocument, MotionDocument, PartAnswerDocument, PeriodicDocument,
+    PeriodicFamiliesDocument, PointProofDocument, ProvedMotionDocument, RowDocument, ScanSummaryDocument,
+    SectionDocument, SectionsDocument, SpinDownDocument, StandingDocument, StateDocument, SteadyAxesDocument,
+    SteadySpinsDocument,
 };
 use clap::{Args, Command, ValueEnum};
 use schemars::{Schema, schema_for};
@@ -83,6 +84,8 @@ pub enum Name {
     Orbit,
     /// The answer of `bifdiag orbit --proved --json`, and the `meta` of its data
     ProvedOrbit,
+    /// The answer of `bifdiag chaos --json`
+    Chaos,
     /// The answer of `bifdiag body --json`
     Body,
     /// The answer of `bifdiag state --json`
@@ -135,6 +138,7 @@ impl Name {
             Self::Sections => schema_for!(SectionsDocument),
             Self::Orbit => schema_for!(MotionDocument),
             Self::ProvedOrbit => schema_for!(ProvedMotionDocument),
+            Self::Chaos => schema_for!(ChaosPointDocument),
             Self::Body => schema_for!(PartAnswerDocument),
             Self::State => schema_for!(StateDocument),
             Self::CriticalSpin => schema_for!(CriticalSpinDocument),

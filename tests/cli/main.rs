@@ -4,6 +4,7 @@ mod answers;
 mod attacks;
 mod batches;
 mod builder;
+mod chaos;
 mod classes;
 mod explorer;
 mod files;

@@ -116,6 +116,9 @@ fn documents_fit_their_schemas() {
     for axis in ["--A 2,1.1,1 --r 0,0,1 --axis z --tolerance 1%", "--body euler --axis x", "--body paper --axis x"] {
         assert_fits("critical-spin", &bifdiag(&format!("critical-spin {axis} --json")).succeeds().json());
     }
+    for point in ["--body paper --h 5.3 --l 3.25", "--body euler --h 2 --l 1"] {
+        assert_fits("chaos", &bifdiag(&format!("chaos {point} --error 0.2 --steps 320 --json")).succeeds().json());
+    }
     for from in ["--A 2,2,3 --r 0,0,1 --from L-.2", "--body paper --from G2.1 --l 3.25", "--body lagrange --from L+.1"]
     {
         assert_fits("spin-down", &bifdiag(&format!("spin-down {from} --json")).succeeds().json());

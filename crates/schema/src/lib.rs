@@ -6,6 +6,7 @@
 mod atlas;
 mod border;
 mod certificate;
+mod chaos;
 mod classes;
 mod classification;
 mod command;
@@ -41,6 +42,7 @@ pub use certificate::{
     CertificateDocument, CertificateUnits, CertifiedCusp, CertifiedEvent, CertifiedHeight, CertifiedMeeting,
     CertifiedNode, CertifiedPair, CertifiedSample, CertifiedSlab, CertifiedStretch, PlaceDocument,
 };
+pub use chaos::{ChaosPointDocument, ChaosShareDocument};
 pub use classes::{
     ClassBesideDocument, ClassBorderDocument, ClassDocument, ClassNeighbourDocument, ClassWitnessDocument,
     ClassesDocument, StandingDocument,

@@ -81,3 +81,21 @@ def _():
     dg = g.cross(o)
     K = (o[0] ** 2 - o[1] ** 2 + g[0]) ** 2 + (2 * o[0] * o[1] + g[1]) ** 2
     zero(sum(sp.diff(K, y) * f for y, f in zip(list(o) + list(g), list(do) + list(dg))))
+
+
+@check("Proposition 12.7")
+def _():
+    g, l = vector("g"), vector("l")
+    F = sp.Function("F")(*g, *l)
+    dg, dl = (Matrix([sp.diff(F, y) for y in v]) for v in (g, l))
+    field = list(zip(list(g) + list(l), list(g.cross(dl)) + list(g.cross(dg) + l.cross(dl))))
+    assert sp.simplify(sum(sp.diff(f, y) for y, f in field)) == 0
+    # |e×f|² for any e ⊥ γ and f = γ×A⁻¹e, normalised in A⁻¹, is det A/J.
+    u = vector("u")
+    square = lambda v: dot(v, A.inv() * v)
+    e = g.cross(u)
+    f = g.cross(A.inv() * e)
+    zero(dot(e, A.inv() * f))
+    across = e.cross(f)
+    # |γ|² = 1 is left out of both sides: e×f is along γ.
+    zero(dot(across, across) * dot(g, A * g) - a1 * a2 * a3 * square(e) * square(f) * dot(g, g))

@@ -17,7 +17,8 @@ use super::failure::Failure;
 use super::input::values::Grid;
 use super::input::{BodyArguments, PointArguments, accuracy, head, values};
 use super::terminal::{Report, Table, Timings, bound, significant};
-use many::{Preparation, unanswered};
+use many::Preparation;
+pub use many::unanswered;
 
 pub const EXAMPLES: &str = "\
 Examples:

@@ -274,6 +274,12 @@ fn count(text: &str, things: &str, most: u32) -> Result<NonZeroU32, Failure> {
     count.ok_or_else(|| Failure::input(format!("the number of {things} is a whole number from 1 to {most}")))
 }
 
+pub fn share_error(text: &str) -> Result<f64, Failure> {
+    let error = float(text)?;
+    let is_possible = (1e-4..=0.5).contains(&error);
+    is_possible.then_some(error).ok_or_else(|| Failure::input("a standard deviation from 0.0001 to 0.5 is needed"))
+}
+
 pub fn seed(text: &str) -> Result<u64, Failure> {
     text.parse().map_err(|_not_a_seed| Failure::input(format!("a seed is a whole number from 0 to {}", u64::MAX)))
 }

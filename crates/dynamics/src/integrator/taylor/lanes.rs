@@ -2,7 +2,7 @@
 
 use pulp::Simd;
 
-use super::moments::{MOMENTS, Moments};
+use super::moments::Moments;
 use super::series::{LaneVector, Series, TopConstants, lane_values, lane_values_mut};
 use super::step_size::{StepRule, order_for};
 use crate::field::{HeavyTop, State};
@@ -186,11 +186,11 @@ impl<S: Simd> Lanes<S> {
         }
     }
 
-    /// ∫ (ξ − 1/2)ʲ γ dt over the step for j < `MOMENTS`, where ξ runs from 0 to 1.
+    /// ∫ (ξ − 1/2)ʲ γ dt over the step for j < `N` ≤ `MOMENTS`, where ξ runs from 0 to 1.
     #[inline(always)]
-    pub fn gamma_moments(&self, simd: S, moments: &Moments) -> [LaneVector<S>; MOMENTS] {
+    pub fn gamma_moments<const N: usize>(&self, simd: S, moments: &Moments) -> [LaneVector<S>; N] {
         let t = self.step[0];
-        let mut sums = [[simd.splat_f64s(0.0); 3]; MOMENTS];
+        let mut sums = [[simd.splat_f64s(0.0); 3]; N];
         let mut power = t;
         for k in 0..=self.order {
             for i in 0..3 {

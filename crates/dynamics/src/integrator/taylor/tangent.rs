@@ -63,11 +63,24 @@ impl<S: Simd> TangentLanes<S> {
         self.sum_series(simd, lanes);
     }
 
+    /// The same by series of a lower order.
+    #[inline(always)]
+    pub fn advance_roughly(&mut self, simd: S, lanes: &Lanes<S>, order: usize) {
+        let order = order.min(lanes.order());
+        self.expand_to(simd, lanes, order);
+        self.sum_to(simd, lanes.step[0], order);
+    }
+
     /// Computes the series of the tangent vectors, beside those of the orbits.
     #[inline(always)]
     pub fn expand(&mut self, simd: S, lanes: &Lanes<S>) {
+        self.expand_to(simd, lanes, lanes.order());
+    }
+
+    #[inline(always)]
+    fn expand_to(&mut self, simd: S, lanes: &Lanes<S>, order: usize) {
         self.omega[0] = lanes.constants.angular_velocity(simd, self.l[0]);
-        for k in 0..lanes.order() {
+        for k in 0..order {
             let products = self.products(simd, &lanes.series, k);
             self.set_row(simd, &lanes.constants, k + 1, products);
         }
@@ -163,7 +176,11 @@ impl<S: Simd> TangentLanes<S> {
     /// The vectors at the steps' ends become the rows 0.
     #[inline(always)]
     pub fn sum_series(&mut self, simd: S, lanes: &Lanes<S>) {
-        let (order, step) = (lanes.order(), lanes.step[0]);
+        self.sum_to(simd, lanes.step[0], lanes.order());
+    }
+
+    #[inline(always)]
+    fn sum_to(&mut self, simd: S, step: S::f64s, order: usize) {
         let (mut gamma, mut l) = (self.gamma[order], self.l[order]);
         for k in (0..order).rev() {
             for i in 0..3 {

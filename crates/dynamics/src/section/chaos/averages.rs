@@ -5,7 +5,7 @@ use crate::integrator::taylor::MOMENTS;
 /// Squarings that make u(1 − u) the weight (u(1 − u))⁸.
 const SQUARINGS: u32 = 3;
 /// ∫₀¹ (u(1 − u))⁸ du = 8! 8!/17!.
-const INTEGRAL: f64 = 1.0 / 218_790.0;
+pub(super) const INTEGRAL: f64 = 1.0 / 218_790.0;
 
 /// ∫ w(u) x dt / ∫ w(u) dt over [begin, end], u = (t − begin)/(end − begin), w = (u(1 − u))⁸.
 ///

@@ -9,7 +9,7 @@ use super::verdict::{Evidence, first_decision};
 use crate::field::{norm, sub};
 
 /// A spread of γ below this is taken as this.
-const NARROW: f64 = 1e-5;
+pub(super) const NARROW: f64 = 1e-5;
 /// Where the two windows of a look begin and end, as parts of the time until then. The beginning of the orbit is left out, so that
 /// few looks are in progress at one time.
 const PARTS: [f64; 3] = [0.25, 0.625, 1.0];

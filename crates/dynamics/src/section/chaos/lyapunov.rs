@@ -8,7 +8,7 @@ use super::averages::TangentStep;
 use super::growth::Stretching;
 use super::growth::{Growth, Lyapunov, TangentCourse};
 use crate::field::{Dimension, HeavyTop, State, dot};
-use crate::integrator::taylor::{InstructionSet, Lanes, Moments, TangentLanes, lane_values};
+use crate::integrator::taylor::{InstructionSet, Lanes, MOMENTS, Moments, TangentLanes, lane_values};
 use crate::integrator::{DEFAULT_TOLERANCE, check_tolerance};
 use crate::section::error::SectionError;
 use crate::section::workers::{Monitor, Turns, run_workers};
@@ -99,10 +99,8 @@ impl GrowthWorker<'_> {
     #[inline(always)]
     fn load<S: Simd>(&self, lanes: &mut Lanes<S>, tangent: &mut TangentLanes<S>, lane: usize, orbit: u32) {
         let start = &self.courses[orbit as usize].start;
-        let momentum_scale = self.top.momentum_scale(self.top.energy(start)).max(f64::MIN_POSITIVE.sqrt());
-        lanes.load(lane, start, momentum_scale);
-        let unit = momentum_unit(self.top, start);
-        tangent.load(lane, &tangent_vector(self.top, start, unit), unit);
+        load_orbit(lanes, self.top, lane, start);
+        load_tangent(tangent, self.top, lane, start);
     }
 }
 
@@ -125,7 +123,7 @@ impl WithSimd for GrowthWorker<'_> {
         while orbits.iter().any(Option::is_some) {
             lanes.expand(simd);
             tangent.advance(simd, &lanes);
-            let moments = lanes.gamma_moments(simd, &powers);
+            let moments = lanes.gamma_moments::<MOMENTS>(simd, &powers);
             let moments = lane_values::<S>(moments.as_flattened());
             for (lane, slot) in orbits.iter_mut().enumerate() {
                 if let Some(orbit) = slot {
@@ -157,6 +155,19 @@ impl WithSimd for GrowthWorker<'_> {
         }
         done
     }
+}
+
+/// Puts an orbit into a lane.
+#[inline(always)]
+pub(super) fn load_orbit<S: Simd>(lanes: &mut Lanes<S>, top: &HeavyTop, lane: usize, start: &State) {
+    lanes.load(lane, start, top.momentum_scale(top.energy(start)).max(f64::MIN_POSITIVE.sqrt()));
+}
+
+/// Puts its first tangent vector into a lane.
+#[inline(always)]
+pub(super) fn load_tangent<S: Simd>(tangent: &mut TangentLanes<S>, top: &HeavyTop, lane: usize, start: &State) {
+    let unit = momentum_unit(top, start);
+    tangent.load(lane, &tangent_vector(top, start, unit), unit);
 }
 
 /// √(2 A_max (h + 2|r|)): the unit of δl. (Unlike the largest |l| it does not vanish where the top is at rest.)

@@ -3,6 +3,7 @@
 
 mod averages;
 mod curve;
+mod decision;
 mod growth;
 mod ladder;
 mod lyapunov;
@@ -10,6 +11,7 @@ mod measure;
 mod rotation;
 mod verdict;
 
+pub use decision::{Decision, DecisionOptions, decisions};
 pub use growth::{Growth, Lyapunov, TangentCourse};
 pub use lyapunov::{ChaosOptions, growths, lyapunov_exponents};
 pub use measure::{ChaosMeasure, chaos_measures, verdicts};

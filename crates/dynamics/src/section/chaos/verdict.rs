@@ -107,7 +107,7 @@ pub struct Evidence {
 }
 
 impl Evidence {
-    fn settled(&self) -> bool {
+    pub(super) fn settled(&self) -> bool {
         self.apart <= SETTLED
     }
 
