@@ -138,7 +138,8 @@ pub fn list(setting: &SectionSetting, options: &ListOptions, monitor: &Monitor) 
     let mut orbits = Vec::with_capacity(grouped.cycles.len());
     for cycle in &grouped.cycles {
         let state = surface.state(&cycle.start);
-        let orbit = PeriodicOrbit::new(top, &state, cycle.period)?;
+        // Of an orbit with several maxima the description takes one, the list the highest, at which it is proved.
+        let orbit = PeriodicOrbit { start: state, ..PeriodicOrbit::new(top, &state, cycle.period)? };
         let ([g1, g2, g3], [w1, w2, w3]) = (state.gamma, top.inverse_inertia(state.l));
         let start = [g1, g2, g3, w1, w2, w3];
         let proof = prove(setting.body(), setting.point(), start, cycle.turns, 2.0 * cycle.period);
