@@ -536,9 +536,9 @@ fn mass_and_arm_are_used_together() {
         let one = bifdiag(&format!("critical-spin {} --json", part(inertia, arm, mass))).succeeds().json();
         for change in one["changes"].as_array().unwrap().iter().filter(|change| change["from"] != change["to"]) {
             let rpm = change["spin"]["rpm"].as_f64().unwrap();
-            let holds = |(up, _, [low, high]): &(String, String, [f64; 2])| {
-                *up == change["up"].to_string() && *low <= rpm && rpm <= *high
-            };
+            let change_up = change["up"].to_string();
+            let holds =
+                |(up, _, [low, high]): &(String, String, [f64; 2])| *up == change_up && *low <= rpm && rpm <= *high;
             let at = ranges.iter().position(holds).unwrap_or_else(|| panic!("{change} {ranges:?}"));
             ends[at] = [ends[at][0].min(rpm), ends[at][1].max(rpm)];
         }

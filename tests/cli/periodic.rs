@@ -30,7 +30,7 @@ fn families_begin_at_every_imaginary_pair_of_critical() {
         let first = &family["members"][0];
         let limit = std::f64::consts::TAU / number(&family["frequency"]);
         assert!((number(&first["period"]) / limit - 1.0).abs() < 1e-4, "{first}");
-        assert_eq!((number(&first["l"]) - 1.5).abs() < 1e-12, true);
+        assert!((number(&first["l"]) - 1.5).abs() < 1e-12, "{first}");
         assert_eq!(first["proved"], json!(false));
         let multipliers: Vec<[f64; 2]> =
             list(&first["multipliers"]).iter().map(|pair| [number(&pair[0]), number(&pair[1])]).collect();

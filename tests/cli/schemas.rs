@@ -123,7 +123,7 @@ fn documents_fit_their_schemas() {
     {
         assert_fits("spin-down", &bifdiag(&format!("spin-down {from} --json")).succeeds().json());
     }
-    for more in ["--body paper --l 1.5", "--body paper --from G1.1 --h 1", "--body lagrange --l 1"] {
+    for more in ["--body paper --l 1.5", "--body paper --from G1.1 --h 5", "--body lagrange --l 1"] {
         let families = format!("periodic family {more} --members 12 --branches --json");
         assert_fits("periodic-families", &bifdiag(&families).succeeds().json());
     }

@@ -313,7 +313,8 @@ fn files_of_two_runs_in_one_directory_do_not_mix() {
     assert!(child.try_wait().unwrap().is_none() && early.iter().all(|name| name.starts_with('.')), "{early:?}");
     other.unlock().unwrap();
     assert!(child.wait_with_output().unwrap().status.success());
-    assert_eq!(names(place.path()).unwrap(), ["atlas.json", "diagram.svg"]);
+    let files = ["atlas.json", "diagram.caption.tex", "diagram.caption.txt", "diagram.svg"];
+    assert_eq!(names(place.path()).unwrap(), files);
 }
 
 /// An interrupt while the rows are written into their file left `FILE.partial.new` behind.

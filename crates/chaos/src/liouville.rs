@@ -39,8 +39,8 @@ pub enum SampleError {
 #[derive(Clone, Debug)]
 pub struct EnergySurface {
     /// In its own units, as h and l are.
+    reduced: HeavyTop,
     top: HeavyTop,
-    given: HeavyTop,
     h: f64,
     l: f64,
     components: usize,
@@ -53,11 +53,11 @@ impl EnergySurface {
     /// # Errors
     /// [`SampleError::Range`].
     pub fn new(body: &Body, h: f64, l: f64, components: usize) -> Result<Self, SampleError> {
-        let given = HeavyTop::new(body);
-        let units = given.units();
+        let top = HeavyTop::new(body);
+        let units = top.units();
         Ok(Self {
-            top: given.reduced(),
-            given,
+            reduced: top.reduced(),
+            top,
             h: units.reduce(h, Dimension::ENERGY),
             l: units.reduce(l, Dimension::MOMENTUM),
             components,
@@ -68,7 +68,7 @@ impl EnergySurface {
     /// The top as it was given, in whose units the states are.
     #[must_use]
     pub fn top(&self) -> &HeavyTop {
-        &self.given
+        &self.top
     }
 
     /// How many components it has.
@@ -99,7 +99,7 @@ impl EnergySurface {
     ) -> Result<(Vec<State>, u64), SampleError> {
         let partition = self.region.partition()?;
         let domain = self.domain(partition.as_ref(), component);
-        let smallest = self.top.moments().iter().copied().fold(f64::INFINITY, f64::min);
+        let smallest = self.reduced.moments().iter().copied().fold(f64::INFINITY, f64::min);
         let mut states = Vec::with_capacity(count);
         let mut idle = 0;
         let mut next = from;
@@ -111,7 +111,7 @@ impl EnergySurface {
             let place = sequence::point(next, 4, seed);
             next += 1;
             let gamma = domain.cap.point(place[0], place[1]);
-            let j = dot(gamma, self.top.inertia(gamma));
+            let j = dot(gamma, self.reduced.inertia(gamma));
             // The density J^(−1/2), relative to its largest value.
             if place[2] * place[2] * j > smallest || self.height(gamma) < 0.0 {
                 continue;
@@ -119,7 +119,7 @@ impl EnergySurface {
             let is_here = domain.is_alone
                 || partition.as_ref().is_none_or(|partition| component_of(partition, gamma) == Some(component));
             if is_here {
-                states.push(self.state(gamma, TAU * place[3]).restored(self.given.units()));
+                states.push(self.state(gamma, TAU * place[3]).restored(self.top.units()));
                 idle = 0;
             }
         }
@@ -128,17 +128,17 @@ impl EnergySurface {
 
     /// h − U(γ).
     fn height(&self, gamma: [f64; 3]) -> f64 {
-        self.h - self.top.effective_potential(gamma, self.l)
+        self.h - self.reduced.effective_potential(gamma, self.l)
     }
 
     /// The state over γ in a direction: 𝐥 = l Aγ/J + √(2(h − U)) (e cos θ + f sin θ), where e, f are orthonormal in A⁻¹
     /// and perpendicular to γ.
     fn state(&self, gamma: [f64; 3], direction: f64) -> State {
         let smallest = (0..3).min_by(|&i, &j| gamma[i].abs().total_cmp(&gamma[j].abs())).unwrap_or(0);
-        let normalised = |v: [f64; 3]| scale(1.0 / dot(v, self.top.inverse_inertia(v)).sqrt(), v);
+        let normalised = |v: [f64; 3]| scale(1.0 / dot(v, self.reduced.inverse_inertia(v)).sqrt(), v);
         let e = normalised(cross(gamma, std::array::from_fn(|i| if i == smallest { 1.0 } else { 0.0 })));
-        let f = normalised(cross(gamma, self.top.inverse_inertia(e)));
-        let inertia_gamma = self.top.inertia(gamma);
+        let f = normalised(cross(gamma, self.reduced.inverse_inertia(e)));
+        let inertia_gamma = self.reduced.inertia(gamma);
         let (sin, cos) = libm::sincos(direction);
         let speed = (2.0 * self.height(gamma).max(0.0)).sqrt();
         let turning = add(scale(speed * cos, e), scale(speed * sin, f));
@@ -150,7 +150,7 @@ impl EnergySurface {
     fn domain(&self, partition: Option<&Partition<'_>>, component: usize) -> Domain {
         let minimum = |component: usize| match partition {
             Some(partition) => partition.minimum_of(component).map(|gamma| partition.frame().vector_to_body(gamma)),
-            None => self.top.r_hat(),
+            None => self.reduced.r_hat(),
         };
         let found = minimum(component).and_then(|center| {
             let mut radius = PI;
@@ -179,7 +179,7 @@ impl EnergySurface {
         let (mut highest, mut size) = (f64::NEG_INFINITY, 0.0_f64);
         for k in 0..CIRCLE {
             let gamma = cap.rim(step * f64::from(k));
-            let g = dot(gamma, self.top.inertia(gamma)) * self.height(gamma);
+            let g = dot(gamma, self.reduced.inertia(gamma)) * self.height(gamma);
             (highest, size) = (highest.max(g), size.max(g.abs()));
         }
         let between = 9.0 * step * step / 8.0;

@@ -254,8 +254,8 @@ pub fn cover(surface: &Surface, seeds: &[Point], most: usize) -> Cover {
     cover
 }
 
+#[expect(clippy::cast_possible_truncation, reason = "γ is a unit vector, so that the numbers are small")]
 fn place_of(y: &Point) -> [i32; 3] {
-    // γ is a unit vector, so that the numbers are small.
     [0, 1, 2].map(|i| (y[i] / (1.5 * RADIUS)).floor() as i32)
 }
 
@@ -269,15 +269,12 @@ impl Cover {
         if held {
             return;
         }
-        match Chart::new(surface, y, RADIUS) {
-            Some(chart) => {
-                grid.entry(place).or_default().push(self.charts.len());
-                self.charts.push(chart);
-            }
-            None => {
-                self.closed = false;
-                self.singular.push(y);
-            }
+        if let Some(chart) = Chart::new(surface, y, RADIUS) {
+            grid.entry(place).or_default().push(self.charts.len());
+            self.charts.push(chart);
+        } else {
+            self.closed = false;
+            self.singular.push(y);
         }
     }
 }

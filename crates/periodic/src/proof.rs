@@ -201,9 +201,8 @@ impl<'a> Problem<'a> {
             std::array::from_fn(|i| Interval::between(self.start[i] - radii[i], self.start[i] + radii[i]));
         let beside: Box6 = std::array::from_fn(|i| around[i] - middle[i]);
         let found = self.returns(beside.map(Interval::magnitude))?;
-        let (last, back) = match (found.last(), point.last()) {
-            (Some(last), Some(back)) => (last, back),
-            _ => return Err(ProofError::NotContracting),
+        let (Some(last), Some(back)) = (found.last(), point.last()) else {
+            return Err(ProofError::NotContracting);
         };
         // Each motion from the box has one crossing in this time: that of the start is the one that was found for it alone.
         if back.time[0] < last.time[0] || last.time[1] < back.time[1] {
@@ -223,7 +222,7 @@ impl<'a> Problem<'a> {
             return Err(ProofError::NotContracting);
         }
         self.check_closed(&around, last)?;
-        self.check_once(&image, &found)?;
+        check_once(&image, &found)?;
         let trace = (0..6).fold(Interval::point(-3.0), |sum, i| sum + last.derivative[i][i]);
         Ok(OrbitProof {
             state: image.map(|x| [x.lo, x.hi]),
@@ -265,12 +264,12 @@ impl<'a> Problem<'a> {
         };
         if (0..6).all(is_small) { Ok(()) } else { Err(ProofError::NotContracting) }
     }
+}
 
-    /// The orbit does not close at an earlier return.
-    fn check_once(&self, x: &Box6, found: &[Return]) -> Result<(), ProofError> {
-        let is_apart = |back: &Return| (0..6).any(|i| back.state[i].lo > x[i].hi || back.state[i].hi < x[i].lo);
-        if found[..found.len() - 1].iter().all(is_apart) { Ok(()) } else { Err(ProofError::Repeated) }
-    }
+/// The orbit does not close at an earlier return.
+fn check_once(x: &Box6, found: &[Return]) -> Result<(), ProofError> {
+    let is_apart = |back: &Return| (0..6).any(|i| back.state[i].lo > x[i].hi || back.state[i].hi < x[i].lo);
+    if found[..found.len() - 1].iter().all(is_apart) { Ok(()) } else { Err(ProofError::Repeated) }
 }
 
 fn middle(x: Interval) -> f64 {

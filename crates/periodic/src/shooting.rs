@@ -206,7 +206,7 @@ impl Shot {
         let (matrix, right) = self.equations(space, &carried[self.passages.len()], keep);
         let step = matrix.lu().solve(&right).ok_or(ShootingError::Singular)?;
         // A guess that is so far from any orbit is none; nor is a step of singular equations that rounding left.
-        if !(step.amax() <= LOST) {
+        if step.amax() > LOST || step.iter().any(|x| x.is_nan()) {
             return Err(ShootingError::Singular);
         }
         Ok(self.moved(&carried, &step, 1.0))

@@ -49,7 +49,7 @@ pub struct AtlasArguments {
     #[command(flatten)]
     pub diagram: DiagramArguments,
     /// Draw nothing
-    #[arg(long, help_heading = "Output")]
+    #[arg(long, help_heading = "Output", hide_short_help = true)]
     pub no_plot: bool,
     /// Leave polylines, polygons, widths and views out of atlas.json
     #[arg(long, help_heading = "Output", hide_short_help = true)]

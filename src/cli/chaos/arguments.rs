@@ -9,7 +9,7 @@ use crate::cli::input::{BodyArguments, PointArguments, values};
 pub const CHAOS_EXAMPLES: &str = "\
 Examples:
   bifdiag chaos --body paper --h 5.3 --l 3.25
-  bifdiag chaos --A 2,1.1,1 --r 0.94868,0,0.61623 --h 3.8 --l 1 --error 0.1 --json
+  bifdiag chaos --A 2,1.1,1 --r 0.6,0,0.8 --h 3.8 --l 1 --error 0.1 --json
 
 The share of each component of E that is chaotic, in Liouville measure: orbits start at random, as the invariant measure of \
 the energy surface has it, and each is followed until it is known to be regular or chaotic.";

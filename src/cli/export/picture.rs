@@ -52,8 +52,9 @@ const THEMES: [Named<Theme>; 3] = [
 /// How pictures are written; every command that draws has these options.
 #[derive(Clone, Debug, Args)]
 pub struct PictureArguments {
-    /// Formats of the picture; pdf needs the feature `pdf`
+    /// Formats: svg, png, tikz; pdf with the feature `pdf`
     #[arg(long, value_parser = PictureFormat::parser(), value_delimiter = ',', default_value = "svg", help_heading = "Output")]
+    #[arg(hide_possible_values = true)]
     pub format: Vec<PictureFormat>,
     /// Colours of the picture
     #[arg(long, value_parser = named(&THEMES), default_value = "light", help_heading = "Output", hide_possible_values = true)]

@@ -37,7 +37,7 @@ psi, phi are Euler's angles of the third axis.";
 pub struct OrbitArguments {
     #[command(flatten)]
     pub body: BodyArguments,
-    /// The vertical, pointing down, in the body's axes; its length does not matter
+    /// The vertical, pointing down, in the body's axes, of any length
     #[arg(long, value_name = "g1,g2,g3", allow_hyphen_values = true, value_parser = values::vertical)]
     #[arg(help_heading = "Start: a state")]
     pub gamma: Option<Vertical>,

@@ -39,7 +39,7 @@ pub fn run(arguments: &ShortArguments, timings: &Timings) -> Result<(), Failure>
     let h = arguments.point.energy.as_ref().ok_or_else(|| missing("--h"))?;
     let l = arguments.point.momentum.as_ref().ok_or_else(|| missing("--l"))?;
     let crossings = arguments.crossings;
-    if crossings < 2 || crossings > MOST_CROSSINGS || crossings % 2 == 1 {
+    if !(2..=MOST_CROSSINGS).contains(&crossings) || crossings % 2 == 1 {
         return Err(Failure::input(format!(
             "--crossings {crossings}: a periodic orbit crosses P inward as often as outward; 2, 4, … up to {MOST_CROSSINGS} is \
              possible"

@@ -20,7 +20,7 @@ const RESONANT: f64 = 1e-6;
 
 impl Course<'_> {
     /// The family of the pair ±i`frequency`, in the units of the reduced top.
-    pub fn from_equilibrium(&self, equilibrium: &Equilibrium, frequency: f64) -> Result<Stretch, FamilyError> {
+    pub fn beginning_at(&self, equilibrium: &Equilibrium, frequency: f64) -> Result<Stretch, FamilyError> {
         let units = self.units;
         let point = self.space.point(&state_of(equilibrium, self.moments).reduced(units));
         let others = equilibrium.eigenvalues.pairs.map(|[re, im]| (re, units.reduce(im, Dimension::FREQUENCY)));
@@ -66,7 +66,7 @@ impl Course<'_> {
             let Ok(found) = self.setting().close(guess, &direction) else { continue };
             // Newton's method may have fallen back onto the family that is left.
             let is_new = match kind {
-                OrbitEventKind::Doubling => found.from_half() > distance,
+                OrbitEventKind::Doubling => found.distance_from_half() > distance,
                 _ => special.orbit.symmetric && !found.orbit.symmetric,
             };
             if is_new {

@@ -145,22 +145,16 @@ impl<'a> Course<'a> {
                 found.end = end;
                 break;
             }
-            step = (step * pace(next.corrections)).min(LONGEST).min(self.left(&last, &next));
+            step = (step * pace(next.corrections)).min(LONGEST).min(longest_step(&last, &next));
             last = next;
         }
         Ok(found)
     }
 
-    /// The longest step that does not go over a near end.
-    fn left(&self, before: &Member, member: &Member) -> f64 {
-        let towards = |now: f64, before: f64| if now < before { SHARE * now } else { LONGEST };
-        towards(member.size(), before.size()).min(towards(member.from_half(), before.from_half()))
-    }
-
     /// The end that a member has reached.
     fn end(&self, before: &Member, member: &Member, period: f64) -> Result<Option<End>, FamilyError> {
         let shrinks = member.size() < SHRUNK && member.size() < before.size();
-        let [was, is] = [before, member].map(Member::from_half);
+        let [was, is] = [before, member].map(Member::distance_from_half);
         if !shrinks && is < SHRUNK && is < was {
             return Ok(Some(End { kind: FamilyEnd::Joined, curves: Vec::new() }));
         }
@@ -196,4 +190,10 @@ fn pace(corrections: u32) -> f64 {
         4 => 1.0,
         _ => 0.6,
     }
+}
+
+/// The longest step that does not go over a near end.
+fn longest_step(before: &Member, member: &Member) -> f64 {
+    let towards = |now: f64, before: f64| if now < before { SHARE * now } else { LONGEST };
+    towards(member.size(), before.size()).min(towards(member.distance_from_half(), before.distance_from_half()))
 }

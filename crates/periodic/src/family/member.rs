@@ -66,7 +66,7 @@ impl Member {
     }
 
     /// How far it is from having half its period. (The number of nodes is even.)
-    pub fn from_half(&self) -> f64 {
+    pub fn distance_from_half(&self) -> f64 {
         let nodes = &self.shot.ring.nodes;
         (nodes[nodes.len() / 2] - nodes[0]).norm()
     }

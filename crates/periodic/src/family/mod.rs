@@ -36,7 +36,7 @@ pub fn families(
     let mut found = Vec::with_capacity(2);
     for frequency in frequencies {
         let course = Course::new(&top, &known, equilibrium, options)?;
-        let mut stretch = course.from_equilibrium(equilibrium, top.units().reduce(frequency, Dimension::FREQUENCY))?;
+        let mut stretch = course.beginning_at(equilibrium, top.units().reduce(frequency, Dimension::FREQUENCY))?;
         stretch.restore(&top, options.held);
         found.push(Family { frequency, stretch });
     }

@@ -243,6 +243,10 @@ fn winding(values: &[Vector2<f64>; 9], margin: f64) -> Option<i32> {
         }
         turned += libm::atan2(a.x * b.y - a.y * b.x, a.dot(&b));
     }
-    // A multiple of 2π within rounding.
-    Some((turned / std::f64::consts::TAU).round() as i32)
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "eight angles below π, whose sum is a multiple of 2π within rounding"
+    )]
+    let winding = (turned / std::f64::consts::TAU).round() as i32;
+    Some(winding)
 }

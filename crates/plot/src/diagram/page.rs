@@ -100,7 +100,9 @@ impl<'a> Page<'a> {
         caption.paragraph(&about(atlas, plan.straight));
         if !has_legend {
             caption.entries(legend.entries());
-            std::mem::take(&mut notes).iter().for_each(|note| caption.paragraph(note));
+            for note in std::mem::take(&mut notes) {
+                caption.paragraph(&note);
+            }
             below = axes;
         }
         let (heads, rows) = (columns(atlas), motions(&scene, &strokes, &panels));

@@ -49,7 +49,7 @@ const NAMES: [(&str, RGBColor); 18] = [
     ("pale orange", rgb(0xf6_cf_ba)),
     ("violet", rgb(0xa0_40_f0)),
     ("pale violet", rgb(0xd9_c2_f2)),
-    ("plum", rgb(0x78_32_64)),
+    ("plum", rgb(0x0078_3264)),
     ("pink", rgb(0xf0_90_b8)),
 ];
 
@@ -152,7 +152,7 @@ impl Caption {
                     let length = if pattern.len() == 1 { left } else { length.min(left) };
                     match color {
                         Some(color) => {
-                            out.push_str(&rule(self.theme.color(*color), ".5ex", 0.55 * length, 0.55 * width))
+                            out.push_str(&rule(self.theme.color(*color), ".5ex", 0.55 * length, 0.55 * width));
                         }
                         None => out.extend(["\\hspace{", &format!("{:.2}", 0.55 * length), "bp}"]),
                     }
@@ -182,6 +182,6 @@ mod tests {
         assert!(caption.tex.contains("\\textcolor[HTML]{A30D18}") && caption.tex.contains("\\textcolor[HTML]{DDF3E0}"));
         caption.table(&["curve".to_owned(), "l".to_owned()], &[vec!["G0.1".to_owned(), "0 … 1".to_owned()]]);
         assert!(caption.text.ends_with("curve  l\nG0.1   0 … 1\n"), "{}", caption.text);
-        assert!(caption.tex.contains("curve & l \\\\\nG0.1 & 0 \\ldots{} 1 \\\\\n"), "{}", caption.tex);
+        assert!(caption.tex.contains("curve & l \\\\\nG0.1 & 0 $\\ldots $ 1 \\\\\n"), "{}", caption.tex);
     }
 }
