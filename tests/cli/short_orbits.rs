@@ -43,6 +43,17 @@ fn the_table_tells_what_was_found() {
         .printing("complete:\n  evidence, not a proof");
 }
 
+/// A regular precession is a periodic orbit that lies in P.
+#[test]
+fn regular_precessions_are_said_to_be_left_out() {
+    bifdiag("periodic --A 1.5,1,1 --r 1,0,0 --h 0.2 --l 1")
+        .succeeds()
+        .printing("that cross P, at most 2 times in a period:\n\nnone that is isolated")
+        .printing("regular precessions lie in P");
+    let paper = bifdiag("periodic --body paper --h 2.6 --l 3.25").succeeds().stdout();
+    assert!(!paper.contains("regular precessions"), "{paper}");
+}
+
 #[test]
 fn points_without_a_section_and_odd_crossings_are_refused() {
     bifdiag("periodic --body paper --h 2.6").refused().telling("--l is missing");

@@ -1,6 +1,6 @@
 //! All short periodic orbits at one point, as a document.
 
-use bifdiag_body::Number;
+use bifdiag_body::{Body, IntegrableCase, Number};
 use bifdiag_numbers::decimal::{self, counted};
 use bifdiag_periodic::list::{Gap, OrbitList};
 use bifdiag_periodic::proof::OrbitProof;
@@ -38,7 +38,7 @@ pub fn periodic(
         continua: list.continua.iter().map(|orbit| periodic_orbit(body, orbit)).collect(),
         index_sums: list.index_sums.clone(),
         complete: list.gaps.is_empty(),
-        why: why(list),
+        why: why(body, list),
         part: subject.part.clone(),
     }
 }
@@ -62,7 +62,15 @@ fn ends(bounds: [f64; 2]) -> Ends {
 }
 
 /// What completeness rests on, or what may be missing.
-fn why(list: &OrbitList) -> String {
+fn why(body: &Body, list: &OrbitList) -> String {
+    // Regular precessions: S vanishes along them.
+    let lagrange = IntegrableCase::of(body).iter().any(|case| matches!(case, IntegrableCase::Lagrange(_)));
+    let in_section =
+        if lagrange { "; regular precessions lie in P, do not cross it, and were not looked for" } else { "" };
+    found_or_missing(list) + in_section
+}
+
+fn found_or_missing(list: &OrbitList) -> String {
     if list.gaps.is_empty() {
         let within = if list.slow == 0 {
             String::new()

@@ -15,6 +15,8 @@ const TEXT: f64 = 12.0;
 const MARGIN: f64 = 0.04;
 /// A period so many times as long as the longest at an equilibrium is left out: separatrices have no end.
 const LONG: f64 = 4.0;
+/// A period so short, in parts of the shortest at an equilibrium, is left out, too: fast rotation has no end.
+const SHORT: f64 = 0.25;
 
 fn color(stability: OrbitStability) -> RGBColor {
     match stability {
@@ -44,7 +46,8 @@ fn meaning(kind: OrbitEventKind) -> (&'static str, RGBColor) {
     }
 }
 
-/// Draws the period of every member over what changes along its family.
+/// Draws the period of every member over what changes along its family, unless it is much longer or shorter than those of all
+/// small oscillations: towards a separatrix and towards fast rotation nothing else happens, and takes all the room.
 ///
 /// # Errors
 /// [`PlotError`].
@@ -52,13 +55,15 @@ pub fn draw_periods(document: &PeriodicFamiliesDocument, theme: Theme) -> Result
     let (over_l, symbol) = (document.fixed_h.is_some(), if document.fixed_h.is_some() { "l" } else { "h" });
     let value = |orbit: &PeriodicOrbitDocument| if over_l { orbit.l } else { orbit.h };
     let longest = LONG * document.families.iter().map(|family| family.period).fold(0.0, f64::max);
+    let shortest = SHORT * document.families.iter().map(|family| family.period).fold(f64::INFINITY, f64::min);
+    let is_shown = |period: f64| (shortest..=longest).contains(&period);
     let strands = document.families.iter().flat_map(|family| {
         let branches = family.events.iter().flat_map(|event| &event.branches).map(|branch| &branch.members);
         std::iter::once(&family.members).chain(branches)
     });
     let strands: Vec<Vec<(Point, OrbitStability)>> = strands
         .map(|members| {
-            let shown = members.iter().filter(|orbit| orbit.period <= longest);
+            let shown = members.iter().filter(|orbit| is_shown(orbit.period));
             shown.map(|orbit| ([value(orbit), orbit.period], orbit.stability)).collect()
         })
         .collect();
@@ -104,7 +109,7 @@ pub fn draw_periods(document: &PeriodicFamiliesDocument, theme: Theme) -> Result
             let (words, color) = meaning(*kind);
             let events = document.families.iter().flat_map(|family| &family.events);
             let mut is_drawn = false;
-            for event in events.filter(|event| event.kind == *kind && event.period <= longest) {
+            for event in events.filter(|event| event.kind == *kind && is_shown(event.period)) {
                 canvas.disc(at([if over_l { event.l } else { event.h }, event.period]), 3.2, color);
                 is_drawn = true;
             }

@@ -73,7 +73,7 @@ fn text(subject: &Subject, document: &PeriodicDocument) -> String {
     let mut report = Report::default();
     head(subject, &mut report);
     report.line(format!(
-        "periodic orbits at h = {}, l = {} with at most {} crossings of P:",
+        "periodic orbits at h = {}, l = {} that cross P, at most {} times in a period:",
         document.h, document.l, document.crossings
     ));
     report.line("");
