@@ -26,7 +26,7 @@ const ORDER: [(&str, &str); 15] = [
     ),
     ("crates/dynamics/src", "field integrator motion section poincare"),
     ("crates/enclosure/src", "bound scalar field set step start orbit return_map"),
-    ("crates/chaos/src", "liouville share"),
+    ("crates/chaos/src", "liouville share map"),
     ("crates/periodic/src", "flow reversor shooting walk orbit family chart section_map proof list"),
     (
         "crates/survey/src",
@@ -38,7 +38,7 @@ const ORDER: [(&str, &str); 15] = [
          section words",
     ),
     ("crates/verify/src", "refused numbers equilibria order topology stability document"),
-    ("crates/plot/src", "page animation campbell periods steady diagram map section sphere part"),
+    ("crates/plot/src", "page animation campbell periods steady diagram map section chaos sphere part"),
     (
         "src/cli",
         "failure terminal input export batch listings explain part spin atlas show classify critical verify section chaos sphere \

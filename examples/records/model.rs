@@ -62,7 +62,7 @@ impl Model {
         }
         documents! {
             Head GivenBody AtlasDocument ClassificationDocument GridDocument CriticalDocument SectionsDocument MotionDocument
-            ProvedMotionDocument ChaosPointDocument PartAnswerDocument SteadyAxesDocument StateDocument CriticalSpinDocument SteadySpinsDocument SpinDownDocument
+            ProvedMotionDocument ChaosPointDocument ChaosMapDocument PartAnswerDocument SteadyAxesDocument StateDocument CriticalSpinDocument SteadySpinsDocument SpinDownDocument
             PeriodicDocument PeriodicFamiliesDocument
             BodiesDocument ExplanationDocument BatchErrorDocument
             RowDocument ScanSummaryDocument BorderDocument ComparisonDocument PointProofDocument FindDocument ClassesDocument StandingDocument

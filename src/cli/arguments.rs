@@ -161,7 +161,7 @@ commands! {
     Explain(ExplainArguments) = "explain", explain::EXPLAIN_EXAMPLES;
     /// Compute a Poincaré section on the PP-torus
     Section(SectionArguments) = "section", section::EXAMPLES;
-    /// Measure the chaotic share of the energy surface at one point
+    /// Measure the chaotic share of the energy surface, at one point or over a window
     Chaos(Box<ChaosArguments>) = "chaos", chaos::CHAOS_EXAMPLES;
     /// Draw U on the Poisson sphere at one point
     Sphere(SphereArguments) = "sphere", sphere::EXAMPLES;

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use bifdiag_schema::{
-    AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ChaosPointDocument, ClassDocument,
-    ClassesDocument, ClassificationDocument, ComparisonDocument, CriticalDocument, CriticalSpinDocument,
+    AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ChaosMapDocument, ChaosPointDocument,
+    ClassDocument, ClassesDocument, ClassificationDocument, ComparisonDocument, CriticalDocument, CriticalSpinDocument,
     ExplanationDocument, FindDocument, GridDocument, MotionDocument, PartAnswerDocument, PeriodicDocument,
     PeriodicFamiliesDocument, PointProofDocument, ProvedMotionDocument, RowDocument, ScanSummaryDocument,
     SectionDocument, SectionsDocument, SpinDownDocument, StandingDocument, StateDocument, SteadyAxesDocument,
@@ -84,8 +84,10 @@ pub enum Name {
     Orbit,
     /// The answer of `bifdiag orbit --proved --json`, and the `meta` of its data
     ProvedOrbit,
-    /// The answer of `bifdiag chaos --json`
+    /// The answer of `bifdiag chaos --json` at one point
     Chaos,
+    /// FILE.json of `bifdiag chaos --window`, and without `rows` the `meta` of its tables
+    ChaosMap,
     /// The answer of `bifdiag body --json`
     Body,
     /// The answer of `bifdiag state --json`
@@ -139,6 +141,7 @@ impl Name {
             Self::Orbit => schema_for!(MotionDocument),
             Self::ProvedOrbit => schema_for!(ProvedMotionDocument),
             Self::Chaos => schema_for!(ChaosPointDocument),
+            Self::ChaosMap => schema_for!(ChaosMapDocument),
             Self::Body => schema_for!(PartAnswerDocument),
             Self::State => schema_for!(StateDocument),
             Self::CriticalSpin => schema_for!(CriticalSpinDocument),

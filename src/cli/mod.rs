@@ -112,7 +112,7 @@ fn work(options: &Options) -> Result<(), Failure> {
         Some(Command::Show(arguments)) => show::run(arguments),
         Some(Command::Explain(arguments)) => explain::run(arguments, &Command::abouts()),
         Some(Command::Section(arguments)) => section::run(arguments, &timings, quiet),
-        Some(Command::Chaos(arguments)) => chaos::run(arguments, &timings),
+        Some(Command::Chaos(arguments)) => chaos::run(arguments, &timings, quiet),
         Some(Command::Sphere(arguments)) => sphere::run(arguments, &timings),
         Some(Command::Orbit(arguments)) => orbit::run(arguments, &timings),
         Some(Command::Periodic(arguments)) => periodic::run(arguments, &timings),

@@ -1,6 +1,8 @@
-//! `bifdiag chaos`: shares at a point.
+//! `bifdiag chaos`: shares at a point, and maps that are cut, joined and taken up again.
 
-use crate::builder::bifdiag;
+use serde_json::Value;
+
+use crate::builder::{PROGRAM, bifdiag};
 
 const POINT: &str = "chaos --body paper --h 5.3 --l 3.25";
 
@@ -41,4 +43,108 @@ fn points_without_a_share_are_refused_with_the_reason() {
     bifdiag("chaos --body kovalevskaya --h 1 --l 0").refused().telling("lies on a curve");
     bifdiag("chaos --body paper --h 5").refused().telling("--l is missing");
     bifdiag(&format!("{POINT} --error 0")).refused().telling("a standard deviation from");
+    bifdiag(&format!("{POINT} --out map.npz")).refused().telling("--h is for one point");
+    bifdiag("chaos --body paper --window 5:6,1:2 --out map.txt").refused().telling("FILE.npz");
+    bifdiag("chaos --body paper --window 5:6,1:2 --cells 0x3 --out map.npz").refused().telling("NxM");
+    bifdiag("chaos --body paper --window 5:6,1:2").refused().telling("--out is missing");
 }
+
+/// Over the curves of the paper's body, between which regions of one and of two components lie.
+const MAP: &str = "chaos --body paper --window 3.2:4.2,2.9:3.5 --cells 11x9 --error 0.3 --steps 320 -q";
+
+#[test]
+fn a_map_is_the_same_in_one_piece_in_shards_and_on_any_number_of_threads() {
+    let place = tempfile::tempdir().unwrap();
+    let run = |line: &str| bifdiag(line).inside(place.path()).succeeds();
+    let read = |name: &str| std::fs::read(place.path().join(name)).unwrap();
+    run(&format!("{MAP} --threads 1 --out whole.json"));
+    run(&format!("{MAP} --threads 2 --out whole.npz"));
+    for part in 1..=3 {
+        run(&format!("{MAP} --shard {part}/3 --out part-{part}.json"));
+    }
+    run("chaos merge part-2.json part-3.json part-1.json --out joined.json");
+    run("chaos merge part-2.json part-3.json part-1.json --out joined.npz");
+    assert!(read("whole.json") == read("joined.json"));
+    assert!(read("whole.npz") == read("joined.npz"));
+    let merge = |parts: &str| bifdiag(&format!("chaos merge {parts} --out x.json")).inside(place.path()).refused();
+    merge("part-1.json part-3.json").telling("are missing");
+    merge("part-1.json part-1.json part-2.json part-3.json").telling("twice");
+    merge("whole.npz").telling("name the .json file");
+    run("chaos map joined.json --out .");
+    let picture = String::from_utf8(read("chaos.svg")).unwrap();
+    for text in [">chaotic share<", ">R5<", "without a verdict"] {
+        assert!(picture.contains(text), "{text}");
+    }
+    bifdiag("chaos map whole.npz").inside(place.path()).refused().telling("name the .json file");
+    // Each cell has a row for each component of each region in it.
+    let map: Value = serde_json::from_slice(&read("whole.json")).unwrap();
+    let rows = map["rows"].as_array().unwrap();
+    let parts = |i: u64, j: u64| -> Vec<(String, u64, f64)> {
+        let here = rows.iter().filter(|row| row["cell"] == serde_json::json!([i, j]));
+        here.map(|row| {
+            let region = row["region"].as_str().unwrap().to_owned();
+            (region, row["component"].as_u64().unwrap(), row["part"].as_f64().unwrap())
+        })
+        .collect()
+    };
+    let (mut mixed, mut several) = (0, 0);
+    for i in 0..11 {
+        for j in 0..9 {
+            let parts = parts(i, j);
+            let whole: f64 = parts.iter().filter(|(_, component, _)| *component == 0).map(|(.., part)| part).sum();
+            assert!(whole <= 1.0 + 1e-12 && whole > 0.8, "({i}, {j}): {parts:?}");
+            mixed += u32::from(parts.iter().any(|(region, ..)| *region != parts[0].0));
+            several += u32::from(parts.iter().any(|(_, component, _)| *component > 0));
+        }
+    }
+    assert!(mixed > 3 && several > 3, "{mixed} {several}");
+}
+
+#[test]
+fn a_map_goes_on_where_it_was() {
+    let place = tempfile::tempdir().unwrap();
+    let run = |line: &str| bifdiag(line).inside(place.path()).succeeds();
+    let line = "chaos --body paper --window 3.2:4.2,2.9:3.5 --cells 40x17 --error 0.3 --steps 320";
+    run(&format!("{line} -q --out whole.csv"));
+    // What a killed run leaves: the journal as far as it came, cut in the middle of a block.
+    let partial = place.path().join("cut.csv.partial");
+    let journal = half_of_a_journal(place.path(), line);
+    std::fs::write(&partial, journal).unwrap();
+    let told = run(&format!("{line} --out cut.csv")).stderr();
+    assert!(told.contains("going on behind"), "{told}");
+    assert_eq!(
+        std::fs::read(place.path().join("cut.csv")).unwrap(),
+        std::fs::read(place.path().join("whole.csv")).unwrap()
+    );
+    assert!(!partial.exists());
+    std::fs::write(&partial, "{\"another\": 1}\n").unwrap();
+    bifdiag(&format!("{line} --out cut.csv")).inside(place.path()).refused().telling("another map");
+}
+
+/// The beginning of the journal of a run that is killed, cut in the middle of a block.
+fn half_of_a_journal(directory: &std::path::Path, line: &str) -> Vec<u8> {
+    let journal = directory.join("stopped.csv.partial");
+    for _ in 0..20 {
+        let mut child = std::process::Command::new(PROGRAM)
+            .args(line.split(' '))
+            .args(["-q", "--threads", "1", "--out", "stopped.csv"])
+            .current_dir(directory)
+            .stdout(std::process::Stdio::null())
+            .spawn()
+            .unwrap();
+        let mut bytes = Vec::new();
+        while bytes.len() < LENGTH && child.try_wait().unwrap().is_none() {
+            bytes = std::fs::read(&journal).unwrap_or_default();
+            std::thread::sleep(std::time::Duration::from_millis(2));
+        }
+        let _ended = child.kill();
+        child.wait().unwrap();
+        if bytes.len() >= LENGTH {
+            return bytes[..bytes.len() - 500].to_vec();
+        }
+    }
+    panic!("it was over before it could be stopped");
+}
+
+/// More than the first block of the journal, and less than all of them.
+const LENGTH: usize = 90_000;

@@ -119,6 +119,11 @@ fn documents_fit_their_schemas() {
     for point in ["--body paper --h 5.3 --l 3.25", "--body euler --h 2 --l 1"] {
         assert_fits("chaos", &bifdiag(&format!("chaos {point} --error 0.2 --steps 320 --json")).succeeds().json());
     }
+    let place = tempfile::tempdir().unwrap();
+    let map = "chaos --body paper --window 3.2:4.2,2.9:3.5 --cells 2x2 --error 0.3 --steps 320 -q --out map.json";
+    bifdiag(map).inside(place.path()).succeeds();
+    let map = std::fs::read(place.path().join("map.json")).unwrap();
+    assert_fits("chaos-map", &serde_json::from_slice(&map).unwrap());
     for from in ["--A 2,2,3 --r 0,0,1 --from L-.2", "--body paper --from G2.1 --l 3.25", "--body lagrange --from L+.1"]
     {
         assert_fits("spin-down", &bifdiag(&format!("spin-down {from} --json")).succeeds().json());

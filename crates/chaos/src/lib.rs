@@ -1,7 +1,9 @@
-//! The chaotic share of the components of an energy surface, in Liouville measure.
+//! The chaotic share of the components of an energy surface, in Liouville measure, at a point of the (h, l) plane and over it.
 
 mod liouville;
+mod map;
 mod share;
 
 pub use liouville::{EnergySurface, SampleError};
+pub use map::{CellShare, Cells, MapError, map_tiles};
 pub use share::{Share, ShareError, ShareOptions, shares};

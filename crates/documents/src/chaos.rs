@@ -1,10 +1,12 @@
 //! The chaotic share of energy surfaces as documents.
 
-use bifdiag_chaos::{Share, ShareOptions};
+use bifdiag_chaos::{CellShare, Cells, Share, ShareOptions};
 use bifdiag_diagram::arrangement::RegionId;
 use bifdiag_diagram::topology::Component;
 use bifdiag_numbers::Number;
-use bifdiag_schema::{ChaosPointDocument, ChaosShareDocument, CommandLine};
+use bifdiag_schema::{
+    ChaosCellDocument, ChaosMapDocument, ChaosPointDocument, ChaosShareDocument, CommandLine, WindowDocument,
+};
 
 use crate::body::{given, head};
 use crate::subject::Subject;
@@ -42,6 +44,47 @@ fn chaos_share(component: &Component, share: Share) -> ChaosShareDocument {
         open: share.open_share(),
         orbits: share.orbits,
         crossings: share.crossings,
+    }
+}
+
+/// The map of a window without its rows; `tiles` are those of it.
+#[must_use]
+pub fn chaos_map(subject: &Subject, cells: &Cells, tiles: [u64; 2], options: &ShareOptions) -> ChaosMapDocument {
+    let range = |[from, to]: [f64; 2]| format!("{from:?}:{to:?}");
+    let [n, m] = cells.counts;
+    let command = subject.command("chaos").option("window", format!("{},{}", range(cells.h), range(cells.l)));
+    let command = with_options(command.option("cells", format!("{n}x{m}")), options);
+    ChaosMapDocument {
+        head: head(command.text()),
+        body: given(&subject.body),
+        window: WindowDocument { h: cells.h, l: cells.l },
+        cells: cells.counts,
+        error: options.error,
+        steps: options.orbits.steps as u64,
+        seed: options.seed,
+        tiles,
+        rows: Vec::new(),
+        part: subject.part.clone(),
+    }
+}
+
+/// A row of a map.
+#[must_use]
+pub fn chaos_cell(row: &CellShare) -> ChaosCellDocument {
+    let known = row.share.orbits > 0;
+    ChaosCellDocument {
+        cell: row.cell,
+        h: row.h,
+        l: row.l,
+        region: row.region.to_string(),
+        component: u32::try_from(row.component).unwrap_or(u32::MAX),
+        part: row.part,
+        block: u32::try_from(row.block).unwrap_or(u32::MAX),
+        fraction: known.then(|| row.share.fraction()),
+        error: known.then_some(row.error),
+        open: if known { row.share.open_share() } else { 1.0 },
+        orbits: row.share.orbits,
+        crossings: row.share.crossings,
     }
 }
 

@@ -32,7 +32,7 @@ pub use bifdiag_schema::CommandLine;
 pub use body::{all_bodies, given, head, part, texts, version};
 pub use border::border;
 pub use certified::{certified_atlas, certified_atlas_of, leave_out_drawing, proved_point, seal};
-pub use chaos::chaos_point;
+pub use chaos::{chaos_cell, chaos_map, chaos_point};
 pub use classes::{add_text, shipped_classes, standing};
 pub use classification::{accuracy_option, classification, component, components, margin};
 pub use comparison::{Compared, comparison};

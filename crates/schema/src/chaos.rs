@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{GivenBody, Head, PartDocument};
+use super::{GivenBody, Head, PartDocument, WindowDocument};
 
 /// The chaotic share of a component of E, in Liouville measure.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -44,6 +44,64 @@ pub struct ChaosPointDocument {
     pub steps: u64,
     /// One entry for each component of E, in the order of `classify`.
     pub components: Vec<ChaosShareDocument>,
+    /// The part from which A and r were computed, when one was given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub part: Option<PartDocument>,
+}
+
+/// A row of a map: one component of E in one region, in one cell.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ChaosCellDocument {
+    /// The cell, counted from 0 along h and along l.
+    pub cell: [u64; 2],
+    /// Energy at its centre.
+    pub h: f64,
+    /// Vertical angular momentum at its centre.
+    pub l: f64,
+    /// The region.
+    pub region: String,
+    /// The component of E, counted from 0 in the order of `classify`.
+    pub component: u32,
+    /// Which part of the cell belongs to the region, as 16 points have it.
+    pub part: f64,
+    /// Cells along a side of the block that was measured as one: its orbits are those of all its cells.
+    pub block: u32,
+    /// The share of the orbits that are known to be chaotic; `null` without orbits.
+    pub fraction: Option<f64>,
+    /// One standard deviation of `fraction`, with what the quarters of the block differ by beyond chance.
+    pub error: Option<f64>,
+    /// The share of the orbits without a verdict.
+    pub open: f64,
+    /// How many orbits were judged; 0 where the component is too thin to be met.
+    pub orbits: u64,
+    /// How often they crossed the section S = 0, as seen at the steps of the integrator.
+    pub crossings: u64,
+}
+
+/// A map of the chaotic share over a window, or a shard of it; without its rows, the `meta` of its tables.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ChaosMapDocument {
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
+    /// The body.
+    #[serde(flatten)]
+    pub body: GivenBody,
+    /// What the map shows.
+    pub window: WindowDocument,
+    /// How many cells, along h and along l.
+    pub cells: [u64; 2],
+    /// The standard deviation that was asked for.
+    pub error: f64,
+    /// Steps of the integrator after which an orbit stays open.
+    pub steps: u64,
+    /// The choice of the orbits.
+    pub seed: u64,
+    /// The tiles of 8 × 8 cells that it holds: from this one on, up to but without that one.
+    pub tiles: [u64; 2],
+    /// Its rows, by tiles, then by cells.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub rows: Vec<ChaosCellDocument>,
     /// The part from which A and r were computed, when one was given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part: Option<PartDocument>,

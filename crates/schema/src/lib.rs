@@ -42,7 +42,7 @@ pub use certificate::{
     CertificateDocument, CertificateUnits, CertifiedCusp, CertifiedEvent, CertifiedHeight, CertifiedMeeting,
     CertifiedNode, CertifiedPair, CertifiedSample, CertifiedSlab, CertifiedStretch, PlaceDocument,
 };
-pub use chaos::{ChaosPointDocument, ChaosShareDocument};
+pub use chaos::{ChaosCellDocument, ChaosMapDocument, ChaosPointDocument, ChaosShareDocument};
 pub use classes::{
     ClassBesideDocument, ClassBorderDocument, ClassDocument, ClassNeighbourDocument, ClassWitnessDocument,
     ClassesDocument, StandingDocument,

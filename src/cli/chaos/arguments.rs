@@ -1,26 +1,79 @@
 //! The options of `bifdiag chaos`.
 
+use std::path::PathBuf;
+
 use bifdiag_chaos::ShareOptions;
 use bifdiag_dynamics::section::chaos::DecisionOptions;
-use clap::Args;
+use bifdiag_schema::WindowDocument;
+use bifdiag_survey::scan::Shard;
+use clap::{Args, Subcommand};
 
+use crate::cli::export::PictureArguments;
+use crate::cli::failure::Failure;
 use crate::cli::input::{BodyArguments, PointArguments, values};
 
 pub const CHAOS_EXAMPLES: &str = "\
 Examples:
   bifdiag chaos --body paper --h 5.3 --l 3.25
   bifdiag chaos --A 2,1.1,1 --r 0.6,0,0.8 --h 3.8 --l 1 --error 0.1 --json
+  bifdiag chaos --body paper --window 5:6,1:2 --cells 4x4 --out chaos.json
+  bifdiag chaos --body paper --window 5:6,1:2 --shard 1/2 --out part-1.json
+  bifdiag chaos merge part-1.json part-2.json --out chaos.npz
+  bifdiag chaos map chaos.json --out pictures
 
 The share of each component of E that is chaotic, in Liouville measure: orbits start at random, as the invariant measure of \
-the energy surface has it, and each is followed until it is known to be regular or chaotic.";
+the energy surface has it, and each is followed until it is known to be regular or chaotic. A map that was stopped goes on where \
+it was when it is started again, and its file is byte for byte that of an unbroken one.";
+
+const DRAW_EXAMPLES: &str = "\
+Examples:
+  bifdiag chaos map chaos.json --out pictures";
+
+const MERGE_EXAMPLES: &str = "\
+Examples:
+  bifdiag chaos merge part-1.json part-2.json --out chaos.npz";
 
 /// `bifdiag chaos`.
 #[derive(Debug, Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub struct ChaosArguments {
+    #[command(subcommand)]
+    pub command: Option<ChaosCommand>,
+    #[command(flatten)]
+    pub share: ShareArguments,
+}
+
+/// What else can be done with maps.
+#[derive(Debug, Subcommand)]
+pub enum ChaosCommand {
+    /// Draw a map, with the curves and the regions over it
+    #[command(after_help = DRAW_EXAMPLES)]
+    Map(DrawArguments),
+    /// Join the shards of a map
+    #[command(after_help = MERGE_EXAMPLES)]
+    Merge(MergeArguments),
+}
+
+/// A point or a map.
+#[derive(Debug, Args)]
+pub struct ShareArguments {
     #[command(flatten)]
     pub body: BodyArguments,
     #[command(flatten)]
     pub point: PointArguments,
+    /// Instead of a point: the part of the plane that is mapped (default: that of the diagram)
+    #[arg(long, value_name = "hmin:hmax,lmin:lmax", allow_hyphen_values = true, value_parser = values::window)]
+    #[arg(help_heading = "Map")]
+    pub window: Option<WindowDocument>,
+    /// Cells of the map, along h and along l
+    #[arg(long, value_name = "NxM", default_value = "200x200", value_parser = cells, help_heading = "Map")]
+    pub cells: [u64; 2],
+    /// Only part i of n of the map
+    #[arg(long, value_name = "i/n", help_heading = "Map", hide_short_help = true)]
+    pub shard: Option<Shard>,
+    /// Begin anew, although FILE.partial holds the beginning of a map
+    #[arg(long, help_heading = "Map", hide_short_help = true)]
+    pub restart: bool,
     /// Standard deviation that is wanted of each share
     #[arg(long, value_name = "E", default_value_t = 0.03, value_parser = values::share_error, help_heading = "Orbits")]
     pub error: f64,
@@ -31,15 +84,53 @@ pub struct ChaosArguments {
     /// Another choice of the orbits, equally spread
     #[arg(long, value_name = "K", default_value_t = 0, value_parser = values::seed, help_heading = "Orbits", hide_short_help = true)]
     pub seed: u64,
-    /// Print the answer as JSON
-    #[arg(long, help_heading = "Output")]
+    /// Write the map to FILE (.npz, .parquet, .csv, .jsonl: tables; .json: a document)
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    pub out: Option<PathBuf>,
+    /// Print the answer of one point as JSON
+    #[arg(long, conflicts_with = "out", help_heading = "Output")]
     pub json: bool,
 }
 
-impl ChaosArguments {
+/// `bifdiag chaos map`.
+#[derive(Debug, Args)]
+pub struct DrawArguments {
+    /// A map (.json)
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// Write chaos.svg, or the other formats, to DIR
+    #[arg(long, value_name = "DIR", default_value = "bifdiag-out", help_heading = "Output")]
+    pub out: PathBuf,
+    #[command(flatten)]
+    pub picture: PictureArguments,
+}
+
+/// `bifdiag chaos merge`.
+#[derive(Debug, Args)]
+pub struct MergeArguments {
+    /// The shards (.json), in any order
+    #[arg(value_name = "SHARD")]
+    pub shards: Vec<PathBuf>,
+    /// Write the map to FILE (.npz, .parquet, .csv, .jsonl, .json)
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    pub out: Option<PathBuf>,
+}
+
+impl ShareArguments {
     /// How shares are measured.
     pub fn options(&self) -> ShareOptions {
         let orbits = DecisionOptions { steps: self.steps as usize, ..DecisionOptions::default() };
         ShareOptions { error: self.error, seed: self.seed, orbits }
     }
+}
+
+/// Numbers of cells such as 200x200.
+fn cells(text: &str) -> Result<[u64; 2], Failure> {
+    /// The most cells of a map.
+    const MOST: u64 = 100_000_000;
+    let count = |text: &str| text.parse::<u64>().ok().filter(|count| *count > 0);
+    let counts = text.split_once('x').and_then(|(n, m)| Some([count(n)?, count(m)?]));
+    counts
+        .filter(|[n, m]| n.checked_mul(*m).is_some_and(|all| all <= MOST))
+        .ok_or_else(|| Failure::input("cells are written NxM, such as 200x200, at most 100000000 of them"))
 }

@@ -1,13 +1,24 @@
-//! `bifdiag chaos`: the chaotic share of the energy surface at one point.
+//! `bifdiag chaos`: the chaotic share of the energy surface, at one point and over a window.
 
 mod arguments;
+mod draw;
+mod map;
+mod merge;
+mod output;
 mod point;
 
 pub use arguments::{CHAOS_EXAMPLES, ChaosArguments};
 
 use super::failure::Failure;
 use super::terminal::Timings;
+use arguments::ChaosCommand;
 
-pub fn run(arguments: &ChaosArguments, timings: &Timings) -> Result<(), Failure> {
-    point::run(arguments, timings)
+pub fn run(arguments: &ChaosArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
+    let share = &arguments.share;
+    match &arguments.command {
+        Some(ChaosCommand::Map(arguments)) => draw::run(arguments, timings),
+        Some(ChaosCommand::Merge(arguments)) => merge::run(arguments),
+        None if share.out.is_some() || share.window.is_some() => map::run(share, quiet),
+        None => point::run(share, timings),
+    }
 }

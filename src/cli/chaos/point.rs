@@ -12,7 +12,7 @@ use bifdiag_dynamics::section::Monitor;
 use bifdiag_exact::Solver;
 use bifdiag_schema::{Accuracy, ChaosPointDocument};
 
-use super::ChaosArguments;
+use super::arguments::ShareArguments;
 use crate::cli::classify::unanswered;
 use crate::cli::export::answer;
 use crate::cli::failure::{Failure, failed};
@@ -20,7 +20,7 @@ use crate::cli::input::{head, integrable};
 use crate::cli::terminal::interrupt::stoppable;
 use crate::cli::terminal::{Report, Table, Timings};
 
-pub fn run(arguments: &ChaosArguments, timings: &Timings) -> Result<(), Failure> {
+pub fn run(arguments: &ShareArguments, timings: &Timings) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
     let h = arguments.point.energy.as_ref().ok_or_else(|| missing("--h", "energy, such as --h 5.3"))?;
     let l = arguments.point.momentum.as_ref().ok_or_else(|| missing("--l", "momentum, such as --l 3.25"))?;

@@ -86,8 +86,15 @@ pub(super) fn shades(family: usize) -> [RGBColor; SHADES] {
 }
 
 /// Where no value is known.
-pub(super) const fn unknown() -> RGBColor {
+pub(crate) const fn unknown() -> RGBColor {
     UNKNOWN
+}
+
+/// The colour of a part of the scale, from 0 to 1.
+pub(crate) fn shade(share: f64) -> RGBColor {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the levels")]
+    let level = (share.clamp(0.0, 1.0) * (LEVELS - 1) as f64).round() as usize;
+    level_color(level)
 }
 
 /// The colour of a level of the scale.
@@ -131,7 +138,8 @@ impl Bar {
     }
 }
 
-fn paint_scale(canvas: &Canvas, rect: &Rect) {
+/// Fills a rectangle with the scale, from below.
+pub(crate) fn paint_scale(canvas: &Canvas, rect: &Rect) {
     for level in 0..LEVELS {
         // Each reaches to the upper end, and the next lies over it, so that no seam shows.
         let height = rect.height * (1.0 - level as f64 / LEVELS as f64);

@@ -15,6 +15,7 @@ pub use scene::{OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionS
 use crate::page::{Anchor, Heading, INK, Legend, Picture, PlotError, body_line, render, text_width, title_size};
 use bifdiag_dynamics::section::SectionCondition;
 use colors::Coloring;
+pub(crate) use colors::{paint_scale, shade, unknown};
 use layout::Layout;
 
 /// The most sections on one page.
