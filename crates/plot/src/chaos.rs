@@ -34,9 +34,8 @@ pub struct ChaosCell {
     pub h: [f64; 2],
     /// Its momenta.
     pub l: [f64; 2],
-    /// Stripes side by side along h, each with its part of the width and the shares of its components, one above the other along
-    /// l; `None` where a share is not known.
-    pub stripes: Vec<(f64, Vec<Option<f64>>)>,
+    /// The shares of the components, which stand one above the other along l; `None` where a share is not known.
+    pub shares: Vec<Option<f64>>,
 }
 
 const RECT: Rect = Rect { x: 74.0, y: 62.0, width: 520.0, height: 400.0 };
@@ -95,24 +94,13 @@ fn color(share: Option<f64>) -> RGBColor {
 }
 
 fn draw_cell(canvas: &Canvas, cell: &ChaosCell, across: &impl Fn(f64) -> f64, up: &impl Fn(f64) -> f64) {
-    let mut from = cell.h[0];
-    for (part, shares) in &cell.stripes {
-        let to = from + part * (cell.h[1] - cell.h[0]);
-        let step = (cell.l[1] - cell.l[0]) / shares.len().max(1) as f64;
-        for (number, share) in shares.iter().enumerate() {
-            let bottom = cell.l[0] + step * number as f64;
-            // A little over the edge, so that no seam shows.
-            let [x, right] = [across(from), across(to) + 0.4];
-            let [y, top] = [up(bottom), up(bottom + step) - 0.4];
-            let corners = [
-                [x, y],
-                [right.min(RECT.right()), y],
-                [right.min(RECT.right()), top.max(RECT.y)],
-                [x, top.max(RECT.y)],
-            ];
-            canvas.polygon(&corners, color(*share));
-        }
-        from = to;
+    let step = (cell.l[1] - cell.l[0]) / cell.shares.len().max(1) as f64;
+    for (number, share) in cell.shares.iter().enumerate() {
+        let bottom = cell.l[0] + step * number as f64;
+        // A little over the edge, so that no seam shows.
+        let (x, right) = (across(cell.h[0]), (across(cell.h[1]) + 0.4).min(RECT.right()));
+        let (y, top) = (up(bottom), (up(bottom + step) - 0.4).max(RECT.y));
+        canvas.polygon(&[[x, y], [right, y], [right, top], [x, top]], color(*share));
     }
 }
 
@@ -134,11 +122,11 @@ mod tests {
     use super::*;
 
     fn scene() -> ChaosScene {
-        let cell = |h: f64, stripes| ChaosCell { h: [h, h + 1.0], l: [0.0, 2.0], stripes };
+        let cell = |h: f64, shares| ChaosCell { h: [h, h + 1.0], l: [0.0, 2.0], shares };
         ChaosScene {
             h: [0.0, 2.0],
             l: [0.0, 2.0],
-            cells: vec![cell(0.0, vec![(1.0, vec![Some(0.0)])]), cell(1.0, vec![(0.25, vec![Some(1.0), None])])],
+            cells: vec![cell(0.0, vec![Some(0.0)]), cell(1.0, vec![Some(1.0), None])],
             curves: vec![vec![[-1.0, 1.0], [1.0, 1.0], [3.0, 1.0], [3.0, 5.0]], vec![[5.0, 5.0], [6.0, 6.0]]],
             labels: vec![([0.5, 1.0], "R1".to_owned())],
             title: "A body".to_owned(),

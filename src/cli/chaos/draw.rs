@@ -3,9 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use bifdiag_body::Body;
-use bifdiag_diagram::atlas::{Atlas, PolylineOptions};
-use bifdiag_documents::DocumentOptions;
-use bifdiag_exact::Accuracy;
+use bifdiag_diagram::atlas::{Atlas, PolylineOptions, Spot};
+use bifdiag_exact::{Accuracy, Solver};
 use bifdiag_plot::{ChaosCell, ChaosScene, body_line, draw_chaos};
 use bifdiag_schema::{ChaosCellDocument, ChaosMapDocument};
 
@@ -18,13 +17,20 @@ use crate::cli::terminal::{Report, Timings, print};
 /// Room for the body's numbers, and the size of their letters.
 const WIDE: f64 = 520.0;
 const LARGE: f64 = 14.0;
+/// How far drawn chords may leave a curve, as for diagrams, but so that no corner shows in a small window.
+const CHORD: f64 = 2e-5;
+/// Squares along a side of a cell through which a curve goes.
+const SQUARES: u64 = 16;
 
 pub fn run(arguments: &DrawArguments, timings: &Timings) -> Result<(), Failure> {
     let map = shard(&arguments.file)?;
     let body = Body::parse(&map.body.moments, &map.body.center)
         .map_err(|error| Failure::input(format!("{}: {error}", arguments.file.display())))?;
-    let atlas = bifdiag_exact::atlas(&body, Accuracy::Exact).map_err(failed("the atlas could not be made"))?;
-    let scene = scene(&map, &atlas);
+    let solver = Solver::new(body, Accuracy::Exact);
+    let unknown = || Failure::work("the diagram of this body is not known, and with it the regions of the cells");
+    let atlas = solver.atlas().ok_or_else(unknown)?;
+    let cells = painted(&map, &solver)?;
+    let scene = scene(&map, atlas, cells);
     let picture = timings.stage("picture", || draw_chaos(&scene, arguments.picture.theme))?;
     let mut files = FileSet::new(&arguments.out);
     files.remove_pictures("chaos");
@@ -33,27 +39,15 @@ pub fn run(arguments: &DrawArguments, timings: &Timings) -> Result<(), Failure> 
 }
 
 /// What the picture shows.
-fn scene(map: &ChaosMapDocument, atlas: &Atlas) -> ChaosScene {
-    let options =
-        PolylineOptions { chord_tolerance: DocumentOptions::default().chord_tolerance, l_least: map.window.l[1] };
+fn scene(map: &ChaosMapDocument, atlas: &Atlas, painted: Vec<ChaosCell>) -> ChaosScene {
+    let options = PolylineOptions { chord_tolerance: CHORD, l_least: map.window.l[1] };
     let set = &atlas.arrangement().set;
     let drawn = set.curves.pairs().filter(|(_, curve)| curve.is_critical());
-    let mut cells: BTreeMap<[u64; 2], Vec<&ChaosCellDocument>> = BTreeMap::new();
-    for row in &map.rows {
-        cells.entry(row.cell).or_default().push(row);
-    }
-    let along = |[from, to]: [f64; 2], count: u64, cell: u64| {
-        [cell, cell + 1].map(|cell| from + (to - from) * cell as f64 / count as f64)
-    };
-    let cell = |(&[i, j], rows): (&[u64; 2], &Vec<&ChaosCellDocument>)| ChaosCell {
-        h: along(map.window.h, map.cells[0], i),
-        l: along(map.window.l, map.cells[1], j),
-        stripes: stripes(rows),
-    };
+    let cells = by_cells(map);
     ChaosScene {
         h: map.window.h,
         l: map.window.l,
-        cells: cells.iter().map(cell).collect(),
+        cells: painted,
         curves: drawn.map(|(id, _)| atlas.polyline_of(id, &options)).collect(),
         labels: labels(map, &cells),
         title: body_line(&map.body.moments, &map.body.center, WIDE, LARGE),
@@ -61,16 +55,40 @@ fn scene(map: &ChaosMapDocument, atlas: &Atlas) -> ChaosScene {
     }
 }
 
-/// A stripe for each region in a cell, as wide as its part of the cell, with its components.
-fn stripes(rows: &[&ChaosCellDocument]) -> Vec<(f64, Vec<Option<f64>>)> {
-    let mut regions: Vec<(&str, f64, Vec<Option<f64>>)> = Vec::new();
-    for row in rows {
-        match regions.last_mut().filter(|(region, ..)| *region == row.region) {
-            Some((.., shares)) => shares.push(row.fraction),
-            None => regions.push((&row.region, row.part, vec![row.fraction])),
+/// The rows of each cell.
+fn by_cells(map: &ChaosMapDocument) -> BTreeMap<[u64; 2], Vec<&ChaosCellDocument>> {
+    let mut cells: BTreeMap<[u64; 2], Vec<&ChaosCellDocument>> = BTreeMap::new();
+    for row in &map.rows {
+        cells.entry(row.cell).or_default().push(row);
+    }
+    cells
+}
+
+/// What is painted: whole cells, and of those through which a curve goes each square in the colour of its own region.
+fn painted(map: &ChaosMapDocument, solver: &Solver) -> Result<Vec<ChaosCell>, Failure> {
+    let mut painted = Vec::new();
+    for ([i, j], rows) in by_cells(map) {
+        let side = if rows.iter().all(|row| row.part >= 1.0) { 1 } else { SQUARES };
+        let edge = |[from, to]: [f64; 2], count: u64, cell: u64, k: u64| {
+            from + (to - from) * (cell as f64 + k as f64 / side as f64) / count as f64
+        };
+        let along_h = |k: u64| [k, k + 1].map(|k| edge(map.window.h, map.cells[0], i, k));
+        let middle = |[from, to]: [f64; 2]| 0.5 * (from + to);
+        let energies: Vec<f64> = (0..side).map(|k| middle(along_h(k))).collect();
+        for n in 0..side {
+            let l = [n, n + 1].map(|k| edge(map.window.l, map.cells[1], j, k));
+            let spots = solver.row(middle(l), &energies).transpose().map_err(failed("a cell has no region"))?;
+            for (k, spot) in (0..side).zip(spots.unwrap_or_default()) {
+                let Spot::Region(region) = spot else { continue };
+                let name = region.to_string();
+                let shares: Vec<_> = rows.iter().filter(|row| row.region == name).map(|row| row.fraction).collect();
+                // The 16 points of the cell can have missed a region.
+                let shares = if shares.is_empty() { vec![None] } else { shares };
+                painted.push(ChaosCell { h: along_h(k), l, shares });
+            }
         }
     }
-    regions.into_iter().map(|(_, part, shares)| (part, shares)).collect()
+    Ok(painted)
 }
 
 /// The name of each region in the middle of where it is widest: a cell of it is farthest from any other cell.
@@ -121,9 +139,7 @@ fn notes(map: &ChaosMapDocument) -> Vec<String> {
     let error = known().filter_map(|row| row.error).fold(0.0, f64::max);
     let [n, m] = map.cells;
     vec![
-        format!(
-            "{n} × {m} cells, standard deviations up to {error:.3}; {open:.1} % of the orbits are without a verdict"
-        ),
-        "Shares of Liouville measure; of several components one above the other".to_owned(),
+        format!("{n} × {m} cells, standard deviations up to {error:.3}; {open:.1} % without a verdict"),
+        "Shares of Liouville measure; of several components one above the other; grey: not measured".to_owned(),
     ]
 }
