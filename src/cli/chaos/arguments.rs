@@ -17,8 +17,8 @@ Examples:
   bifdiag chaos --body paper --h 5.3 --l 3.25
   bifdiag chaos --A 2,1.1,1 --r 0.6,0,0.8 --h 3.8 --l 1 --error 0.1 --json
   bifdiag chaos --body paper --window 5:6,1:2 --cells 4x4 --out chaos.json
-  bifdiag chaos --body paper --window 5:6,1:2 --shard 1/2 --out part-1.json
-  bifdiag chaos merge part-1.json part-2.json --out chaos.npz
+  bifdiag chaos --body paper --cells 16x8 --error 0.2 --shard 1/2 --out p-1.json
+  bifdiag chaos merge p-*.json --out chaos.npz
   bifdiag chaos map chaos.json --out pictures
 
 The share of each component of E that is chaotic, in Liouville measure: orbits start at random, as the invariant measure of \
