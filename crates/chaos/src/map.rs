@@ -81,8 +81,9 @@ impl Cells {
         self.counts[0].div_ceil(TILE) * self.counts[1].div_ceil(TILE)
     }
 
-    /// A place of the plane, in cells along h and l.
-    fn place(&self, h: f64, l: f64) -> [f64; 2] {
+    /// A place (h, l) of the plane, given in cells along h and along l from the corner of the window.
+    #[must_use]
+    pub fn place(&self, h: f64, l: f64) -> [f64; 2] {
         let along = |[from, to]: [f64; 2], count: u64, cells: f64| from + (to - from) * cells / count as f64;
         [along(self.h, self.counts[0], h), along(self.l, self.counts[1], l)]
     }
@@ -161,11 +162,10 @@ impl Measured {
         if parts.len() < 2 {
             return 0.0;
         }
-        let p = (whole.chaotic as f64 + 1.0) / (whole.orbits as f64 + 2.0);
+        let variance = whole.variance();
         let excess = |part: &Share| {
             let difference = part.fraction() - whole.fraction();
-            difference * difference
-                - p * (1.0 - p) / part.orbits as f64 * (1.0 - part.orbits as f64 / whole.orbits as f64)
+            difference * difference - variance / part.orbits as f64 * (1.0 - part.orbits as f64 / whole.orbits as f64)
         };
         (parts.iter().map(excess).sum::<f64>() / (parts.len() - 1) as f64).max(0.0)
     }
@@ -205,13 +205,7 @@ pub fn map_tiles(
         let mut measured = Vec::new();
         for block in blocks {
             let groups = regions(solver, cells, block)?;
-            let is_one = groups.len() == 1 && groups.values().all(|points| points.len() == POINTS);
-            if block.side > 1 && !groups.is_empty() && !(is_one && is_inside(solver, cells, block, &groups)?) {
-                next.extend(block.quarters(cells));
-                continue;
-            }
-            // A block without a point in any region may have a corner in one.
-            if groups.is_empty() && block.side > 1 && touches(solver, cells, block)? {
+            if block.side > 1 && is_crossed(solver, cells, block, &groups)? {
                 next.extend(block.quarters(cells));
                 continue;
             }
@@ -221,14 +215,13 @@ pub fn map_tiles(
         }
         measure(&mut measured, options, monitor)?;
         let uneven = |one: &&Measured| one.block.side > 1 && one.error() > options.error && !one.is_empty;
-        let split: Vec<Block> = measured.iter().filter(uneven).map(|one| one.block).collect();
+        let mut split: Vec<Block> = measured.iter().filter(uneven).map(|one| one.block).collect();
+        split.dedup();
         for one in &measured {
             if !split.contains(&one.block) {
                 rows.extend(one.rows(cells));
             }
         }
-        let mut split = split;
-        split.dedup();
         next.extend(split.into_iter().flat_map(|block| block.quarters(cells)));
         blocks = next;
     }
@@ -267,15 +260,17 @@ fn lattice(solver: &Solver, cells: &Cells, block: Block) -> Result<Vec<Spot>, Ma
     Ok(found)
 }
 
-/// No curve is seen in the block.
-fn is_inside(solver: &Solver, cells: &Cells, block: Block, groups: &Places) -> Result<bool, MapError> {
-    let lattice = lattice(solver, cells, block)?;
-    Ok(lattice.iter().all(|spot| matches!(spot, Spot::Region(region) if groups.contains_key(region))))
-}
-
-/// Something of the block is accessible.
-fn touches(solver: &Solver, cells: &Cells, block: Block) -> Result<bool, MapError> {
-    Ok(lattice(solver, cells, block)?.iter().any(|spot| matches!(spot, Spot::Region(_))))
+/// A curve is seen in the block: its points and its lattice are not all in one region, nor all in none.
+fn is_crossed(solver: &Solver, cells: &Cells, block: Block, groups: &Places) -> Result<bool, MapError> {
+    if groups.len() > 1 || groups.values().any(|points| points.len() < POINTS) {
+        return Ok(true);
+    }
+    let own = groups.keys().next();
+    let is_other = |spot: &Spot| match spot {
+        Spot::Region(region) => Some(region) != own,
+        Spot::Forbidden | Spot::Critical | Spot::Undecided => own.is_some(),
+    };
+    Ok(lattice(solver, cells, block)?.iter().any(is_other))
 }
 
 /// The components of a region in a block, of which nothing is measured.

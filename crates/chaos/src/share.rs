@@ -94,9 +94,13 @@ impl Share {
     /// count as independent; as they are spread evenly, the true error is less.
     #[must_use]
     pub fn error(self) -> f64 {
-        let n = self.orbits as f64;
-        let p = (self.chaotic as f64 + 1.0) / (n + 2.0);
-        (p * (1.0 - p) / (n + 3.0)).sqrt()
+        (self.variance() / (self.orbits as f64 + 3.0)).sqrt()
+    }
+
+    /// The variance p(1 − p) of one orbit's verdict, with p = (k + 1)/(n + 2).
+    pub(crate) fn variance(self) -> f64 {
+        let p = (self.chaotic as f64 + 1.0) / (self.orbits as f64 + 2.0);
+        p * (1.0 - p)
     }
 
     /// Orbits that are still needed to have this error, if the share remains what it is; 0 if it is reached.
@@ -108,9 +112,8 @@ impl Share {
         if self.error() <= error {
             return 0;
         }
-        let p = (self.chaotic as f64 + 1.0) / (self.orbits as f64 + 2.0);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to `MOST`")]
-        let wanted = (p * (1.0 - p) / (error * error)).min(MOST) as u64;
+        let wanted = (self.variance() / (error * error)).min(MOST) as u64;
         usize::try_from(wanted.saturating_sub(self.orbits)).map_or(LEAST, |more| more.max(LEAST))
     }
 }

@@ -9,7 +9,7 @@ use bifdiag_plot::{ChaosCell, ChaosScene, body_line, draw_chaos};
 use bifdiag_schema::{ChaosCellDocument, ChaosMapDocument};
 
 use super::arguments::DrawArguments;
-use super::merge::shard;
+use super::merge::{cells, shard};
 use crate::cli::export::FileSet;
 use crate::cli::failure::{Failure, failed};
 use crate::cli::terminal::{Report, Timings, print};
@@ -29,8 +29,7 @@ pub fn run(arguments: &DrawArguments, timings: &Timings) -> Result<(), Failure> 
     let solver = Solver::new(body, Accuracy::Exact);
     let unknown = || Failure::work("the diagram of this body is not known, and with it the regions of the cells");
     let atlas = solver.atlas().ok_or_else(unknown)?;
-    let cells = painted(&map, &solver)?;
-    let scene = scene(&map, atlas, cells);
+    let scene = scene(&map, atlas, painted(&map, &solver)?);
     let picture = timings.stage("picture", || draw_chaos(&scene, arguments.picture.theme))?;
     let mut files = FileSet::new(&arguments.out);
     files.remove_pictures("chaos");
@@ -43,13 +42,12 @@ fn scene(map: &ChaosMapDocument, atlas: &Atlas, painted: Vec<ChaosCell>) -> Chao
     let options = PolylineOptions { chord_tolerance: CHORD, l_least: map.window.l[1] };
     let set = &atlas.arrangement().set;
     let drawn = set.curves.pairs().filter(|(_, curve)| curve.is_critical());
-    let cells = by_cells(map);
     ChaosScene {
         h: map.window.h,
         l: map.window.l,
         cells: painted,
         curves: drawn.map(|(id, _)| atlas.polyline_of(id, &options)).collect(),
-        labels: labels(map, &cells),
+        labels: labels(map),
         title: body_line(&map.body.moments, &map.body.center, WIDE, LARGE),
         notes: notes(map),
     }
@@ -66,17 +64,16 @@ fn by_cells(map: &ChaosMapDocument) -> BTreeMap<[u64; 2], Vec<&ChaosCellDocument
 
 /// What is painted: whole cells, and of those through which a curve goes each square in the colour of its own region.
 fn painted(map: &ChaosMapDocument, solver: &Solver) -> Result<Vec<ChaosCell>, Failure> {
+    let cells = cells(map);
     let mut painted = Vec::new();
     for ([i, j], rows) in by_cells(map) {
         let side = if rows.iter().all(|row| row.part >= 1.0) { 1 } else { SQUARES };
-        let edge = |[from, to]: [f64; 2], count: u64, cell: u64, k: u64| {
-            from + (to - from) * (cell as f64 + k as f64 / side as f64) / count as f64
-        };
-        let along_h = |k: u64| [k, k + 1].map(|k| edge(map.window.h, map.cells[0], i, k));
+        let corner = |k: u64, n: u64| cells.place(i as f64 + k as f64 / side as f64, j as f64 + n as f64 / side as f64);
+        let along_h = |k: u64| [k, k + 1].map(|k| corner(k, 0)[0]);
         let middle = |[from, to]: [f64; 2]| 0.5 * (from + to);
         let energies: Vec<f64> = (0..side).map(|k| middle(along_h(k))).collect();
         for n in 0..side {
-            let l = [n, n + 1].map(|k| edge(map.window.l, map.cells[1], j, k));
+            let l = [n, n + 1].map(|n| corner(0, n)[1]);
             let spots = solver.row(middle(l), &energies).transpose().map_err(failed("a cell has no region"))?;
             for (k, spot) in (0..side).zip(spots.unwrap_or_default()) {
                 let Spot::Region(region) = spot else { continue };
@@ -92,19 +89,17 @@ fn painted(map: &ChaosMapDocument, solver: &Solver) -> Result<Vec<ChaosCell>, Fa
 }
 
 /// The name of each region in the middle of where it is widest: a cell of it is farthest from any other cell.
-fn labels(map: &ChaosMapDocument, cells: &BTreeMap<[u64; 2], Vec<&ChaosCellDocument>>) -> Vec<([f64; 2], String)> {
+fn labels(map: &ChaosMapDocument) -> Vec<([f64; 2], String)> {
     let mut regions: BTreeMap<&str, BTreeSet<[u64; 2]>> = BTreeMap::new();
-    for (cell, rows) in cells {
-        for row in rows.iter().filter(|row| row.part >= 1.0) {
-            regions.entry(&row.region).or_default().insert(*cell);
-        }
+    for row in map.rows.iter().filter(|row| row.part >= 1.0) {
+        regions.entry(&row.region).or_default().insert(row.cell);
     }
-    let place = |cell: [u64; 2]| {
-        let of = |[from, to]: [f64; 2], k: usize| from + (to - from) * (cell[k] as f64 + 0.5) / map.cells[k] as f64;
-        [of(map.window.h, 0), of(map.window.l, 1)]
+    let cells = cells(map);
+    let label = |(region, own): (&str, BTreeSet<[u64; 2]>)| {
+        let [i, j] = innermost(own);
+        (cells.place(i as f64 + 0.5, j as f64 + 0.5), region.to_owned())
     };
-    let name = |(region, cells): (&str, BTreeSet<[u64; 2]>)| (place(innermost(cells)), region.to_owned());
-    regions.into_iter().map(name).collect()
+    regions.into_iter().map(label).collect()
 }
 
 /// The middle one of the cells that are left last when their edge is taken away again and again.

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use bifdiag_chaos::Cells;
 use bifdiag_schema::{ChaosMapDocument, SCHEMA_VERSION};
 
 use super::arguments::MergeArguments;
@@ -21,7 +22,7 @@ pub fn run(arguments: &MergeArguments) -> Result<(), Failure> {
             "the shards belong to different maps: their commands differ; name those of one map",
         ));
     }
-    let cells = bifdiag_chaos::Cells { h: first.window.h, l: first.window.l, counts: first.cells };
+    let cells = cells(first);
     let mut next = 0;
     for shard in &shards {
         let [from, to] = shard.tiles;
@@ -38,6 +39,11 @@ pub fn run(arguments: &MergeArguments) -> Result<(), Failure> {
     }
     let map = ChaosMapDocument { tiles: [0, next], ..whole(first) };
     output::write(target, map, shards)
+}
+
+/// The cells of a map.
+pub fn cells(map: &ChaosMapDocument) -> Cells {
+    Cells { h: map.window.h, l: map.window.l, counts: map.cells }
 }
 
 /// A map or a shard of one, as its file has it.

@@ -66,6 +66,15 @@ pub(super) fn check_finite(h: f64, l: f64) -> Result<(), SectionError> {
     Ok(())
 }
 
+/// Refuses more orbits than can be numbered.
+pub(super) fn check_count(orbits: usize) -> Result<(), SectionError> {
+    if u32::try_from(orbits).is_ok() {
+        return Ok(());
+    }
+    let (value, expected) = (orbits as f64, "fewer than 2^32 are possible");
+    Err(SectionError::Parameter { name: "orbits", value, expected })
+}
+
 /// Refuses to go on when the work was cancelled.
 pub(super) fn check_stop(stop: Option<&AtomicBool>) -> Result<(), SectionError> {
     if stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) { Err(SectionError::Interrupted) } else { Ok(()) }

@@ -4,7 +4,7 @@ use std::sync::atomic::Ordering;
 
 use pulp::{Arch, Simd, WithSimd};
 
-use super::error::SectionError;
+use super::error::{SectionError, check_count};
 use super::follow::{News, OrbitFollower};
 use super::orbit::{OrbitEnd, OrbitSection, SweepOptions};
 use super::readings::Gauge;
@@ -34,15 +34,9 @@ pub fn sweep(
     options: &SweepOptions,
     monitor: &Monitor,
 ) -> Result<Vec<OrbitSection>, SectionError> {
+    check_count(starts.len())?;
     let tasks: Vec<OrbitTask> =
         starts.iter().zip(0_u32..).map(|(&start, orbit)| OrbitTask { orbit, start, halt: None }).collect();
-    if tasks.len() < starts.len() {
-        return Err(SectionError::Parameter {
-            name: "orbits",
-            value: starts.len() as f64,
-            expected: "fewer than 2^32 are possible",
-        });
-    }
     Ok(sweep_on(torus, &tasks, options, usize::MAX, monitor)?.into_iter().map(|(orbit, _)| orbit).collect())
 }
 

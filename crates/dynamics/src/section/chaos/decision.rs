@@ -14,7 +14,7 @@ use crate::field::{Dimension, HeavyTop, State, norm, sub};
 use crate::integrator::taylor::{InstructionSet, LaneVector, Lanes, Moments, TangentLanes, lane_values, state_of};
 use crate::integrator::{DEFAULT_TOLERANCE, check_tolerance};
 use crate::section::condition::SectionCondition;
-use crate::section::error::SectionError;
+use crate::section::error::{SectionError, check_count};
 use crate::section::workers::{Monitor, Turns, run_workers};
 
 /// Steps at the first look; each further look is at √2 times as many.
@@ -82,10 +82,7 @@ pub fn decisions(
     monitor: &Monitor,
 ) -> Result<Vec<Decision>, SectionError> {
     check_tolerance(options.tolerance)?;
-    if u32::try_from(starts.len()).is_err() {
-        let (value, expected) = (starts.len() as f64, "fewer than 2^32 are possible");
-        return Err(SectionError::Parameter { name: "orbits", value, expected });
-    }
+    check_count(starts.len())?;
     let arch = options.instructions.arch().ok_or(SectionError::InstructionSet(options.instructions))?;
     let units = top.units();
     let (top, looks) = (&top.reduced(), &looks(options.steps)[..]);

@@ -10,7 +10,7 @@ use super::growth::{Growth, Lyapunov, TangentCourse};
 use crate::field::{Dimension, HeavyTop, State, dot};
 use crate::integrator::taylor::{InstructionSet, Lanes, MOMENTS, Moments, TangentLanes, lane_values};
 use crate::integrator::{DEFAULT_TOLERANCE, check_tolerance};
-use crate::section::error::SectionError;
+use crate::section::error::{SectionError, check_count};
 use crate::section::workers::{Monitor, Turns, run_workers};
 
 /// How the variational equations are integrated.
@@ -58,10 +58,7 @@ pub fn growths(
     monitor: &Monitor,
 ) -> Result<Vec<Growth>, SectionError> {
     check_tolerance(options.tolerance)?;
-    if u32::try_from(courses.len()).is_err() {
-        let (value, expected) = (courses.len() as f64, "fewer than 2^32 are possible");
-        return Err(SectionError::Parameter { name: "orbits", value, expected });
-    }
+    check_count(courses.len())?;
     let arch = options.instructions.arch().ok_or(SectionError::InstructionSet(options.instructions))?;
     let units = top.units();
     for course in &mut courses {
