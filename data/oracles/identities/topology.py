@@ -4,8 +4,8 @@ import sympy as sp
 from sympy import Matrix, Rational as Q
 
 from common import (
-    A, A_, EPS, R_, a1, a3, check, dot, mu, over_passive, p_, polynomials, q_, r1, s, sphere, sums, t,
-    vector, x, zero,
+    A, A_, BODIES, EPS, Point, R_, a1, a3, check, cusp_polynomial, dot, mu, over_passive, p_, polynomials, q_, r1, s, sphere,
+    sums, t, vector, x, zero,
 )
 
 
@@ -23,6 +23,29 @@ def _():
     zero(2 * V / J**2 / (-x * (T + 4 * V / J)) + 2 * V / (J * x * (T * J + 4 * V)))
     R, _, J, X, _ = over_passive()
     zero(sp.diff(1 / J, s) / sp.diff(X, s) + 4 * R / (s**3 * J**3 * (a3 + 3 * R / s**2)))
+
+
+@check("Lemma 7.4")
+def _():
+    # At equal x the arm with the smaller J is above right of a cusp and below left of it; one body has cusps of both kinds.
+    a, r = BODIES[3]
+    sides = []
+    for root in cusp_polynomial(a, r).nroots(n=40, maxsteps=200):
+        if abs(sp.im(root)) > Q(1, 10**30):
+            continue
+        cusp, step = Q(sp.re(root)), min(abs(sp.re(root) - b) for b in a) / 10**4
+        over = lambda y: Point(a, r, y).x
+        first = Point(a, r, cusp - Q(step))
+        low, high = cusp, cusp + 3 * Q(step)
+        assert (over(low) - first.x) * (over(high) - first.x) < 0
+        while high - low > step / 2**120:
+            middle = (low + high) / 2
+            low, high = (middle, high) if (over(middle) - first.x) * (over(high) - first.x) < 0 else (low, middle)
+        second = Point(a, r, low)
+        side = 1 if first.x > over(cusp) else -1
+        assert ((first.h > second.h) == (first.J < second.J)) == (side == 1)
+        sides.append(side)
+    assert sorted(sides) == [-1, -1, 1, 1, 1, 1]
 
 
 @check("Lemma 7.5")
