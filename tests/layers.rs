@@ -26,7 +26,7 @@ const ORDER: [(&str, &str); 15] = [
     ),
     ("crates/dynamics/src", "field integrator motion section poincare"),
     ("crates/enclosure/src", "bound scalar field set step start orbit return_map"),
-    ("crates/chaos/src", "liouville share map"),
+    ("crates/chaos/src", "liouville share point map"),
     ("crates/periodic/src", "flow reversor shooting walk orbit family chart section_map proof list"),
     (
         "crates/survey/src",
@@ -34,7 +34,7 @@ const ORDER: [(&str, &str); 15] = [
     ),
     (
         "crates/documents/src",
-        "layout codes body integrals subject chaos periodic orbit_list stability spin spin_down classification critical steady grid atlas certified scan reading border comparison classes find witnesses \
+        "layout codes body integrals subject chaos periodic orbit_list proved stability spin spin_down classification critical steady grid atlas certified scan reading border comparison classes find witnesses \
          section words",
     ),
     ("crates/verify/src", "refused numbers equilibria order topology stability document"),

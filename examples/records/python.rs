@@ -10,7 +10,7 @@ use crate::model::{Field, Form, Kind, Model, Type};
 const WIDTH: usize = 124;
 
 /// Records that users meet, each after those that it holds.
-const RECORDS: [&str; 18] = [
+const RECORDS: [&str; 20] = [
     "Component",
     "Margin",
     "Candidate",
@@ -29,6 +29,8 @@ const RECORDS: [&str; 18] = [
     "StabilitySpan",
     "Tail",
     "Curve",
+    "ChaosShare",
+    "ChaosPoint",
 ];
 
 /// Records that do more than hold their fields: `behaviour` says what, and it prints them if the flag is set.

@@ -5,13 +5,16 @@ use pyo3::prelude::*;
 
 mod atlas;
 mod body;
+mod chaos;
 mod columns;
 mod command;
 mod critical;
 mod errors;
 mod motion;
 mod part;
+mod periodic;
 mod places;
+mod proved;
 mod section;
 mod survey;
 mod texts;
@@ -25,6 +28,8 @@ mod _core {
     #[pymodule_export]
     use crate::body::Body;
     #[pymodule_export]
+    use crate::chaos::{chaos_map, chaos_point};
+    #[pymodule_export]
     use crate::command::run;
     #[pymodule_export]
     use crate::critical::critical;
@@ -32,6 +37,10 @@ mod _core {
     use crate::motion::motion;
     #[pymodule_export]
     use crate::part::{body_of_file, body_of_tensor};
+    #[pymodule_export]
+    use crate::periodic::periodic_orbits;
+    #[pymodule_export]
+    use crate::proved::proved_motion;
     #[pymodule_export]
     use crate::section::section;
     #[pymodule_export]

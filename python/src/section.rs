@@ -90,7 +90,7 @@ fn compute(
 }
 
 /// What the caller can mend is wrong input; the rest is a question without an answer.
-fn refused(error: &PoincareError) -> PyErr {
+pub fn refused(error: &PoincareError) -> PyErr {
     match error {
         PoincareError::WeightlessBody | PoincareError::Forbidden { .. } | PoincareError::OnCurve { .. } => {
             errors::input(error)

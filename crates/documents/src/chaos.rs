@@ -1,7 +1,6 @@
 //! The chaotic share of energy surfaces as documents.
 
-use bifdiag_chaos::{CellShare, Cells, Share, ShareOptions};
-use bifdiag_diagram::arrangement::RegionId;
+use bifdiag_chaos::{CellShare, Cells, PointShares, Share, ShareOptions};
 use bifdiag_diagram::topology::Component;
 use bifdiag_numbers::Number;
 use bifdiag_schema::{
@@ -16,9 +15,7 @@ use crate::subject::Subject;
 pub fn chaos_point(
     subject: &Subject,
     [h, l]: [&Number; 2],
-    region: Option<RegionId>,
-    components: &[Component],
-    shares: &[Share],
+    found: &PointShares,
     options: &ShareOptions,
 ) -> ChaosPointDocument {
     let command = subject.command("chaos").option("h", h.text()).option("l", l.text());
@@ -28,9 +25,9 @@ pub fn chaos_point(
         body: given(&subject.body),
         h: h.text().to_owned(),
         l: l.text().to_owned(),
-        region: region.map(|region| region.to_string()),
+        region: Some(found.region.to_string()),
         steps: options.orbits.steps as u64,
-        components: components.iter().zip(shares).map(|(component, share)| chaos_share(component, *share)).collect(),
+        components: found.components.iter().zip(&found.shares).map(|(one, share)| chaos_share(one, *share)).collect(),
         part: subject.part.clone(),
     }
 }

@@ -16,6 +16,7 @@ mod integrals;
 pub mod layout;
 mod orbit_list;
 mod periodic;
+mod proved;
 pub mod reading;
 pub mod scan;
 mod section;
@@ -42,6 +43,7 @@ pub use grid::{GridAxis, grid};
 pub use integrals::{further_integrals, integrable, integrable_words};
 pub use orbit_list::periodic;
 pub use periodic::{periodic_families, periodic_orbit};
+pub use proved::{EnclosureRow, ProofAsked, USUAL_BOUND, enclosure_rows, enclosures, proved_motion};
 pub use section::{chaos, drift, integrator, section, sections, tolerance_option};
 pub use spin::{
     asked_spin, changes_beside, measured_command, measured_tolerance, spin, spin_changes, spin_stretches, tolerance,

@@ -4,7 +4,7 @@ use bifdiag_body::{Body, IntegrableCase, Number};
 use bifdiag_numbers::decimal::{self, counted};
 use bifdiag_periodic::list::{Gap, OrbitList};
 use bifdiag_periodic::proof::OrbitProof;
-use bifdiag_schema::{CommandLine, Ends, OrbitEnclosureDocument, PeriodicDocument, PeriodicOrbitDocument};
+use bifdiag_schema::{Ends, OrbitEnclosureDocument, PeriodicDocument, PeriodicOrbitDocument};
 use dashu_ratio::RBig;
 
 use crate::body::{given, head};
@@ -13,14 +13,10 @@ use crate::subject::Subject;
 
 /// The periodic orbits at a point with at most so many crossings.
 #[must_use]
-pub fn periodic(
-    subject: &Subject,
-    command: CommandLine,
-    [h, l]: [&Number; 2],
-    crossings: u32,
-    list: &OrbitList,
-) -> PeriodicDocument {
+pub fn periodic(subject: &Subject, [h, l]: [&Number; 2], crossings: u32, list: &OrbitList) -> PeriodicDocument {
     let body = &subject.body;
+    let command = subject.command("periodic").option("h", h.text()).option("l", l.text());
+    let command = command.option("crossings", crossings);
     let orbits = list.orbits.iter().map(|listed| {
         let document = periodic_orbit(body, &listed.orbit);
         match &listed.proof {

@@ -15,13 +15,18 @@ Examples
 from ._core import __version__
 from .atlas import Atlas
 from .body import Body, bodies
+from .chaos import ChaosMap
 from .critical import Equilibria
 from .errors import BifdiagError, BodyError, BodyWarning, InputError, RangeError, VerifyError
 from .motion import Motion
+from .periodic import PeriodicOrbits
 from .points import Classifications
+from .proved import ProvedMotion
 from .records import (
     Candidate,
     Cell,
+    ChaosPoint,
+    ChaosShare,
     Classification,
     Component,
     Curve,
@@ -51,6 +56,9 @@ __all__ = [
     "BodyWarning",
     "Candidate",
     "Cell",
+    "ChaosMap",
+    "ChaosPoint",
+    "ChaosShare",
     "Classification",
     "Classifications",
     "Component",
@@ -64,6 +72,8 @@ __all__ = [
     "Motion",
     "Neighbour",
     "Nonlinear",
+    "PeriodicOrbits",
+    "ProvedMotion",
     "RangeError",
     "Region",
     "Resonances",

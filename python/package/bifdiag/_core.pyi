@@ -13,9 +13,13 @@ __all__ = [
     "__version__",
     "body_of_file",
     "body_of_tensor",
+    "chaos_map",
+    "chaos_point",
     "critical",
     "find",
     "motion",
+    "periodic_orbits",
+    "proved_motion",
     "readable",
     "run",
     "section",
@@ -79,6 +83,18 @@ def body_of_file(
 ) -> Body: ...
 def critical(body: Body, l: npt.NDArray[np.float64] | Sequence[str], verdicts: bool, threads: int) -> dict[str, Any]: ...
 def section(body: Body, h: str, l: str, request: dict[str, Any], threads: int) -> dict[str, Any]: ...
+def chaos_point(body: Body, h: str, l: str, error: float, steps: int, seed: int, threads: int) -> str: ...
+def chaos_map(
+    body: Body,
+    window: Sequence[Sequence[float]] | None,
+    cells: Sequence[int],
+    error: float,
+    steps: int,
+    seed: int,
+    threads: int,
+) -> dict[str, Any]: ...
+def periodic_orbits(body: Body, h: str, l: str, crossings: int, threads: int) -> str: ...
+def proved_motion(body: Body, request: dict[str, Any]) -> dict[str, Any]: ...
 def motion(body: Body, request: dict[str, Any]) -> dict[str, Any]: ...
 def find(
     wanted: dict[str, Any],

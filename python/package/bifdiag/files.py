@@ -11,6 +11,9 @@ READERS = {
     "atlas": ("an atlas (JSON)", "bifdiag.Atlas.load reads it"),
     "section": ("a section (NPZ)", "bifdiag.Section.load reads it"),
     "motion": ("a motion (NPZ)", "bifdiag.Motion.load reads it"),
+    "proved motion": ("a proved motion (NPZ)", "bifdiag.ProvedMotion.load reads it"),
+    "chaos map": ("a map of the chaotic share (NPZ)", "bifdiag.ChaosMap.load reads it"),
+    "list of periodic orbits": ("a list of periodic orbits (NPZ)", "bifdiag.PeriodicOrbits.load reads it"),
     "archive": ("an archive of other arrays (NPZ)", "numpy.load reads it"),
     "array": ("a single array (NPY)", "numpy.load reads it"),
     "table": ("a Parquet file", "pandas.read_parquet reads it"),
@@ -24,8 +27,21 @@ SOURCES = {
     "atlas": "an atlas.json of `bifdiag --json` or Atlas.save",
     "section": "an archive of `bifdiag section --data FILE.npz` or Section.save",
     "motion": "an archive of `bifdiag orbit --data FILE.npz` or Motion.save",
+    "proved motion": "an archive of `bifdiag orbit --proved --data FILE.npz` or ProvedMotion.save",
+    "chaos map": "an archive of `bifdiag chaos --out FILE.npz` or ChaosMap.save",
+    "list of periodic orbits": "an archive of PeriodicOrbits.save",
 }
 """Where files that can be loaded come from."""
+
+
+ARCHIVES = {
+    "quaternion": "motion",
+    "attitude_lo": "proved motion",
+    "fraction": "chaos map",
+    "multipliers": "list of periodic orbits",
+    "orbit": "section",
+}
+"""Arrays by which archives are known."""
 
 
 def require(path: str | os.PathLike[str], wanted: str) -> None:
@@ -53,7 +69,7 @@ def _kind(path: Path) -> str:
     if head[:4] == b"PK\x03\x04" and zipfile.is_zipfile(path):
         with zipfile.ZipFile(path) as archive:
             names = set(archive.namelist())
-        return "motion" if "quaternion.npy" in names else "section" if "orbit.npy" in names else "archive"
+        return next((kind for name, kind in ARCHIVES.items() if f"{name}.npy" in names), "archive")
     if head == b"\x93NUMPY":
         return "array"
     if head[:4] == b"PAR1":

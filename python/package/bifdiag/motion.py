@@ -1,7 +1,7 @@
 """The motion of a body in space."""
 
 import json
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 import numpy.typing as npt
@@ -9,9 +9,7 @@ import numpy.typing as npt
 from . import _core, exact, pictures
 from .errors import InputError
 from .tables import Table
-
-SAMPLES = 201
-"""Times if only the last one is said."""
+from .times import times
 
 
 class Motion(Table):
@@ -49,6 +47,7 @@ class Motion(Table):
     quaternion: npt.NDArray[np.float64]
 
     NAMES = ("time", "gamma", "l", "omega", "theta", "psi", "phi", "quaternion")
+    KIND: ClassVar[str] = "motion"
 
     @classmethod
     def _compute(
@@ -71,7 +70,7 @@ class Motion(Table):
             "gamma": vertical.tolist(),
             "l": exact.vector(turning, name, 3).tolist(),
             "is_omega": omega is not None,
-            "times": _times(t),
+            "times": times(t).tolist(),
             "phi": exact.real(phi, "phi"),
             "tolerance": exact.real(tolerance, "tolerance"),
         }
@@ -128,17 +127,3 @@ class Motion(Table):
 
     def __repr__(self) -> str:
         return f"Motion of {len(self)} times [{', '.join(self.columns)}, meta]"
-
-
-def _times(t: Any) -> list[float]:
-    try:
-        times: npt.NDArray[np.float64] = np.asarray(t, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise InputError(f"t = {t!r}: {error}") from error
-    if times.ndim == 0:
-        end = float(times)
-        times = np.linspace(min(end, 0.0), max(end, 0.0), SAMPLES if end else 1)
-    if times.ndim != 1 or not len(times) or not np.isfinite(times).all() or (np.diff(times) < 0).any():
-        raise InputError("t: finite times that rise are needed")
-    found: list[float] = times.tolist()
-    return found

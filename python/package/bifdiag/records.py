@@ -703,3 +703,81 @@ class Curve(behaviour.Curve):
             maybe(Tail._of, document["tail"]),
             drawn,
         )
+
+
+@dataclass(frozen=True, slots=True)
+class ChaosShare:
+    """The chaotic share of a component of E, in Liouville measure.
+
+    Attributes
+    ----------
+    accessible_region : str
+        The component of U over which it lies, such as ``D2``.
+    energy_surface : str
+        The component of E, such as ``S3``.
+    fraction : float
+        The share of the orbits that are known to be chaotic; the whole lies between this and ``fraction`` + ``open``.
+    error : float
+        One standard deviation of ``fraction``.
+    open : float
+        The share of the orbits without a verdict.
+    orbits : int
+        How many orbits were judged.
+    crossings : int
+        How often they crossed the section S = 0, as seen at the steps of the integrator.
+    """
+
+    accessible_region: str
+    energy_surface: str
+    fraction: float
+    error: float
+    open: float
+    orbits: int
+    crossings: int
+
+    @classmethod
+    def _of(cls, document: Document) -> "ChaosShare":
+        return cls(
+            document["accessible_region"],
+            document["energy_surface"],
+            document["fraction"],
+            document["error"],
+            document["open"],
+            document["orbits"],
+            document["crossings"],
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class ChaosPoint:
+    """The answer of ``chaos`` at one point.
+
+    Attributes
+    ----------
+    h : str
+        Energy as given.
+    l : str
+        Vertical angular momentum as given.
+    region : str or None
+        The region of the point; absent where no atlas was made.
+    steps : int
+        Steps of the integrator after which an orbit stays open.
+    components : tuple[ChaosShare, ...]
+        One entry for each component of E, in the order of ``classify``.
+    """
+
+    h: str
+    l: str
+    region: str | None
+    steps: int
+    components: tuple[ChaosShare, ...]
+
+    @classmethod
+    def _of(cls, document: Document) -> "ChaosPoint":
+        return cls(
+            document["h"],
+            document["l"],
+            document.get("region"),
+            document["steps"],
+            tuple(map(ChaosShare._of, document["components"])),
+        )

@@ -2,7 +2,7 @@
 
 import math
 from collections import Counter
-from typing import Any, Literal
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -68,6 +68,7 @@ class Section(Table):
     exponent: npt.NDArray[np.float64]
 
     NAMES = ("orbit", "index", "time", "gamma", "l", "sheet", "s_dot", "theta", "psi")
+    KIND: ClassVar[str] = "section"
 
     @classmethod
     def _compute(

@@ -15,8 +15,9 @@ import numpy.typing as npt
 from . import _core, exact, files
 from .atlas import Atlas
 from .behaviour import Document
-from .body import Accuracy, Body
+from .body import Body
 from .command import command
+from .diagrams import Accuracy
 from .errors import InputError
 from .records import Component, Margin
 from .tables import Table

@@ -34,6 +34,8 @@ class Table:
 
     NAMES: ClassVar[tuple[str, ...]] = ()
     """The columns of a file."""
+    KIND: ClassVar[str] = "table"
+    """What a file of them is, one of `files.SOURCES`."""
 
     meta: dict[str, Any]
 
@@ -91,7 +93,7 @@ class Table:
         OSError
             If the file cannot be read; FileNotFoundError if it is not there.
         """
-        files.require(path, cls.__name__.lower())
+        files.require(path, cls.KIND)
         try:
             with np.load(Path(path), allow_pickle=False) as archive:
                 arrays = {name: archive[name] for name in archive.files}
@@ -99,7 +101,7 @@ class Table:
             raise InputError(f"{path} is no archive of arrays: {error}") from error
         missing = [name for name in (*cls.NAMES, "meta") if name not in arrays]
         if missing:
-            raise InputError(f"{path} is no {cls.__name__.lower()}: it has no array {missing[0]!r}")
+            raise InputError(f"{path} is no {cls.KIND}: it has no array {missing[0]!r}")
         return cls(arrays, str(arrays.pop("meta")))
 
     def flat(self) -> dict[str, npt.NDArray[Any]]:

@@ -3,6 +3,8 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
+use bifdiag_diagram::arrangement::RegionId;
+use bifdiag_numbers::table::Id;
 use bifdiag_schema::{ChaosCellDocument, ChaosMapDocument};
 
 use crate::cli::export::{Column, DataFormat, DataTarget, FileSet, Journal, Pieces, Values};
@@ -62,23 +64,21 @@ struct Table<R> {
     rows: R,
     count: usize,
     meta: String,
-    /// Ids of regions in the order in which they come.
+    /// Ids of the regions, in their order: a number in the table is that of the region, from 0.
     regions: Vec<String>,
 }
 
 impl<R: Rows> Table<R> {
     fn new(mut rows: R, map: &ChaosMapDocument) -> Result<Self, Failure> {
-        let (mut count, mut regions) = (0, Vec::new());
+        let (mut count, mut last) = (0, None);
         rows.for_each(&mut |piece| {
             count += piece.len();
-            for row in piece {
-                if !regions.contains(&row.region) {
-                    regions.push(row.region);
-                }
-            }
+            last = last.max(piece.iter().filter_map(|row| row.region.parse::<RegionId>().ok()).max());
             Ok(())
         })
         .map_err(unreadable)?;
+        let regions = (0..last.map_or(0, |last| last.index() + 1)).map(|number| RegionId::at(number).to_string());
+        let regions = regions.collect();
         Ok(Self { rows, count, meta: bifdiag_schema::json(map)?, regions })
     }
 

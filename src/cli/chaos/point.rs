@@ -3,9 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
-use bifdiag_chaos::{EnergySurface, ShareError, shares};
-use bifdiag_diagram::atlas::Spot;
-use bifdiag_diagram::topology::Answer;
+use bifdiag_chaos::{PointError, point_shares};
 use bifdiag_documents::Subject;
 use bifdiag_documents::words::counted;
 use bifdiag_dynamics::section::Monitor;
@@ -15,7 +13,7 @@ use bifdiag_schema::{Accuracy, ChaosPointDocument};
 use super::arguments::ShareArguments;
 use crate::cli::classify::unanswered;
 use crate::cli::export::answer;
-use crate::cli::failure::{Failure, failed};
+use crate::cli::failure::Failure;
 use crate::cli::input::{head, integrable};
 use crate::cli::terminal::interrupt::stoppable;
 use crate::cli::terminal::{Report, Table, Timings};
@@ -25,20 +23,15 @@ pub fn run(arguments: &ShareArguments, timings: &Timings) -> Result<(), Failure>
     let h = arguments.point.energy.as_ref().ok_or_else(|| missing("--h", "energy, such as --h 5.3"))?;
     let l = arguments.point.momentum.as_ref().ok_or_else(|| missing("--l", "momentum, such as --l 3.25"))?;
     let solver = Solver::new(subject.body.clone(), Accuracy::Exact);
-    let found = timings.stage("classify", || solver.classify(h, l)).map_err(unanswered)?;
-    let Answer::Regular(components) = &found.answer else { return Err(no_share(&found.answer)) };
-    let Spot::Region(region) = solver.spot(h, l, &found.answer) else { return Err(too_near()) };
-    let surface = EnergySurface::new(&subject.body, h.to_f64(), l.to_f64(), components.len());
-    let surface = surface.map_err(failed("the energy surface leaves the range of double precision"))?;
     let monitor = Arc::new(Monitor::default());
     let stop = Arc::clone(&monitor);
     let interruptible = stoppable(move || stop.stop.store(true, Ordering::Relaxed));
     let options = arguments.options();
-    let shares = timings.stage("orbits", || shares(&surface, &options, &monitor)).map_err(unmeasured)?;
+    let found = timings.stage("orbits", || point_shares(&solver, [h, l], &options, &monitor)).map_err(unmeasured)?;
     if !interruptible.over() {
         return Err(Failure::work("interrupted"));
     }
-    let document = bifdiag_documents::chaos_point(&subject, [h, l], Some(region), components, &shares, &options);
+    let document = bifdiag_documents::chaos_point(&subject, [h, l], &found, &options);
     answer(arguments.json, &document, || report(&subject, &document))
 }
 
@@ -47,25 +40,15 @@ fn missing(option: &str, what: &str) -> Failure {
     Failure::input(format!("{option} is missing; give the {what}"))
 }
 
-/// A point that is in no region.
-fn no_share(answer: &Answer) -> Failure {
-    Failure::input(match answer {
-        Answer::Forbidden => "(h, l) is forbidden: h is below the minimum of U_l; choose h above it",
-        _ => {
-            "(h, l) lies on a curve of the bifurcation diagram, where the energy surface is singular; choose h above or below"
-        }
-    })
-}
-
-/// A point in a region that doubles cannot tell from a curve.
-fn too_near() -> Failure {
-    Failure::input(
-        "(h, l) is too near to a curve of the bifurcation diagram for orbits in double precision; choose h farther from it",
-    )
-}
-
-fn unmeasured(error: ShareError) -> Failure {
-    Failure::work("the share could not be measured").because(error)
+/// What another point mends is wrong input.
+fn unmeasured(error: PointError) -> Failure {
+    let told = error.to_string();
+    match error {
+        PointError::Forbidden | PointError::OnCurve | PointError::TooNear => Failure::input(error),
+        PointError::Answer(error) => unanswered(error),
+        PointError::Range(cause) => Failure::work(told).because(cause),
+        PointError::Share(cause) => Failure::work(told).because(cause),
+    }
 }
 
 /// What the terminal shows.

@@ -57,9 +57,7 @@ pub fn run(arguments: &ShortArguments, timings: &Timings) -> Result<(), Failure>
         ListError::Section(SectionError::Interrupted) => Failure::work("interrupted"),
         error => failed("the orbits could not be found")(error),
     })?;
-    let command = subject.command("periodic").option("h", h.text()).option("l", l.text());
-    let command = command.option("crossings", crossings.to_string());
-    let document = bifdiag_documents::periodic(&subject, command, [h, l], crossings, &found);
+    let document = bifdiag_documents::periodic(&subject, [h, l], crossings, &found);
     answer(arguments.json, &document, || text(&subject, &document))
 }
 

@@ -1,8 +1,9 @@
 """Pictures with matplotlib; the user's style sheets apply."""
 
+from .chaos import chaos
 from .diagram import diagram, pretty, tint
 from .plane import plane
 from .section import VERDICTS, section
 from .space import body, motion, sphere
 
-__all__ = ["VERDICTS", "body", "diagram", "motion", "plane", "pretty", "section", "sphere", "tint"]
+__all__ = ["VERDICTS", "body", "chaos", "diagram", "motion", "plane", "pretty", "section", "sphere", "tint"]

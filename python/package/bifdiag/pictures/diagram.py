@@ -108,7 +108,7 @@ def diagram(
                 ax.plot(points[:, 0], points[:, 1], gid=curve.id, **drawn)
     ax.set(xlim=h, ylim=l, xlabel="$h$", ylabel="$l$")
     if labels:
-        _name(atlas, ax, h, l, ink)
+        name_regions(atlas, ax, h, l, ink)
     return ax
 
 
@@ -123,7 +123,9 @@ def _stretches(curve: "Curve", ink: str) -> Iterator[tuple[float, float, dict[st
         yield part.l_from, part.l_to, style
 
 
-def _name(atlas: "Atlas", ax: "Axes", h: tuple[float, float], l: tuple[float, float], ink: str) -> None:
+def name_regions(
+    atlas: "Atlas", ax: "Axes", h: tuple[float, float], l: tuple[float, float], ink: str, *, signatures: bool = True
+) -> None:
     """Writes ids and signatures of the regions, or ids alone, deepest inside each region, where they fit."""
     from matplotlib.font_manager import FontProperties
 
@@ -134,7 +136,8 @@ def _name(atlas: "Atlas", ax: "Axes", h: tuple[float, float], l: tuple[float, fl
     points = np.asarray(ax.get_window_extent().size) / ax.figure.dpi * 72
     size = FontProperties(size="small").get_size_in_points()
     for number, region in enumerate(atlas.regions):
-        names = [region.id] if region.signature is None else [f"{region.id}\n{pretty(region.signature)}", region.id]
+        full = [f"{region.id}\n{pretty(region.signature)}"] if signatures and region.signature is not None else []
+        names = [*full, region.id]
         for name in names:
             lines = name.splitlines()
             extent = size * np.array([0.65 * max(map(len, lines)), 1.3 * len(lines)])

@@ -1,0 +1,174 @@
+"""What is asked of a body about its steady rotations and its (h, l) plane."""
+
+import json
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, cast
+
+from . import exact, pictures
+from .atlas import Atlas
+from .command import command
+from .critical import Equilibria
+from .exact import Number
+from .given import Given
+from .records import Classification
+
+if TYPE_CHECKING:
+    from .body import Body
+
+Accuracy: TypeAlias = Literal["exact", "fast"]
+"""Levels of accuracy."""
+
+Axis: TypeAlias = Literal["x", "y", "z"] | Iterable[Number]
+"""An axis of a part."""
+
+
+class Diagrams(Given):
+    """Atlas, classification, steady rotations."""
+
+    __slots__ = ()
+
+    def atlas(self, accuracy: Accuracy = "exact", *, certificate: bool = False) -> Atlas:
+        """Every region of the (h, l) plane, with its topology.
+
+        Parameters
+        ----------
+        accuracy : {"exact", "fast"}
+            ``"exact"`` decides everything; ``"fast"`` is floating point with error bounds, and may leave points undecided.
+        certificate : bool
+            Prove the whole diagram and include in the document what `bifdiag.verify` needs to check it, like ``bifdiag
+            --certificate``. This takes about ten times as long.
+
+        Returns
+        -------
+        Atlas
+
+        Raises
+        ------
+        RangeError
+            If the atlas of this body cannot be computed or proved.
+        InputError
+            If a certificate is requested for a fast atlas.
+
+        Examples
+        --------
+        >>> import bifdiag
+        >>> atlas = bifdiag.Body.preset("paper").atlas()
+        >>> len(atlas.regions)
+        9
+        """
+        self._exactly()
+        return Atlas(cast("Body", self), accuracy, certificate=certificate)
+
+    def classify(self, h: Number, l: Number, accuracy: Accuracy = "exact") -> Classification:
+        """The type of U, E and P at one point.
+
+        Parameters
+        ----------
+        h, l : number
+            Energy and vertical angular momentum; scalars only; `Atlas.region` takes arrays. Everything depends only on l²,
+            so the sign of l does not matter.
+        accuracy : {"exact", "fast"}
+            As in `atlas`.
+
+        Returns
+        -------
+        Classification
+
+        Raises
+        ------
+        InputError
+            If h or l is not a finite number.
+        RangeError
+            If the point cannot be decided.
+
+        Examples
+        --------
+        >>> import bifdiag
+        >>> bifdiag.Body.preset("kovalevskaya").classify(2, 2).status
+        'critical'
+        """
+        document = self._exactly().classify(exact.text(h, "h"), exact.text(l, "l"), accuracy)
+        return Classification._of(json.loads(document))
+
+    def critical(self, l: Any, *, threads: int | None = None) -> Equilibria:
+        """All relative equilibria, as a table.
+
+        Parameters
+        ----------
+        l : number, or array of them
+            Vertical angular momentum. At −l the same equilibria rotate in the opposite direction; at l = 0 the body is
+            at rest, hanging or standing.
+        threads : int, optional
+            None: one; 0: one per core. The result does not depend on it.
+
+        Returns
+        -------
+        Equilibria
+            A row for each relative equilibrium, by increasing h: a structured array with named columns, which `Equilibria`
+            explains, and with `to_pandas`, `to_arrow` and `to_xarray`. For an array of l the additional column ``l_index``
+            is the position in ``np.ravel(l)``. Angular velocities and eigenvalues are in radians per unit of time.
+
+        Raises
+        ------
+        InputError
+            If an l is not a finite number; the message names the first.
+
+        Examples
+        --------
+        >>> import bifdiag
+        >>> found = bifdiag.Body.preset("paper").critical("3.25")
+        >>> found["index"]
+        array([0, 0, 1, 1, 2, 2], dtype=int8)
+        >>> found[found["index"] == 2].stable_by.tolist()
+        ['arnold', 'arnold']
+        """
+        return Equilibria._compute(self._exactly(), l, threads)
+
+    def critical_spin(self, axis: Axis | None = None, *, tolerance: str | None = None) -> dict[str, Any]:
+        """The spins at which the stability or the region of a steady rotation changes, like ``bifdiag critical-spin``.
+
+        It is the question for parts whose numbers are known to within so much only, as ``"1.2±0.01"``: bounds hold for
+        every part within them.
+
+        Parameters
+        ----------
+        axis : {"x", "y", "z"} or three numbers, optional
+            An axis in the frame of the part; None: all axes about which it can turn steadily.
+        tolerance : str, optional
+            Such as ``"1%"``: of the moments and the weight, in place of ± on single numbers.
+
+        Returns
+        -------
+        dict
+            The document of ``bifdiag critical-spin --json``; the page "Formats" of the program's documentation explains it.
+
+        Raises
+        ------
+        InputError
+            If the command line refuses an argument.
+
+        Examples
+        --------
+        >>> import bifdiag
+        >>> tensor = [["0.24±1%", 0, 0], [0, 0.24, 0], [0, 0, 0.17]]
+        >>> top = bifdiag.Body.from_inertia(tensor, com=[0, 0, "80±0.5 mm"], mass="2 kg", g=9.81)
+        >>> top.measured, top.com.tolist()
+        (True, [0.0, 0.0, 0.08])
+        >>> sorted(top.critical_spin("z"))[:3]
+        ['A', 'axis', 'changes']
+        """
+        arguments = ["critical-spin", "--json", *self._options()]
+        if axis is not None:
+            arguments.append(f"--axis={axis if isinstance(axis, str) else ','.join(exact.triple(axis, 'axis'))}")
+        if tolerance is not None:
+            arguments.append(f"--tolerance={tolerance}")
+        document: dict[str, Any] = json.loads(command(*arguments))
+        return document
+
+    def plot(self, ax: Any = None, **options: Any) -> Any:
+        """Draws the body with matplotlib: its ellipsoid of inertia and its centre of mass; see `bifdiag.pictures.body`."""
+        return pictures.body(cast("Body", self), ax, **options)
+
+    def plot_sphere(self, h: float, l: float, ax: Any = None, **options: Any) -> Any:
+        """Draws U at one point (h, l) on the Poisson sphere with matplotlib; see `bifdiag.pictures.sphere`."""
+        return pictures.sphere(cast("Body", self), h, l, ax, **options)

@@ -1,0 +1,118 @@
+"""Periodic orbits as tables."""
+
+import json
+from typing import Any, ClassVar
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core, exact
+from .errors import InputError
+from .exact import Number
+from .tables import Table
+
+
+class PeriodicOrbits(Table):
+    """Periodic orbits of γ and ω, a row for each; made by `Body.periodic_orbits`.
+
+    Attributes
+    ----------
+    h, l : array (n,)
+        Energy and vertical angular momentum.
+    gamma, omega : array (n, 3)
+        A point of the orbit, in the body's axes: where the centre of mass is highest, if it has such a point.
+    period : array (n,)
+        Period of γ and ω; the body itself need not be back.
+    crossings : array (n,) of int
+        Crossings of the section P in a period, inward and outward.
+    multipliers : array (n, 2) of complex
+        The Floquet multipliers beside those that h, l and the flow make 1; their product is 1.
+    stability : array (n,) of str
+        ``"elliptic"`` (linearly stable), ``"hyperbolic"``, ``"inverse-hyperbolic"`` (unstable), ``"parabolic"`` (not
+        decided by the linear terms).
+    action : array (n,)
+        ∮⟨l, ω⟩ dt over a period.
+    symmetric : array (n,) of bool
+        Whether a reversor takes the orbit to itself.
+    proved : array (n,) of bool
+        Whether its existence was proved: ``meta["orbits"][k]["enclosure"]`` then has bounds.
+    continuum : array (n,) of bool
+        Whether it stands for a continuum of orbits of one period, such as a resonant torus.
+    meta : dict
+        The document of ``bifdiag periodic --json``.
+    """
+
+    h: npt.NDArray[np.float64]
+    l: npt.NDArray[np.float64]
+    gamma: npt.NDArray[np.float64]
+    omega: npt.NDArray[np.float64]
+    period: npt.NDArray[np.float64]
+    crossings: npt.NDArray[np.int32]
+    multipliers: npt.NDArray[np.complex128]
+    stability: npt.NDArray[np.str_]
+    action: npt.NDArray[np.float64]
+    symmetric: npt.NDArray[np.bool_]
+    proved: npt.NDArray[np.bool_]
+    continuum: npt.NDArray[np.bool_]
+
+    NAMES = (
+        *("h", "l", "gamma", "omega", "period", "crossings", "multipliers"),
+        *("stability", "action", "symmetric", "proved", "continuum"),
+    )
+    KIND: ClassVar[str] = "list of periodic orbits"
+
+    @classmethod
+    def _compute(cls, body: _core.Body, h: Number, l: Number, crossings: int, threads: int | None) -> "PeriodicOrbits":
+        most = exact.whole(crossings, "crossings", 2, 24)
+        if most % 2:
+            raise InputError(
+                f"crossings = {crossings}: a periodic orbit crosses P inward as often as outward; 2, 4, … up to 24"
+            )
+        text = _core.periodic_orbits(body, exact.text(h, "h"), exact.text(l, "l"), most, exact.threads(threads))
+        document = json.loads(text)
+        orbits, continua = document["orbits"], document["continua"]
+        columns = _columns([*orbits, *continua])
+        columns["continuum"] = np.arange(len(orbits) + len(continua)) >= len(orbits)
+        return cls(columns, text)
+
+    @property
+    def complete(self) -> bool:
+        """Whether every cell of the section was decided."""
+        complete: bool = self.meta["complete"]
+        return complete
+
+    @property
+    def why(self) -> str:
+        """What completeness rests on, or what may be missing."""
+        why: str = self.meta["why"]
+        return why
+
+    def __repr__(self) -> str:
+        told = "complete" if self.complete else "not complete"
+        point = f"(h, l) = ({self.meta['h']}, {self.meta['l']})"
+        return f"PeriodicOrbits at {point}: {len(self)}, {told} [{', '.join(self.columns)}, meta]"
+
+
+def _columns(orbits: list[dict[str, Any]]) -> dict[str, npt.NDArray[Any]]:
+    """The columns of orbits of a document."""
+
+    def column(name: str, kind: Any = np.float64) -> npt.NDArray[Any]:
+        return np.array([orbit[name] for orbit in orbits], dtype=kind)
+
+    def vectors(name: str, width: int) -> npt.NDArray[np.float64]:
+        return column(name).reshape(len(orbits), width)
+
+    pairs = column("multipliers").reshape(len(orbits), 2, 2)
+    return {
+        "h": column("h"),
+        "l": column("l"),
+        "gamma": vectors("gamma", 3),
+        "omega": vectors("omega", 3),
+        "period": column("period"),
+        "crossings": column("crossings", np.int32),
+        "multipliers": pairs[:, :, 0] + 1j * pairs[:, :, 1],
+        "stability": column("stability", np.str_),
+        "action": column("action"),
+        "symmetric": column("symmetric", np.bool_),
+        "proved": column("proved", np.bool_),
+    }

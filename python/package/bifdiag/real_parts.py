@@ -1,0 +1,158 @@
+"""Real parts as bodies."""
+
+import os
+from collections.abc import Iterable
+from typing import Any, Literal, TypeVar
+
+from . import _core, exact
+from .errors import InputError
+from .exact import Number
+from .given import Given
+
+AnyBody = TypeVar("AnyBody", bound="RealParts")
+
+
+class RealParts(Given):
+    """Bodies from tensors and files of parts."""
+
+    __slots__ = ()
+
+    @classmethod
+    def _of(cls: type[AnyBody], inner: _core.Body) -> AnyBody:
+        body = cls.__new__(cls)
+        body._inner, body._given, body._source = inner, (), None
+        return body
+
+    @classmethod
+    def from_inertia(
+        cls: type[AnyBody],
+        tensor: Iterable[Iterable[Number]],
+        com: Iterable[Number],
+        mass: Number,
+        g: Number = "9.80665",
+        about: Literal["fixed point", "centre of mass"] = "fixed point",
+        *,
+        units: str = "kg,m,s",
+        unphysical: bool = False,
+    ) -> AnyBody:
+        """A real part from its tensor of inertia, which is kept exactly, without rounding.
+
+        Parameters
+        ----------
+        tensor : 3 × 3 numbers
+            The symmetric matrix itself, with Ixy = −∫ x y dm off the diagonal. Products of inertia printed as +∫ x y dm
+            must change sign.
+        com : three numbers
+            Centre of mass, from the fixed point, in the axes of the tensor.
+        mass : number
+            Mass.
+        g : number
+            Acceleration of gravity, always in m/s².
+        about : {"fixed point", "centre of mass"}
+            The reference point of the tensor.
+        units : str
+            Units of mass, length and time of all inputs and results, such as ``"g,mm,s"``. Any number may also be a text
+            with its own unit, ``"250 g"``, and with what it is known to, ``"1.2±0.01"``, ``"1.2+-1%"``: `critical_spin`.
+        unphysical : bool
+            Accept an unphysical part, which no distribution of mass can have.
+
+        Raises
+        ------
+        BodyError
+            If the part cannot exist, or its mass is not positive.
+        InputError
+            If a value is not a number, the tensor is not symmetric, or a unit is unknown.
+
+        Examples
+        --------
+        >>> import bifdiag
+        >>> top = bifdiag.Body.from_inertia(
+        ...     [[2, 0.1, 0], [0.1, 1.5, 0], [0, 0, 1]], com=[0, 0, 50], mass=0.25, about="centre of mass", units="kg,mm,s"
+        ... )
+        >>> [round(moment, 6) for moment in top.part["principal_com"]["moments"]]
+        [1.0, 1.480742, 2.019258]
+        """
+        if about not in ("fixed point", "centre of mass"):
+            raise InputError(f'about = {about!r}: the points are "fixed point" and "centre of mass"')
+        rows = [exact.triple(row, f"tensor[{place}]") for place, row in enumerate(tensor)]
+        if len(rows) != 3:
+            raise InputError(f"tensor needs three rows, {len(rows)} given")
+        place, weight, gravity = exact.triple(com, "com"), exact.text(mass, "mass"), exact.text(g, "g")
+        arguments = (rows, place, weight, gravity, about == "centre of mass", units, unphysical)
+        upper = [_told_entry(rows[i][k], rows[k][i]) for i, k in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
+        option = "--inertia-com" if about == "centre of mass" else "--inertia"
+        given = [f"{option}={','.join(upper)}", "--products=tensor", f"--com={','.join(place)}", f"--mass={weight}"]
+        given += [f"--g={gravity}", f"--units={units}", *(["--unphysical"] if unphysical else [])]
+        return cls._of_part(("body_of_tensor", arguments), tuple(given))
+
+    @classmethod
+    def from_part(
+        cls: type[AnyBody],
+        path: str | os.PathLike[str],
+        *,
+        density: Number | None = None,
+        mass: Number | None = None,
+        link: str | None = None,
+        pivot: Iterable[Number] = (0, 0, 0),
+        g: Number = "9.80665",
+        units: str | None = None,
+        unphysical: bool = False,
+    ) -> AnyBody:
+        """A real part from a file.
+
+        Parameters
+        ----------
+        path : path
+            A mesh (``.stl``, ``.obj``, ``.ply``) or an inertial block (``.urdf``, MJCF ``.xml``).
+        density, mass : number, optional
+            One of the two for a mesh, in `units`, or with its own: ``"2.7 g/cm3"``.
+        link : str, optional
+            Which link of a ``.urdf`` or ``.xml``.
+        pivot : three numbers
+            The fixed point, in the file's frame; ``"10±0.2 mm"`` is understood, too.
+        g : number
+            Acceleration of gravity, always in m/s².
+        units : str, optional
+            Units of mass, length and time, such as ``"kg,mm,s"``: of a mesh and of all results.
+        unphysical : bool
+            Accept an unphysical part, which no distribution of mass can have.
+
+        Raises
+        ------
+        BodyError
+            If the part cannot exist.
+        InputError
+            If the file does not define a part: it is missing, the mesh is open or inside out, its mass is not given, …
+        """
+        weight = [
+            None if value is None else exact.text(value, name) for name, value in (("density", density), ("mass", mass))
+        ]
+        place, gravity = exact.triple(pivot, "pivot"), exact.text(g, "g")
+        absolute = os.path.abspath(path)
+        arguments = (absolute, weight, link, place, gravity, units, unphysical)
+        named = [("density", weight[0]), ("mass", weight[1]), ("link", link), ("units", units)]
+        options = [f"--{name}={value}" for name, value in named if value is not None]
+        given = [f"--part={absolute}", *options, f"--pivot={','.join(place)}", f"--g={gravity}"]
+        return cls._of_part(("body_of_file", arguments), (*given, *(["--unphysical"] if unphysical else [])))
+
+    @classmethod
+    def _of_part(cls: type[AnyBody], source: tuple[str, tuple[Any, ...]], given: tuple[str, ...]) -> AnyBody:
+        make, arguments = source
+        body = cls._of(getattr(_core, make)(*arguments))
+        body._given, body._source = given, source if body.measured else None
+        return body
+
+    @classmethod
+    def _of_document(cls: type[AnyBody], document: dict[str, Any]) -> AnyBody:
+        """The body of the block ``body`` of a document."""
+        part = document.get("part")
+        if part is None:
+            return cls._of(_core.Body(document["A"], document["r"]))
+        return cls.from_inertia(
+            part["inertia"], part["com"], part["mass"], part["g"], units=part["units"], unphysical=not part["physical"]
+        )
+
+
+def _told_entry(above: str, below: str) -> str:
+    """Of two equal entries of a tensor that with ±."""
+    return below if any(sign in below for sign in ("±", "+-", "+/-")) else above
