@@ -63,7 +63,7 @@ impl Model {
         documents! {
             Head GivenBody AtlasDocument ClassificationDocument GridDocument CriticalDocument SectionsDocument MotionDocument
             ProvedMotionDocument ChaosPointDocument ChaosMapDocument PartAnswerDocument SteadyAxesDocument StateDocument CriticalSpinDocument SteadySpinsDocument SpinDownDocument
-            PeriodicDocument PeriodicFamiliesDocument
+            PeriodicDocument PeriodicFamiliesDocument PeriodicListDocument
             BodiesDocument ExplanationDocument BatchErrorDocument
             RowDocument ScanSummaryDocument BorderDocument ComparisonDocument PointProofDocument FindDocument ClassesDocument StandingDocument
         }

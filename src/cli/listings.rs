@@ -6,9 +6,9 @@ use bifdiag_schema::{
     AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ChaosMapDocument, ChaosPointDocument,
     ClassDocument, ClassesDocument, ClassificationDocument, ComparisonDocument, CriticalDocument, CriticalSpinDocument,
     ExplanationDocument, FindDocument, GridDocument, MotionDocument, PartAnswerDocument, PeriodicDocument,
-    PeriodicFamiliesDocument, PointProofDocument, ProvedMotionDocument, RowDocument, ScanSummaryDocument,
-    SectionDocument, SectionsDocument, SpinDownDocument, StandingDocument, StateDocument, SteadyAxesDocument,
-    SteadySpinsDocument,
+    PeriodicFamiliesDocument, PeriodicListDocument, PointProofDocument, ProvedMotionDocument, RowDocument,
+    ScanSummaryDocument, SectionDocument, SectionsDocument, SpinDownDocument, StandingDocument, StateDocument,
+    SteadyAxesDocument, SteadySpinsDocument,
 };
 use clap::{Args, Command, ValueEnum};
 use schemars::{Schema, schema_for};
@@ -102,6 +102,8 @@ pub enum Name {
     Periodic,
     /// The answer of `bifdiag periodic family --json`
     PeriodicFamilies,
+    /// The answer of `bifdiag periodic list --json`
+    PeriodicList,
     /// The answer of `bifdiag bodies --json`
     Bodies,
     /// The answer of `bifdiag explain --json`
@@ -149,6 +151,7 @@ impl Name {
             Self::SpinDown => schema_for!(SpinDownDocument),
             Self::Periodic => schema_for!(PeriodicDocument),
             Self::PeriodicFamilies => schema_for!(PeriodicFamiliesDocument),
+            Self::PeriodicList => schema_for!(PeriodicListDocument),
             Self::Bodies => schema_for!(BodiesDocument),
             Self::Explain => schema_for!(ExplanationDocument),
             Self::BatchError => schema_for!(BatchErrorDocument),

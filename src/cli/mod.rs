@@ -115,7 +115,7 @@ fn work(options: &Options) -> Result<(), Failure> {
         Some(Command::Chaos(arguments)) => chaos::run(arguments, &timings, quiet),
         Some(Command::Sphere(arguments)) => sphere::run(arguments, &timings),
         Some(Command::Orbit(arguments)) => orbit::run(arguments, &timings),
-        Some(Command::Periodic(arguments)) => periodic::run(arguments, &timings),
+        Some(Command::Periodic(arguments)) => periodic::run(arguments, &timings, quiet),
         Some(Command::Explore(arguments)) => explore::run(arguments),
         Some(Command::Verify(arguments)) => verify::run(arguments, &timings),
         Some(Command::Body(arguments)) => part::run(arguments, &timings),

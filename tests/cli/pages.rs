@@ -12,8 +12,17 @@ fn commands() -> Vec<String> {
     let names = list.lines().filter_map(|line| Some(name(line)?.split(' ').next()?.to_owned()));
     let names: Vec<String> = names
         .chain(
-            ["scan merge", "scan map", "scan border", "chaos map", "chaos merge", "periodic family", ""]
-                .map(str::to_owned),
+            [
+                "scan merge",
+                "scan map",
+                "scan border",
+                "chaos map",
+                "chaos merge",
+                "periodic family",
+                "periodic list",
+                "",
+            ]
+            .map(str::to_owned),
         )
         .collect();
     assert!(names.len() > 20, "{names:?}");
@@ -135,6 +144,9 @@ const PROVED_MOTION: usize = 3;
 /// Options of `periodic family` (issue 43): its own seven and those of every body.
 const PERIODIC_FAMILY: usize = 22;
 
+/// Options of `periodic list` (issue 43): its own eleven and those of every body.
+const PERIODIC_LIST: usize = 26;
+
 /// `periodic` (issue 43): its own two, the point and those of every body.
 const SHORT_ORBITS: usize = 19;
 
@@ -151,7 +163,7 @@ fn short_pages_fit_a_screen_and_long_ones_do_not_repeat_themselves() {
         assert!(short.lines().count() <= 50, "{command}: {} lines\n{short}", short.lines().count());
         all += slots(&bifdiag(&format!("{command} --help")).succeeds().stdout());
     }
-    let periodic = PERIODIC_FAMILY + SHORT_ORBITS;
+    let periodic = PERIODIC_FAMILY + PERIODIC_LIST + SHORT_ORBITS;
     let bound = 330 + SPIN_DOWN + MATHEMATICS + OWN_BODIES + PICTURES + FIGURES + PROVED_MOTION + periodic + CHAOS;
     assert!(all < bound, "{all} options on all pages");
 }

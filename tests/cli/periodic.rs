@@ -64,3 +64,155 @@ fn families_are_drawn_and_told() {
     let picture = std::fs::read_to_string(place.path().join("pictures/periodic.svg")).unwrap();
     assert!(picture.contains("G2.1") && picture.contains("period T"));
 }
+
+/// Every family that `periodic family` follows is in the list, orbit by orbit, and filters leave out what they say.
+#[test]
+fn a_list_holds_all_families_and_filters_their_orbits() {
+    let family = bifdiag("periodic family --body paper --l 2.3 --members 30 --json").succeeds().json();
+    let all = bifdiag("periodic list --body paper --l 2.3 --members 30 --json").succeeds().json();
+    assert_eq!(list(&all["families"]).len(), list(&family["families"]).len());
+    for (listed, family) in list(&all["families"]).iter().zip(list(&family["families"])) {
+        assert_eq!((&listed["frequency"], &listed["gamma"]), (&family["frequency"], &family["gamma"]));
+        assert_eq!(listed["followed"], json!(list(&family["members"]).len()));
+        for (number, (orbit, member)) in list(&listed["orbits"]).iter().zip(list(&family["members"])).enumerate() {
+            assert_eq!((&orbit["member"], &orbit["period"]), (&json!(number), &member["period"]));
+            assert_eq!(orbit["proved"], json!(false));
+        }
+    }
+    let some = bifdiag("periodic list --body paper --l 2.3 --members 30 --stable --period 3:8 --crossings 2 --json");
+    let some = some.succeeds().json();
+    let is_wanted = |orbit: &&Value| {
+        let period = number(&orbit["period"]);
+        orbit["stability"] == json!("elliptic") && (3.0..=8.0).contains(&period) && number(&orbit["crossings"]) <= 2.0
+    };
+    let mut count = [0, 0];
+    for (all, some) in list(&all["families"]).iter().zip(list(&some["families"])) {
+        let wanted: Vec<&Value> = list(&all["orbits"]).iter().filter(is_wanted).collect();
+        assert_eq!(wanted, list(&some["orbits"]).iter().collect::<Vec<_>>());
+        count = [count[0] + wanted.len(), count[1] + list(&all["orbits"]).len()];
+    }
+    assert!(20 < count[0] && count[0] < count[1], "{count:?}");
+    let one = bifdiag("periodic list --body paper --l 2.3 --members 30 --family g1.3/2 --json").succeeds().json();
+    assert_eq!(list(&one["families"]).len(), 1);
+    let same = list(&all["families"]).iter().find(|family| family["family"] == json!("G1.3/2"));
+    assert_eq!(Some(&one["families"][0]), same);
+}
+
+/// A list says what it does not hold, and `verify` takes none.
+#[test]
+fn a_list_says_what_is_not_checked() {
+    let place = tempfile::tempdir().unwrap();
+    let list = bifdiag("periodic list --body paper --l 1.5 --members 20 --json").succeeds();
+    let document = list.json();
+    assert_eq!(document["complete"], json!(false));
+    let why = document["why"].as_str().unwrap();
+    assert!(why.starts_with("2 families go on") && why.contains("`bifdiag verify` does not check"), "{why}");
+    std::fs::write(place.path().join("list.json"), list.stdout()).unwrap();
+    bifdiag("verify list.json").inside(place.path()).refused().telling("no atlas");
+    // At rest both families of the paper's body end, at one separatrix.
+    let ended = bifdiag("periodic list --body paper --l 0 --json").succeeds().json();
+    assert_eq!(ended["complete"], json!(true), "{}", ended["why"]);
+    assert!(ended["why"].as_str().unwrap().starts_with("every family was followed to its end"));
+}
+
+/// Without l and h: at rest, and at a momentum between any two at which `atlas` tells that curves begin or end.
+#[test]
+fn a_list_without_a_place_has_every_kind_of_momentum() {
+    let document = bifdiag("periodic list --body paper --members 2 --json").succeeds().json();
+    let momenta: Vec<f64> =
+        list(&document["fixed_l"]).iter().map(|text| text.as_str().unwrap().parse().unwrap()).collect();
+    assert_eq!(momenta[0], 0.0);
+    assert!(momenta.is_sorted());
+    let atlas = bifdiag("--body paper --json").succeeds().json();
+    let mut events: Vec<f64> = list(&atlas["events"])
+        .iter()
+        .filter(|event| event["kind"] == json!("cusp") || event["kind"] == json!("pitchfork"))
+        .map(|event| number(&event["l"]))
+        .collect();
+    events.sort_by(f64::total_cmp);
+    assert!(events.len() >= 2, "{events:?}");
+    for pair in events.windows(2) {
+        assert!(momenta.iter().any(|l| pair[0] < *l && *l < pair[1]), "{pair:?} {momenta:?}");
+    }
+    assert!(momenta.last() > events.last());
+    for family in list(&document["families"]) {
+        assert!(momenta.iter().any(|l| (l - number(&family["l"])).abs() < 1e-12), "{family}");
+    }
+}
+
+/// Tables have the orbits of the document, and a stopped list goes on to the same bytes.
+#[test]
+fn a_list_is_written_as_a_table_and_goes_on_where_it_was() {
+    let place = tempfile::tempdir().unwrap();
+    let line = "periodic list --body paper --l 0.5:2.5:9 --members 25 --branches --stable";
+    let read = |name: &str| std::fs::read(place.path().join(name)).unwrap();
+    let document = bifdiag(&format!("{line} --json --data whole.csv")).inside(place.path()).succeeds().json();
+    let rows: usize = list(&document["families"]).iter().map(|family| list(&family["orbits"]).len()).sum();
+    let table = String::from_utf8(read("whole.csv")).unwrap();
+    assert_eq!(table.lines().count(), rows + 1);
+    assert!(table.starts_with("family,branch,member,h,l,gamma1,gamma2,gamma3,omega1,"));
+    let first = table.lines().nth(1).unwrap();
+    let orbit = &document["families"][0]["orbits"][0];
+    assert!(first.starts_with(&format!("G2.1/1,0,0,{:?},0.5,", number(&orbit["h"]))), "{first}");
+    assert!(first.contains(&format!(",{:?},", number(&orbit["period"]))) && first.contains(",elliptic,"), "{first}");
+    assert!(!place.path().join("whole.csv.partial").exists());
+    let streamed = bifdiag(&format!("{line} --data -")).succeeds().stdout();
+    assert_eq!(streamed, table);
+    // What a killed run leaves: the journal as far as it came, cut in the middle of a block.
+    let partial = place.path().join("cut.csv.partial");
+    let mut child = std::process::Command::new(crate::builder::PROGRAM)
+        .args(line.split(' '))
+        .args(["-q", "--threads", "1", "--data", "cut.csv"])
+        .current_dir(place.path())
+        .stdout(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    let mut bytes = Vec::new();
+    while bytes.len() < 60_000 && child.try_wait().unwrap().is_none() {
+        bytes = std::fs::read(&partial).unwrap_or_default();
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    let _ended = child.kill();
+    child.wait().unwrap();
+    assert!(bytes.len() >= 60_000, "it was over before it could be stopped");
+    std::fs::write(&partial, &bytes[..bytes.len() - 300]).unwrap();
+    let told = bifdiag(&format!("{line} --data cut.csv")).inside(place.path()).succeeds().stderr();
+    assert!(told.contains("going on behind"), "{told}");
+    assert!(read("cut.csv") == read("whole.csv") && !partial.exists());
+    std::fs::write(&partial, "{\"another\": 1}\n").unwrap();
+    bifdiag(&format!("{line} --data cut.csv")).inside(place.path()).refused().telling("another list");
+    bifdiag(&format!("{line} --data cut.csv --restart")).inside(place.path()).succeeds();
+    assert!(read("cut.csv") == read("whole.csv"));
+}
+
+#[test]
+fn wrong_questions_of_lists_say_what_is_right() {
+    for (line, told) in [
+        ("--l 1 --family G7.1", "the body has no such curve of steady rotations; it has G0.1, G1.1,"),
+        ("--l 1 --family G2.1/3", "an equilibrium has at most two, such as G2.1/1 and G2.1/2"),
+        ("--l 1 --period 5:2", "A = 5 is above B = 2"),
+        ("--l 1 --period 5", "periods are written A:B"),
+        ("--l 1 --members 0", "a family has at least one orbit"),
+        ("--l 1:2", "a range is written a:b:n"),
+        ("--l 1 --json --data -", "both write to stdout"),
+        ("--l 1 --data orbits.txt", "the extension tells the format"),
+        ("--l 1 --restart", "--data"),
+        ("--l 1 --h 2", "--h"),
+    ] {
+        bifdiag(&format!("periodic list --body paper {line}")).refused().telling(told);
+    }
+}
+
+/// Columns of words and numbers, read back.
+#[cfg(feature = "parquet")]
+#[test]
+fn a_list_is_written_as_parquet() {
+    use parquet::file::reader::SerializedFileReader;
+    let place = tempfile::tempdir().unwrap();
+    bifdiag("periodic list --body paper --l 1.5 --members 30 --data orbits.parquet").inside(place.path()).succeeds();
+    let reader = SerializedFileReader::new(std::fs::File::open(place.path().join("orbits.parquet")).unwrap()).unwrap();
+    let fields: Vec<_> = reader.into_iter().map(|row| row.unwrap().into_columns()).collect();
+    assert_eq!(fields.len(), 60);
+    assert_eq!((fields[0][0].0.as_str(), fields[0][0].1.to_string().as_str()), ("family", "\"G2.1/1\""));
+    assert_eq!(fields[59][0].1.to_string(), "\"G2.1/2\"");
+}

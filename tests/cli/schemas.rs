@@ -132,6 +132,10 @@ fn documents_fit_their_schemas() {
         let families = format!("periodic family {more} --members 12 --branches --json");
         assert_fits("periodic-families", &bifdiag(&families).succeeds().json());
     }
+    for more in ["--l 1.5", "--l 1:2:2 --branches --stable --period 2:6 --crossings 4", "--h 5 --family G2.1/1"] {
+        let list = format!("periodic list --body paper {more} --members 12 --json");
+        assert_fits("periodic-list", &bifdiag(&list).succeeds().json());
+    }
     assert_fits("periodic", &bifdiag("periodic --body paper --h 2.6 --l 3.25 --json").succeeds().json());
     assert_fits("bodies", &bifdiag("bodies --json").succeeds().json());
     assert_fits("explain", &bifdiag("explain cusp --json").succeeds().json());

@@ -82,7 +82,8 @@ fn of_event(body: &Body, event: &OrbitEvent) -> OrbitEventDocument {
     }
 }
 
-fn end(stretch: &Stretch) -> FamilyEndingDocument {
+/// The end of a family or a branch.
+pub(crate) fn end(stretch: &Stretch) -> FamilyEndingDocument {
     let last = stretch.members.last();
     FamilyEndingDocument {
         kind: stretch.end.kind,

@@ -1,5 +1,6 @@
 //! Periodic orbits: their families from the relative equilibria, and all short ones at a point of the (h, l) plane.
 
+pub mod catalogue;
 pub mod chart;
 pub mod family;
 pub mod flow;

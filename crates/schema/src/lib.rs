@@ -70,8 +70,9 @@ pub use motion::{
 pub use nonlinear::{Damped, FrictionDocument, NonlinearDocument, NonlinearVerdict, Reason, ResonancesDocument};
 pub use part::{PartAnswerDocument, PartDocument, PrincipalDocument};
 pub use periodic::{
-    FamilyEnd, FamilyEndingDocument, OrbitEnclosureDocument, OrbitEventDocument, OrbitEventKind, OrbitStability,
-    PeriodicBranchDocument, PeriodicDocument, PeriodicFamiliesDocument, PeriodicFamilyDocument, PeriodicOrbitDocument,
+    FamilyEnd, FamilyEndingDocument, ListedFamilyDocument, ListedOrbitDocument, OrbitEnclosureDocument,
+    OrbitEventDocument, OrbitEventKind, OrbitStability, PeriodicBranchDocument, PeriodicDocument,
+    PeriodicFamiliesDocument, PeriodicFamilyDocument, PeriodicListDocument, PeriodicOrbitDocument,
 };
 pub use point_proof::{PointProofDocument, checksum};
 pub use scan::{

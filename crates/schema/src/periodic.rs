@@ -210,3 +210,73 @@ pub struct PeriodicDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part: Option<PartDocument>,
 }
+
+/// An orbit of a listed family.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ListedOrbitDocument {
+    /// Its number along the family, from 0; those that were not asked for are counted.
+    pub member: usize,
+    /// The orbit.
+    #[serde(flatten)]
+    pub orbit: PeriodicOrbitDocument,
+}
+
+/// A family of `periodic list`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ListedFamilyDocument {
+    /// The curve of its equilibrium and the number of its frequency there, from the fastest: `G2.1/1`. One id stands for a
+    /// family at every l or h that was asked for.
+    pub family: String,
+    /// 0: it begins at the equilibrium; else the number of the branch that begins at a special orbit of that one.
+    pub branch: usize,
+    /// γ of the equilibrium.
+    pub gamma: [f64; 3],
+    /// h of the equilibrium.
+    pub h: f64,
+    /// l of the equilibrium.
+    pub l: f64,
+    /// Frequency ω of the small oscillations about it.
+    pub frequency: f64,
+    /// How many orbits it has, as far as it was followed.
+    pub followed: usize,
+    /// Those that were asked for, in their order.
+    pub orbits: Vec<ListedOrbitDocument>,
+    /// How it ends.
+    pub end: FamilyEndingDocument,
+}
+
+/// The answer of `periodic list`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PeriodicListDocument {
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
+    /// The body.
+    #[serde(flatten)]
+    pub body: GivenBody,
+    /// The momenta at which families were followed; `null` where it was at energies.
+    pub fixed_l: Option<Vec<String>>,
+    /// The energies at which families were followed; `null` where it was at momenta.
+    pub fixed_h: Option<Vec<String>>,
+    /// Only this curve or family was asked for.
+    pub only: Option<String>,
+    /// So many orbits of each family, and of each branch, at most.
+    pub members: usize,
+    /// Whether families that begin at special orbits were followed too.
+    pub branches: bool,
+    /// Only linearly stable orbits were asked for.
+    pub stable: bool,
+    /// Only orbits with a period between these, both included, were asked for.
+    pub period: Option<[f64; 2]>,
+    /// Only orbits with at most so many crossings of P were asked for.
+    pub crossings: Option<u32>,
+    /// The families, by l or h, then by their equilibria, each with its branches behind it.
+    pub families: Vec<ListedFamilyDocument>,
+    /// Whether every family was followed to its end.
+    pub complete: bool,
+    /// What that means, and what is not checked.
+    pub why: String,
+    /// The part from which A and r were computed, when one was given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub part: Option<PartDocument>,
+}

@@ -1,7 +1,6 @@
 //! `bifdiag critical`: all relative equilibria at one l, at many, or at one spin.
 
 mod curve;
-mod momenta;
 mod report;
 mod spins;
 mod table;
@@ -18,9 +17,8 @@ use rayon::prelude::*;
 use super::batch::{Batch, BatchArguments, LINES_SAY_IT, Query, Wanted, no_point};
 use super::export::{Columns, DataFormat, DataTarget, FileSet, answer};
 use super::failure::{Failure, failed};
-use super::input::BodyArguments;
+use super::input::{BodyArguments, Numbers};
 use super::terminal::{Timings, print, significant};
-use momenta::Momenta;
 use spins::{Output, Spins, spin_at};
 use table::NOT_FOUND;
 
@@ -55,9 +53,9 @@ pub struct CriticalArguments {
     #[command(flatten)]
     pub body: BodyArguments,
     /// Vertical angular momentum, or a range a:b:n of n momenta; its sign is that of omega
-    #[arg(long = "l", value_name = "l|a:b:n", allow_hyphen_values = true, value_parser = Momenta::parse)]
+    #[arg(long = "l", value_name = "l|a:b:n", allow_hyphen_values = true, value_parser = Numbers::parse)]
     #[arg(help_heading = "Momentum")]
-    pub momentum: Option<Momenta>,
+    pub momentum: Option<Numbers>,
     /// Instead of l: list every axis about which the body turns steadily at this spin (rpm, Hz, rad/s, deg/s), or at a range
     /// of spins, such as "0:3000:301 rpm"
     #[arg(long, value_name = "\"300 rpm\"", allow_hyphen_values = true, conflicts_with = "momentum")]
@@ -79,7 +77,7 @@ pub struct CriticalArguments {
 
 pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     let CriticalArguments { body, momentum, spin, method, batch, json, out } = arguments;
-    let is_range = matches!(momentum, Some(Momenta::Range { .. }));
+    let is_range = matches!(momentum, Some(Numbers::Range { .. }));
     if *method == Method::Newton && (is_range || spin.is_some() || batch.batch.is_some()) {
         return Err(Failure::input(
             "--method newton follows the curves to one momentum: give --l a number, and no --batch or --spin",
@@ -119,10 +117,10 @@ pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Res
             written(&columns?, out, timings)
         }
         (None, None) => Err(no_point("--l", "the momentum, such as --l 3.25, the spin, such as --spin \"300 rpm\"")),
-        (Some(Momenta::One(_)), None) if out.is_some() => Err(Failure::input(
+        (Some(Numbers::One(_)), None) if out.is_some() => Err(Failure::input(
             "--out needs a range of momenta, such as --l 0:4:401, or --spin; at one momentum --json writes to stdout",
         )),
-        (Some(Momenta::One(l)), None) => {
+        (Some(Numbers::One(l)), None) => {
             let found = timings.stage("critical", || {
                 let prepared = RelativeEquilibria::new(&subject.body)?;
                 if *method == Method::Newton { prepared.continued(l) } else { prepared.at(l) }
@@ -130,10 +128,10 @@ pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Res
             let document = bifdiag_documents::critical(&subject, l, &found.map_err(failed(NOT_FOUND))?);
             answer(*json, &document, || report::text(&subject, &document))
         }
-        (Some(Momenta::Range { from, to, count }), None) if *json => {
+        (Some(Numbers::Range { from, to, count }), None) if *json => {
             timings.stage("critical", || ranged_lines(&subject, [from, to], *count))
         }
-        (Some(Momenta::Range { from, to, count }), None) => {
+        (Some(Numbers::Range { from, to, count }), None) => {
             let columns = timings.stage("critical", || table::at_momenta(&subject.body, [from, to], *count));
             written(&columns?, out, timings)
         }
@@ -237,7 +235,7 @@ fn ranged_lines(subject: &Subject, ends: [&Number; 2], count: u32) -> Result<(),
     let numbers: Vec<u32> = (0..count).collect();
     for block in numbers.chunks(BLOCK) {
         let lines = block.par_iter().map(|&k| {
-            let mut line = line(subject, &prepared, &Momenta::at(ends, count, k))?;
+            let mut line = line(subject, &prepared, &Numbers::at(ends, count, k))?;
             line.push(b'\n');
             Ok::<_, Failure>(line)
         });

@@ -11,10 +11,10 @@ use bifdiag_schema::{
 };
 use serde::Serialize;
 
-use super::momenta::Momenta;
 use super::spins::spin_at;
 use crate::cli::export::{Columns, Values};
 use crate::cli::failure::{Failure, failed};
+use crate::cli::input::Numbers;
 
 /// What is said where there is no answer.
 pub const NOT_FOUND: &str = "the relative equilibria could not be found";
@@ -70,7 +70,7 @@ pub fn at_momenta(body: &Body, [from, to]: [&Number; 2], count: u32) -> Result<C
     let prepared = RelativeEquilibria::new(body).map_err(failed(NOT_FOUND))?;
     let mut rows = Rows::default();
     for k in 0..count {
-        let l = Momenta::at([from, to], count, k);
+        let l = Numbers::at([from, to], count, k);
         rows.extend(&prepared.at(&l).map_err(failed(NOT_FOUND))?, k, Some(l.to_f64()));
     }
     let numbers = ("l_index", Values::Int32(std::mem::take(&mut rows.index_of_l)));

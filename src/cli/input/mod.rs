@@ -1,6 +1,7 @@
 //! What the options say: values, bodies, parts, files that are read.
 
 mod body;
+mod numbers;
 mod part;
 mod plausible;
 pub mod values;
@@ -10,6 +11,7 @@ use std::io::{self, Read, Stdin};
 use std::path::Path;
 
 pub use body::{BodyArguments, PlainBodyArguments, PointArguments, add_integrals, head, integrable};
+pub use numbers::Numbers;
 pub use part::{GivenPart, PART, PartArguments, shown, shown_of_part};
 pub use values::accuracy;
 

@@ -5,9 +5,9 @@ use std::sync::atomic::AtomicBool;
 
 use bifdiag_body::Number;
 use bifdiag_documents::Subject;
-use bifdiag_equilibria::critical::{Equilibrium, RelativeEquilibria};
-use bifdiag_equilibria::curves::{CriticalSet, CurveName};
-use bifdiag_periodic::family::{Family, FamilyOptions, Held, families};
+use bifdiag_equilibria::critical::Equilibrium;
+use bifdiag_periodic::catalogue::Catalogue;
+use bifdiag_periodic::family::{Family, FamilyOptions, Held};
 use bifdiag_plot::{Theme, draw_periods};
 use bifdiag_schema::{
     FamilyEnd, FamilyEndingDocument, OrbitEventKind, PeriodicFamiliesDocument, PeriodicFamilyDocument,
@@ -58,7 +58,7 @@ pub struct FamilyArguments {
 }
 
 /// Significant digits.
-const DIGITS: usize = 6;
+pub const DIGITS: usize = 6;
 /// What is said where there is no answer.
 const NOT_FOUND: &str = "the families could not be followed";
 
@@ -77,12 +77,13 @@ pub fn run(arguments: &FamilyArguments, timings: &Timings) -> Result<(), Failure
     if arguments.members == 0 {
         return Err(Failure::input("--members 0: a family has at least one orbit"));
     }
-    let equilibria = equilibria(&subject, held, value, id.as_deref())?;
+    let catalogue = Catalogue::new(&subject.body).map_err(failed(NOT_FOUND))?;
+    let equilibria = starts(&catalogue, held, value, id.as_deref())?;
     let options =
         FamilyOptions { held, members: arguments.members, branches: arguments.branches, stop: &AtomicBool::new(false) };
     let mut found: Vec<(Equilibrium, Vec<Family>)> = Vec::with_capacity(equilibria.len());
     for equilibrium in equilibria {
-        let of_it = timings.stage("families", || families(&subject.body, &equilibrium, &options));
+        let of_it = timings.stage("families", || catalogue.families(&equilibrium, &options));
         found.push((equilibrium, of_it.map_err(failed(NOT_FOUND))?));
     }
     let mut command = subject.command("periodic family");
@@ -101,59 +102,23 @@ pub fn run(arguments: &FamilyArguments, timings: &Timings) -> Result<(), Failure
 }
 
 /// The equilibria at l, or those of energy h, one for each curve that has it; of one curve, if it is named.
-fn equilibria(subject: &Subject, held: Held, value: &Number, id: Option<&str>) -> Result<Vec<Equilibrium>, Failure> {
-    let body = &subject.body;
-    let prepared = RelativeEquilibria::new(body).map_err(failed(NOT_FOUND))?.without_normal_forms();
-    let set = CriticalSet::new(body.frame()).map_err(failed(NOT_FOUND))?;
-    let names = || set.curves.pairs().filter(|(_, curve)| curve.is_critical()).map(|(id, _)| CurveName::of(&set, id));
+fn starts(
+    catalogue: &Catalogue<'_>,
+    held: Held,
+    value: &Number,
+    id: Option<&str>,
+) -> Result<Vec<Equilibrium>, Failure> {
+    let curve = id.and_then(|id| catalogue.curves().into_iter().find(|name| name.to_string() == id));
     if let Some(id) = id
-        && !names().any(|name| name.to_string() == id)
+        && curve.is_none()
     {
-        let all: Vec<String> = names().map(|name| name.to_string()).collect();
+        let all: Vec<String> = catalogue.curves().iter().map(ToString::to_string).collect();
         return Err(Failure::input(format!(
             "--from {id}: the body has no such curve of steady rotations; it has {}",
             all.join(", ")
         )));
     }
-    let momenta: Vec<(Number, Option<CurveName>)> = match held {
-        Held::Momentum => vec![(value.clone(), None)],
-        Held::Energy => {
-            let h = value.to_f64() / set.frame.energy_unit;
-            let curves = set.curves.pairs().filter(|(_, curve)| curve.is_critical());
-            let at = curves.filter_map(|(id, curve)| {
-                // Along a curve h rises with l: dh/dx = 1/J.
-                let height = |x: f64| curve.point(&set.frame, x).h() - h;
-                let [mut from, mut to] = curve.x();
-                if !to.is_finite() {
-                    to = from.max(1.0);
-                    while height(to) < 0.0 && to < 1e300 {
-                        to *= 2.0;
-                    }
-                }
-                if from == 0.0 {
-                    from = f64::MIN_POSITIVE.sqrt();
-                }
-                if height(from) > 0.0 || height(to) < 0.0 {
-                    return None;
-                }
-                for _ in 0..200 {
-                    let middle = 0.5 * (from + to);
-                    if height(middle) < 0.0 { from = middle } else { to = middle }
-                }
-                let l = (2.0 * to).sqrt() * set.frame.momentum_unit;
-                Some((format!("{l:?}").parse().ok()?, Some(CurveName::of(&set, id))))
-            });
-            at.collect()
-        }
-    };
-    let mut found = Vec::new();
-    for (l, curve) in momenta {
-        let list = prepared.at(&l).map_err(failed(NOT_FOUND))?.list;
-        found.extend(list.into_iter().filter(|point| curve.is_none() || point.curve == curve));
-    }
-    if let Some(id) = id {
-        found.retain(|point| point.curve.is_some_and(|curve| curve.to_string() == id));
-    }
+    let found = catalogue.starts(held, value, curve).map_err(failed(NOT_FOUND))?;
     if found.is_empty() {
         let (name, text) = (if held == Held::Momentum { "l" } else { "h" }, value.text());
         let of = id.map_or_else(|| "the body".to_owned(), |id| format!("the curve {id}"));

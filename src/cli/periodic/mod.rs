@@ -1,6 +1,8 @@
 //! `bifdiag periodic`: periodic orbits.
 
 mod family;
+mod list;
+mod list_output;
 mod short;
 
 use clap::{Args, Subcommand};
@@ -8,6 +10,7 @@ use clap::{Args, Subcommand};
 use super::failure::Failure;
 use super::terminal::Timings;
 use family::{FAMILY_EXAMPLES, FamilyArguments};
+use list::{LIST_EXAMPLES, ListArguments};
 use short::ShortArguments;
 
 pub const PERIODIC_EXAMPLES: &str = "\
@@ -15,6 +18,7 @@ Examples:
   bifdiag periodic --body paper --h 2.6 --l 3.25
   bifdiag periodic --body paper --h 2.6 --l 3.25 --crossings 4 --json
   bifdiag periodic family --body paper --from G2.1 --l 1.5
+  bifdiag periodic list --body paper --l 1.5 --stable --period 2:5
 
 Every periodic orbit of γ and ω at (h, l) with at most N crossings of the section P: found from cells that cover P, with an index \
 for each, and proved one by one by Krawczyk's operator on the enclosed return map.";
@@ -35,11 +39,15 @@ pub enum PeriodicCommand {
     /// Follow the families of periodic orbits that begin at relative equilibria
     #[command(after_help = FAMILY_EXAMPLES)]
     Family(Box<FamilyArguments>),
+    /// List the orbits of all families of a body
+    #[command(after_help = LIST_EXAMPLES)]
+    List(Box<ListArguments>),
 }
 
-pub fn run(arguments: &PeriodicArguments, timings: &Timings) -> Result<(), Failure> {
+pub fn run(arguments: &PeriodicArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     match &arguments.command {
         None => short::run(&arguments.short, timings),
         Some(PeriodicCommand::Family(arguments)) => family::run(arguments, timings),
+        Some(PeriodicCommand::List(arguments)) => list::run(arguments, quiet),
     }
 }

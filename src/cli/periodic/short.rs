@@ -109,6 +109,7 @@ fn table(orbits: &[PeriodicOrbitDocument]) -> Table {
     table
 }
 
-fn yes(is: bool) -> String {
+/// For people.
+pub fn yes(is: bool) -> String {
     if is { "yes" } else { "no" }.to_owned()
 }

@@ -23,8 +23,17 @@ pub fn families(
     equilibrium: &Equilibrium,
     options: &FamilyOptions<'_>,
 ) -> Result<Vec<Family>, FamilyError> {
-    let top = HeavyTop::new(body);
     let known = RelativeEquilibria::new(body)?.without_normal_forms();
+    families_of(&HeavyTop::new(body), &known, equilibrium, options)
+}
+
+/// Those of a body whose equilibria are known.
+pub(crate) fn families_of(
+    top: &HeavyTop,
+    known: &RelativeEquilibria<'_>,
+    equilibrium: &Equilibrium,
+    options: &FamilyOptions<'_>,
+) -> Result<Vec<Family>, FamilyError> {
     let mut frequencies: Vec<f64> = equilibrium
         .eigenvalues
         .pairs
@@ -35,9 +44,9 @@ pub fn families(
     frequencies.sort_by(|p, q| q.total_cmp(p));
     let mut found = Vec::with_capacity(2);
     for frequency in frequencies {
-        let course = Course::new(&top, &known, equilibrium, options)?;
+        let course = Course::new(top, known, equilibrium, options)?;
         let mut stretch = course.beginning_at(equilibrium, top.units().reduce(frequency, Dimension::FREQUENCY))?;
-        stretch.restore(&top, options.held);
+        stretch.restore(top, options.held);
         found.push(Family { frequency, stretch });
     }
     Ok(found)

@@ -1,0 +1,181 @@
+//! The families and orbits of `bifdiag periodic list`, as text and as a table.
+
+use std::path::{Path, PathBuf};
+
+use bifdiag_documents::Subject;
+use bifdiag_numbers::decimal::counted;
+use bifdiag_schema::{
+    FamilyEnd, FamilyEndingDocument, ListedFamilyDocument, ListedOrbitDocument, OrbitStability, PeriodicListDocument,
+    PeriodicOrbitDocument,
+};
+
+use super::family::DIGITS;
+use super::short::yes;
+use crate::cli::export::{Columns, DataFormat, FileSet, Journal, Values};
+use crate::cli::failure::{Failure, failed};
+use crate::cli::input::head;
+use crate::cli::terminal::{Report, Table, significant, wrapped};
+
+/// The families that a journal holds.
+pub fn read_back(journal: &mut Journal) -> Result<Vec<ListedFamilyDocument>, Failure> {
+    let mut families = Vec::new();
+    for block in journal.blocks().to_vec() {
+        let mut room = vec![0; usize::try_from(block.end - block.start).unwrap_or(usize::MAX)];
+        journal.read(block.start, &mut room).map_err(failed("what was found before cannot be read back"))?;
+        for line in room.split(|byte| *byte == b'\n').filter(|line| !line.is_empty()) {
+            families.push(serde_json::from_slice(line)?);
+        }
+    }
+    Ok(families)
+}
+
+/// A row for each orbit.
+pub fn columns(document: &PeriodicListDocument) -> Result<Columns, Failure> {
+    let mut names: Vec<&str> = Vec::new();
+    let mut rows: Vec<(usize, &ListedFamilyDocument, &ListedOrbitDocument)> = Vec::new();
+    for family in &document.families {
+        let place = names.iter().position(|name| *name == family.family).unwrap_or_else(|| {
+            names.push(&family.family);
+            names.len() - 1
+        });
+        rows.extend(family.orbits.iter().map(|orbit| (place, family, orbit)));
+    }
+    let orbits = || rows.iter().map(|(_, _, listed)| &listed.orbit);
+    let count = |x: usize| i32::try_from(x).unwrap_or(i32::MAX);
+    let real = |value: fn(&PeriodicOrbitDocument) -> f64| Values::floats(orbits().map(value));
+    let code = |stability| OrbitStability::ALL.iter().position(|word| *word == stability).unwrap_or_default();
+    let words = |words: Vec<&str>, places: Vec<i32>| Values::words(&words, Values::Int32(places));
+    let stability = orbits().map(|orbit| count(code(orbit.stability))).collect();
+    let columns = [
+        ("family", words(names, rows.iter().map(|(place, ..)| count(*place)).collect())?),
+        ("branch", Values::Int32(rows.iter().map(|(_, family, _)| count(family.branch)).collect())),
+        ("member", Values::Int32(rows.iter().map(|(_, _, listed)| count(listed.member)).collect())),
+        ("h", real(|orbit| orbit.h)),
+        ("l", real(|orbit| orbit.l)),
+        ("gamma", Values::vectors(orbits().map(|orbit| orbit.gamma))),
+        ("omega", Values::vectors(orbits().map(|orbit| orbit.omega))),
+        ("crossings", Values::Int32(orbits().map(|orbit| orbit.crossings.cast_signed()).collect())),
+        ("period", real(|orbit| orbit.period)),
+        ("trace", real(trace)),
+        ("stability", words(OrbitStability::ALL.iter().map(|word| word.word()).collect(), stability)?),
+        ("action", real(|orbit| orbit.action)),
+        ("symmetric", Values::Int8(orbits().map(|orbit| i8::from(orbit.symmetric)).collect())),
+    ];
+    // The orbits are in the rows.
+    let families = document.families.iter().map(|family| ListedFamilyDocument { orbits: Vec::new(), ..family.clone() });
+    Ok(Columns::new(columns, &PeriodicListDocument { families: families.collect(), ..document.clone() })?)
+}
+
+/// Writes the table.
+pub fn written(table: &Columns, (path, format): (&Path, DataFormat)) -> Result<Vec<PathBuf>, Failure> {
+    let mut files = FileSet::new(path.parent().unwrap_or(path));
+    files.add_at(path, format.bytes(table)?);
+    files.write()
+}
+
+/// Orbits that are told one by one.
+const TOLD: usize = 40;
+
+/// The answer for people.
+pub fn text(subject: &Subject, document: &PeriodicListDocument, files: &[PathBuf]) -> String {
+    let mut report = Report::default();
+    head(subject, &mut report);
+    let orbits: usize = document.families.iter().map(|family| family.orbits.len()).sum();
+    if document.families.is_empty() {
+        report.line("no family begins there");
+    } else {
+        report.line(of_families(document).text());
+        report.line("");
+    }
+    let only = document.stable || document.period.is_some() || document.crossings.is_some();
+    report.line(format!("{}{}", counted(orbits, "orbit", "orbits"), if only { " as asked for" } else { "" }));
+    if (1..=TOLD).contains(&orbits) {
+        report.line(of_orbits(document).text());
+    } else if orbits > TOLD && files.is_empty() {
+        report.line("  --json lists each, --data FILE writes them as a table");
+    }
+    if document.families.iter().any(|family| family.branch > 0) {
+        report.line("b1, b2, …: families that begin at special orbits of the one above");
+    }
+    report.line("");
+    report.line(if document.complete { "complete:" } else { "not complete:" });
+    report.line(wrapped(&document.why));
+    report.written(files);
+    report.text()
+}
+
+/// The held value, and the name of the other one.
+fn held(document: &PeriodicListDocument) -> (&'static str, &'static str) {
+    if document.fixed_l.is_some() { ("l", "h") } else { ("h", "l") }
+}
+
+fn of_families(document: &PeriodicListDocument) -> Table {
+    let (fixed, free) = held(document);
+    let mut table = Table::new(&[fixed, "family", "orbits", "stable", free, "T", "end"]);
+    for family in &document.families {
+        let orbits = &family.orbits;
+        let stable = orbits.iter().filter(|listed| listed.orbit.stability == OrbitStability::Elliptic).count();
+        let range = |value: &dyn Fn(&PeriodicOrbitDocument) -> f64| {
+            let ends = [orbits.first(), orbits.last()].map(|listed| listed.map(|listed| value(&listed.orbit)));
+            let [Some(first), Some(last)] = ends else { return String::new() };
+            format!("{} … {}", significant(first, 4), significant(last, 4))
+        };
+        table.row([
+            significant(if fixed == "l" { family.l } else { family.h }, DIGITS),
+            name(family),
+            if orbits.len() == family.followed {
+                orbits.len().to_string()
+            } else {
+                format!("{} of {}", orbits.len(), family.followed)
+            },
+            stable.to_string(),
+            range(&|orbit| if free == "h" { orbit.h } else { orbit.l }),
+            range(&|orbit| orbit.period),
+            ending(&family.end),
+        ]);
+    }
+    table
+}
+
+/// How a family ends, in a cell.
+fn ending(end: &FamilyEndingDocument) -> String {
+    let curves = end.curves.join(", ");
+    match end.kind {
+        FamilyEnd::Equilibrium => format!("at equilibrium of {curves}"),
+        FamilyEnd::Separatrix => format!("at separatrix of {curves}"),
+        FamilyEnd::Joined => "joins another family".to_owned(),
+        FamilyEnd::Members => "goes on".to_owned(),
+        FamilyEnd::Lost => "followed no further".to_owned(),
+        FamilyEnd::Resonant => "not begun".to_owned(),
+    }
+}
+
+fn of_orbits(document: &PeriodicListDocument) -> Table {
+    let heading = ["family", "member", "h", "l", "T", "trace", "stability", "crossings", "symmetric", "action"];
+    let mut table = Table::new(&heading);
+    for family in &document.families {
+        for ListedOrbitDocument { member, orbit } in &family.orbits {
+            table.row([
+                name(family),
+                member.to_string(),
+                significant(orbit.h, DIGITS),
+                significant(orbit.l, DIGITS),
+                significant(orbit.period, DIGITS),
+                significant(trace(orbit), DIGITS),
+                orbit.stability.word().to_owned(),
+                orbit.crossings.to_string(),
+                yes(orbit.symmetric),
+                significant(orbit.action, DIGITS),
+            ]);
+        }
+    }
+    table
+}
+
+fn name(family: &ListedFamilyDocument) -> String {
+    if family.branch == 0 { family.family.clone() } else { format!("{} b{}", family.family, family.branch) }
+}
+
+fn trace(orbit: &PeriodicOrbitDocument) -> f64 {
+    orbit.multipliers[0][0] + orbit.multipliers[1][0]
+}
