@@ -79,13 +79,11 @@ export class Channel {
 
   private async start(): Promise<Worker> {
     if (this.worker) return this.worker;
-    const module = await compile();
-    if (this.worker) return this.worker;
-    const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+    // Its script loads while the module does. Nobody else asks before it has the module: one question after the other.
+    const worker = (this.worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" }));
     worker.onmessage = ({ data }: MessageEvent<Reply>) => this.settle(data);
     worker.onerror = (event) => this.giveUp(event.message || "the worker stopped");
-    worker.postMessage({ module });
-    this.worker = worker;
+    worker.postMessage({ module: await compile() });
     return worker;
   }
 

@@ -6,6 +6,7 @@ import { tipAt } from "../draw/tip";
 import { rounded, shown, surface, valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
 import type { Window } from "../bindings/documents";
+import { beside } from "./beside";
 import { paintDiagram, placeOf, plot, valueAt } from "./diagram-paint";
 import { gestures } from "./gestures";
 import { stabilityLine } from "./stability";
@@ -71,13 +72,15 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
   }).observe(canvas);
   const pin = tool("Keep", "Keep these curves in grey, to compare with another body", () => session.pin());
   session.on(["shadow"], () => pin.setAttribute("aria-pressed", String(session.pinned)));
+  const twin = beside(session);
   const tools = make("div", { className: "tools" },
+    twin.tool,
     pin,
     tool("+", "Zoom in", () => zoom([sheet.size.width / 2, sheet.size.height / 2], 0.5)),
     tool("−", "Zoom out", () => zoom([sheet.size.width / 2, sheet.size.height / 2], 2)),
     tool("⌂", "The whole diagram", () => session.view(null)),
   );
-  const element = panel("Diagram", "The plane of energy h and vertical angular momentum l, both conserved. Within a tinted region all motions have the same shape, which changes on the curves. Curves are steady rotations: solid where stable (thin: without friction only), dashed where unstable; on dotted lines the centre of mass can first hang straight down or stand straight up. Click to choose a point, drag it; a finger taps, or holds and drags; two fingers or the wheel zoom", make("div", { className: "stage" }, canvas, tip));
+  const element = panel("Diagram", "The plane of energy h and vertical angular momentum l, both conserved. Within a tinted region all motions have the same shape, which changes on the curves. Curves are steady rotations: solid where stable (thin: without friction only), dashed where unstable; on dotted lines the centre of mass can first hang straight down or stand straight up. Click to choose a point, drag it; a finger taps, or holds and drags; two fingers or the wheel zoom", make("div", { className: "stage" }, canvas, tip), twin.element);
   element.querySelector("header")!.append(tools);
   return { element, sheet };
 }

@@ -7,7 +7,7 @@ const THEMES: readonly Theme[] = ["dark", "light"];
 const COLORINGS: readonly Coloring[] = ["orbit", "verdict", "lyapunov", "rotation"];
 
 /** Keys of an address. */
-const KEYS = ["A", "r", "h", "l", "body", "view", "orbits", "crossings", "seed", "coloring", "theme", "embed", "present", "tour", "lesson"];
+const KEYS = ["A", "r", "h", "l", "body", "view", "orbits", "crossings", "seed", "coloring", "theme", "embed", "present", "tour", "lesson", "beside"];
 
 /** The keys that `parse` passes over: misspelt ones, or those of a later version. */
 export const unknownKeys = (hash: string): string[] => pairs(hash).map(([name]) => name).filter((name) => !KEYS.includes(name));
@@ -19,7 +19,7 @@ export function format(state: State): string {
   for (const name of ["orbits", "crossings", "seed", "coloring"] as const) {
     if (state[name] !== FIRST[name]) parts.push(`${name}=${state[name]}`);
   }
-  for (const name of ["theme", "embed", "present", "tour", "lesson"] as const) {
+  for (const name of ["theme", "embed", "present", "tour", "lesson", "beside"] as const) {
     if (state[name] !== null) parts.push(`${name}=${state[name]}`);
   }
   return parts.join("&");
@@ -66,12 +66,19 @@ function read(state: State, name: string, value: string): void {
   else if (name === "present") state.present = word(name, value, PANELS);
   else if (name === "tour") state.tour = count(name, value, 1, 8);
   else if (name === "lesson") state.lesson = value;
+  else if (name === "beside") state.beside = six(name, value);
 }
 
 function triple(name: string, value: string): Triple {
   const parts = value.split(",").map((part) => part.trim());
   if (parts.length !== 3) throw new Error(`${name} = ${value}: three numbers separated by commas are needed, such as ${name}=2,1.1,1`);
   return parts as Triple;
+}
+
+function six(name: string, value: string): string {
+  const parts = value.split(",").map((part) => part.trim());
+  if (parts.length !== 6 || parts.includes("")) throw new Error(`${name} = ${value}: A1,A2,A3,r1,r2,r3 of a body are needed, such as ${name}=2,2,1,1,0,0`);
+  return parts.join(",");
 }
 
 function window(value: string): Window {

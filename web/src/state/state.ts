@@ -30,6 +30,8 @@ export interface State {
   /** The step of the tour that is open, from 1. */
   tour: number | null;
   lesson: string | null;
+  /** A1, A2, A3, r1, r2, r3 of a body whose diagram stands beside. */
+  beside: string | null;
 }
 
 /** The paper's body. */
@@ -47,6 +49,7 @@ export const FIRST: State = {
   present: null,
   tour: null,
   lesson: null,
+  beside: null,
 };
 
 /** What an address without a state shows: the paper's body where U falls into two discs. */
@@ -54,3 +57,6 @@ export const START: State = { ...FIRST, point: { h: "3.8", l: "3.25" } };
 
 /** A body as the workers read it. */
 export const bodyText = ({ A, r }: Pick<State, "A" | "r">): string => `A=${A.join(",")}&r=${r.join(",")}`;
+
+/** The same as the address has it of a body beside. */
+export const besideText = ({ A, r }: Pick<State, "A" | "r">): string => [...A, ...r].join(",");

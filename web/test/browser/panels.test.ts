@@ -332,6 +332,26 @@ test("one panel alone for lecture pages", async () => {
   }
 });
 
+test("a second body stands beside the first, in the same window and at the same point", async () => {
+  const page = await open("A=2,1.1,1&r=0.94868,0,0.61623&h=3.8&l=3.25");
+  const twin = page.getByTestId("twin");
+  await page.getByTestId("beside").click();
+  await expect.poll(() => page.evaluate(() => location.hash)).toContain("beside=2,1.1,1,0.94868,0,0.61623");
+  await go(page, "A=2,2,1&r=1,0,0&h=2.5&l=1&beside=2,1.1,1,0.94868,0,0.61623");
+  const inside = async () => (await (await twin.elementHandle())!.contentFrame())!;
+  const shown = async () => (await inside()).evaluate(() => (document.documentElement.dataset.ready === "true" ? location.hash : ""));
+  await expect.poll(shown).toContain("A=2,1.1,1&r=0.94868,0,0.61623&h=2.5&l=1&view=");
+  const { h, l } = await page.evaluate(() => window.bifdiag.window()!);
+  expect(await shown()).toContain(`view=${[...h, ...l].join(",")}&embed=diagram`);
+  await page.getByTestId("swap").click();
+  await expect.poll(() => page.evaluate(() => location.hash)).toContain("A=2,1.1,1&r=0.94868,0,0.61623&h=2.5&l=1&beside=2,2,1,1,0,0");
+  await expect.poll(shown).toContain("A=2,2,1&r=1,0,0&h=2.5&l=1&view=");
+  await page.getByTestId("beside").click();
+  await expect.poll(() => twin.count()).toBe(0);
+  expect(await page.evaluate(() => location.hash)).not.toContain("beside");
+  await page.close();
+});
+
 test("dark and light", async () => {
   const page = await open(POINT, { colorScheme: "dark" });
   const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
