@@ -7,9 +7,10 @@ use bifdiag::pictures::{Seen, Shown, map};
 use bifdiag_body::{Body, Preset};
 use bifdiag_exact::Accuracy;
 use bifdiag_plot::{Map, MapAxis, MapBodies, MapLine, MapNote, Width, draw_map};
+use bifdiag_schema::BodyParameter;
 use bifdiag_survey::border::{self, BodySegment, BorderEventKind, BorderOptions};
 use bifdiag_survey::scan::{ScanRow, known_classes};
-use bifdiag_survey::{BodyFamily, BodyParameter, Design};
+use bifdiag_survey::{BodyFamily, Design};
 use rayon::prelude::*;
 use support::katok;
 

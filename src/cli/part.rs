@@ -89,12 +89,12 @@ fn report(given: &GivenPart, document: &PartDocument, digits: usize, written: &[
         report.line(format!("  {}", row.each_ref().map(|x| format!("{:>20}", shown(x))).join(" ")));
     }
     report.line("");
-    let about_com = table(&document.principal_com, document, digits, "radius of gyration");
+    let about_com = table(&document.principal_com, given, digits, "radius of gyration");
     report
         .line(format!("about the centre of mass (what CAD prints), moments in {}, radii in {length}", units.moment()));
     report.line(about_com);
     report.line(format!("about the fixed point: the axes of A and r, r in {}", units.energy()));
-    report.line(table(&document.principal, document, digits, "r"));
+    report.line(table(&document.principal, given, digits, "r"));
     existence(&mut report, given);
     integrable(&given.principal.body, &mut report);
     if !document.exact {
@@ -105,11 +105,10 @@ fn report(given: &GivenPart, document: &PartDocument, digits: usize, written: &[
 }
 
 /// Moments and axes about a point, with the angle of each axis to the line from the fixed point to the centre of mass.
-fn table(principal: &PrincipalDocument, document: &PartDocument, digits: usize, last: &'static str) -> String {
-    let value = |text: &String| text.parse::<bifdiag_numbers::Number>().map_or(f64::NAN, |number| number.to_f64());
-    let com = document.com.each_ref().map(value);
-    let mass = value(&document.mass);
-    let distance = norm(com);
+fn table(principal: &PrincipalDocument, given: &GivenPart, digits: usize, last: &'static str) -> String {
+    let properties = &given.part.properties;
+    let (com, mass) = (properties.com.each_ref().map(|x| x.to_f64().value()), properties.mass.to_f64().value());
+    let (distance, center) = (norm(com), given.principal.body.center_f64());
     let mut table = Table::new(&["axis", "moment", "direction", "angle to com", last]);
     for k in 0..3 {
         let axis = principal.axes[k];
@@ -121,7 +120,7 @@ fn table(principal: &PrincipalDocument, document: &PartDocument, digits: usize, 
             format!("({x}, {y}, {z})"),
             if distance == 0.0 { "-".to_owned() } else { format!("{:.4}°", libm::acos(cosine.min(1.0)).to_degrees()) },
             match (last, principal.moments[k]) {
-                ("r", _) => significant(value(&document.center[k]), digits),
+                ("r", _) => significant(center[k], digits),
                 (_, moment) if moment < 0.0 => "-".to_owned(),
                 (_, moment) => significant((moment / mass).sqrt(), digits),
             },

@@ -40,7 +40,7 @@ const DIGITS: usize = 6;
 
 pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
     let Some(subject) = arguments.body.optional_subject()? else {
-        // What an id means without its body can be told of a surface alone.
+        // What an id means without its body is known of a surface alone.
         let is_surface = is_surface(&arguments.id);
         return if is_surface { print(explanation(&arguments.id)?) } else { arguments.body.subject().map(drop) };
     };
@@ -252,8 +252,8 @@ fn show_curve(report: &mut Report, document: &AtlasDocument, curve: &CurveDocume
 /// The points of a curve at which a hypothesis of Arnold's theorem fails: the verdict beside them is not theirs.
 fn isolated(report: &mut Report, document: &AtlasDocument, curve: &CurveDocument) {
     for change in document.verdict_changes.iter().flatten().filter(|change| change.curve == curve.id) {
-        let told = words::exception(change.kind, change.verdict, change.why);
-        report.line(format!("  at l = {} alone {told}", significant(change.l, DIGITS)));
+        let exception = words::exception(change.kind, change.verdict, change.why);
+        report.line(format!("  at l = {} alone {exception}", significant(change.l, DIGITS)));
     }
     let by_arnold = curve.stability.iter().any(|span| span.nonlinear.why == Reason::Arnold);
     if by_arnold && document.verdict_changes.is_none() {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use bifdiag_documents::words::counted;
 use bifdiag_numbers::decimal::significant;
 use bifdiag_plot::{Map, MapAxis, MapBodies, MapEntry};
-use bifdiag_survey::BodyParameter;
+use bifdiag_schema::BodyParameter;
 use bifdiag_survey::scan::known_classes;
 use bifdiag_survey::subdivision::{Subdivision, divide};
 

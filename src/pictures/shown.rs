@@ -5,7 +5,7 @@ use std::fmt;
 use bifdiag_body::Body;
 use bifdiag_diagram::class::ClassName;
 use bifdiag_exact::Accuracy;
-use bifdiag_survey::BodyParameter;
+use bifdiag_schema::BodyParameter;
 use bifdiag_survey::border::{self, BodySegment, Border, BorderOptions};
 use bifdiag_survey::scan::ScanRow;
 use bifdiag_survey::subdivision::{LabelledPlane, PlanePoint};

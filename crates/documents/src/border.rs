@@ -7,7 +7,7 @@ use bifdiag_survey::ParameterRange;
 use bifdiag_survey::border::{BodySegment, Border, BorderEvent, BorderEventKind};
 
 use crate::body::head;
-use crate::scan::{parameter, range};
+use crate::scan::range;
 
 /// A border on a segment along which some parameters vary.
 #[must_use]
@@ -15,7 +15,7 @@ pub fn border(border: &Border, segment: &BodySegment, vary: &[ParameterRange], c
     let value = |range: &ParameterRange| {
         let at = |t: f64| segment.coordinate(range.parameter.place(), t).to_f64().value();
         BorderValueDocument {
-            parameter: parameter(range.parameter),
+            parameter: range.parameter,
             value: at(border.t),
             error: border.error * (at(1.0) - at(0.0)).abs(),
             enclosure: border.enclosure.map(at),

@@ -81,9 +81,9 @@ fn equilibrium(found: &Equilibrium) -> RelativeEquilibriumDocument {
     }
 }
 
-/// What is known of the stability where the verdict is this, or where nothing more than the type is told.
+/// What is known of the stability where the verdict is this, or where nothing more than the type is known.
 pub(crate) fn stable(found: Option<(NonlinearVerdict, Reason)>, kind: LinearType) -> bifdiag_schema::Verdict {
-    let told = found.unwrap_or((NonlinearVerdict::Open, Reason::Degenerate));
-    let nonlinear = NonlinearDocument::along(told.0, told.1, true);
+    let (verdict, why) = found.unwrap_or((NonlinearVerdict::Open, Reason::Degenerate));
+    let nonlinear = NonlinearDocument::along(verdict, why, true);
     bifdiag_schema::Verdict::of(&nonlinear, kind.term())
 }

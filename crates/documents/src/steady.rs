@@ -2,10 +2,9 @@
 
 use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, Place, SteadyFamily, SteadyStretch};
 use bifdiag_equilibria::nonlinear::VerdictChange;
-use bifdiag_equilibria::stability::exact::Start;
 use bifdiag_schema::{
     AxisCountDocument, NonlinearVerdict, PermanentAxisDocument, Reason, SteadyFamilyDocument, SteadyPlaceDocument,
-    SteadySpinsDocument, SteadyStart, SteadyStretchDocument,
+    SteadySpinsDocument, SteadyStretchDocument,
 };
 
 use crate::body::{given, head};
@@ -64,11 +63,7 @@ fn family(
     SteadyFamilyDocument {
         branch: found.branch.to_string(),
         branch_name: found.branch_name.to_string(),
-        start: match found.start {
-            Start::Rest => SteadyStart::Rest,
-            Start::Fold => SteadyStart::Fold,
-            Start::Fork => SteadyStart::Fork,
-        },
+        start: found.start,
         axes: found.axes,
         permanent: found.is_permanent,
         slow_axis: found.slow.map(|gamma| up(subject, gamma)),

@@ -4,8 +4,8 @@ use bifdiag_body::{Body, Number};
 use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, RelativeEquilibria, SteadyFamily};
 use bifdiag_equilibria::curves::CurveName;
 use bifdiag_equilibria::nonlinear::{Nonlinear, NonlinearVerdict, Reason};
-use bifdiag_equilibria::stability::exact::Start;
 use bifdiag_numbers::vector::{cross, dot, norm, normalised};
+use bifdiag_schema::SteadyStart;
 use dashu_ratio::RBig;
 use proptest::prelude::*;
 use support::property::holds_for_bodies;
@@ -266,10 +266,15 @@ fn folds_and_forks_are_the_starts_of_families() {
     let found = starts(["1", "2", "26"], ["135", "0", "320"]);
     assert_eq!(
         found[..4],
-        [(Start::Rest, 0.0, one), (Start::Fold, 5.0, one), (Start::Fold, 5.0, one), (Start::Rest, 0.0, one)]
+        [
+            (SteadyStart::Rest, 0.0, one),
+            (SteadyStart::Fold, 5.0, one),
+            (SteadyStart::Fold, 5.0, one),
+            (SteadyStart::Rest, 0.0, one)
+        ]
     );
     let found = starts(["1", "2", "3"], ["1.2", "0.8", "0"]);
-    assert_eq!(found.last(), Some(&(Start::Fork, 1.0, pair)));
+    assert_eq!(found.last(), Some(&(SteadyStart::Fork, 1.0, pair)));
     let lagrange = starts(["1", "1", "2"], ["0", "0", "1"]);
-    assert_eq!(lagrange.last(), Some(&(Start::Fork, 1.0, Multiplicity::Circle)));
+    assert_eq!(lagrange.last(), Some(&(SteadyStart::Fork, 1.0, Multiplicity::Circle)));
 }

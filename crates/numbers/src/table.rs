@@ -202,7 +202,7 @@ impl<I, T> IntoIterator for Table<I, T> {
 }
 
 /// Disjoint sets, each named by its smallest member.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Partition {
     parent: Vec<usize>,
 }
@@ -212,6 +212,11 @@ impl Partition {
     #[must_use]
     pub fn new(count: usize) -> Self {
         Self { parent: (0..count).collect() }
+    }
+
+    /// Adds the next number, by itself.
+    pub fn add(&mut self) {
+        self.parent.push(self.parent.len());
     }
 
     /// The smallest number in the same set.

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Head, ParameterName, RangeDocument};
+use super::{BodyParameter, Head, RangeDocument};
 
 /// Kinds of borders, all of codimension one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
@@ -61,7 +61,7 @@ pub struct BorderEventDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct BorderValueDocument {
     /// The parameter.
-    pub parameter: ParameterName,
+    pub parameter: BodyParameter,
     /// Where the class changes.
     pub value: f64,
     /// Estimate of the error of `value`; 0 where the border is at just this value.

@@ -270,9 +270,9 @@ pub struct CriticalDocument {
 pub fn small_motions(at: &[[[f64; 2]; 2]], number: impl Fn(f64) -> String) -> String {
     let Some(&[first, second]) = at.first() else { return String::new() };
     let times = |of: &dyn Fn(&[[f64; 2]; 2]) -> f64| {
-        let mut told: Vec<String> = at.iter().map(|pairs| number(of(pairs))).collect();
-        told.dedup();
-        told.join(" … ")
+        let mut texts: Vec<String> = at.iter().map(|pairs| number(of(pairs))).collect();
+        texts.dedup();
+        texts.join(" … ")
     };
     let part = |k: usize, [re, im]: [f64; 2]| {
         let growth = || format!("growth {}", times(&|pairs| 1.0 / pairs[k][0]));

@@ -76,7 +76,7 @@ pub use periodic::{
 };
 pub use point_proof::{PointProofDocument, checksum};
 pub use scan::{
-    BodyRecordDocument, ClassRecordDocument, DesignDocument, FamilyDocument, ParameterName, RangeDocument,
+    BodyParameter, BodyRecordDocument, ClassRecordDocument, DesignDocument, FamilyDocument, RangeDocument,
     RecordDocument, RowDocument, RowStatus, ScanIdentityDocument, ScanSummaryDocument,
 };
 pub use section::{

@@ -1,6 +1,7 @@
 //! Scans: which bodies, what is noted about each, and what they have in common.
 
 use std::collections::BTreeMap;
+use std::fmt;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -9,7 +10,8 @@ use super::{Accuracy, Head, Number};
 
 /// One coordinate of (A, r).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
-pub enum ParameterName {
+#[schemars(rename = "ParameterName")]
+pub enum BodyParameter {
     /// A1.
     A1,
     /// A2.
@@ -27,11 +29,34 @@ pub enum ParameterName {
     R3,
 }
 
+impl BodyParameter {
+    /// All six, in the order of (A1, A2, A3, r1, r2, r3).
+    pub const ALL: [Self; 6] = [Self::A1, Self::A2, Self::A3, Self::R1, Self::R2, Self::R3];
+
+    /// As it is written.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        ["A1", "A2", "A3", "r1", "r2", "r3"][self.place()]
+    }
+
+    /// Its place in (A1, A2, A3, r1, r2, r3).
+    #[must_use]
+    pub fn place(self) -> usize {
+        self as usize
+    }
+}
+
+impl fmt::Display for BodyParameter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
 /// The values that one parameter takes.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct RangeDocument {
     /// Which.
-    pub parameter: ParameterName,
+    pub parameter: BodyParameter,
     /// Lower end.
     pub from: String,
     /// Upper end.

@@ -3,10 +3,11 @@
 use dashu_ratio::RBig;
 use thiserror::Error;
 
-use crate::parameter::{BodyParameter, ParameterRange};
+use crate::parameter::ParameterRange;
 use bifdiag_body::{Body, BodyError};
 use bifdiag_numbers::Number;
 use bifdiag_numbers::sequence::{self, point};
+use bifdiag_schema::BodyParameter;
 
 /// The bodies among which a scan chooses.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -14,5 +14,5 @@ pub mod strata;
 pub mod subdivision;
 
 pub use design::{BodyFamily, BodyList, Design, DesignError};
-pub use parameter::{BodyParameter, ParameterRange, ParseRangeError};
+pub use parameter::{ParameterRange, ParseRangeError, parameter};
 pub use signature::{ComponentType, ParseComponentTypeError, Signature};

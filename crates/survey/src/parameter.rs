@@ -1,67 +1,20 @@
-//! The parameters of a body that can vary, and their ranges as they are written.
+//! Ranges of the parameters of a body, as they are written.
 
-use std::fmt;
 use std::str::FromStr;
 
 use dashu_ratio::RBig;
 use thiserror::Error;
 
 use bifdiag_numbers::{Number, ParseNumberError};
+use bifdiag_schema::BodyParameter;
 
-/// One coordinate of (A, r).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum BodyParameter {
-    /// A1.
-    A1,
-    /// A2.
-    A2,
-    /// A3.
-    A3,
-    /// r1.
-    R1,
-    /// r2.
-    R2,
-    /// r3.
-    R3,
-}
-
-impl BodyParameter {
-    /// All six.
-    pub const ALL: [Self; 6] = [Self::A1, Self::A2, Self::A3, Self::R1, Self::R2, Self::R3];
-
-    /// Its name.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        ["A1", "A2", "A3", "r1", "r2", "r3"][self.place()]
-    }
-
-    /// Its place in (A1, A2, A3, r1, r2, r3).
-    #[must_use]
-    pub fn place(self) -> usize {
-        match self {
-            Self::A1 => 0,
-            Self::A2 => 1,
-            Self::A3 => 2,
-            Self::R1 => 3,
-            Self::R2 => 4,
-            Self::R3 => 5,
-        }
-    }
-}
-
-impl fmt::Display for BodyParameter {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-impl FromStr for BodyParameter {
-    type Err = ParseRangeError;
-
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let found = Self::ALL.into_iter().find(|parameter| parameter.name() == text.trim());
-        found.ok_or_else(|| ParseRangeError::Parameter { text: text.trim().to_owned() })
-    }
+/// The parameter of this name.
+///
+/// # Errors
+/// [`ParseRangeError::Parameter`].
+pub fn parameter(text: &str) -> Result<BodyParameter, ParseRangeError> {
+    let found = BodyParameter::ALL.into_iter().find(|parameter| parameter.name() == text.trim());
+    found.ok_or_else(|| ParseRangeError::Parameter { text: text.trim().to_owned() })
 }
 
 /// The values that one parameter takes.
@@ -131,8 +84,8 @@ impl FromStr for ParameterRange {
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         const STEPS_MAX: u32 = 1_000_000;
-        let (parameter, rest) = text.split_once('=').ok_or(ParseRangeError::Shape)?;
-        let parameter: BodyParameter = parameter.parse()?;
+        let (name, rest) = text.split_once('=').ok_or(ParseRangeError::Shape)?;
+        let parameter = parameter(name)?;
         let parts: Vec<&str> = rest.split(':').collect();
         let (from, to, steps) = match parts[..] {
             [from, to] => (from, to, None),

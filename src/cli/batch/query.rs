@@ -28,7 +28,7 @@ pub struct Query {
     /// There if [`Wanted::Point`].
     pub h: Option<Number>,
     pub l: Number,
-    /// The line's own body does not exist; of the command line's the user has been told.
+    /// The line's own body does not exist; for that of the command line a warning was printed.
     pub unphysical: bool,
     /// Keys that mean nothing here.
     pub ignored: Vec<String>,

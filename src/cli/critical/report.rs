@@ -163,9 +163,9 @@ fn with_friction(points: &[&RelativeEquilibriumDocument]) -> String {
         lost(2),
         ("open".to_owned(), curves(&damped(None))),
     ];
-    let told: Vec<String> =
+    let lines: Vec<String> =
         all.into_iter().filter(|(_, curves)| !curves.is_empty()).map(|(what, on)| format!("{what} on {on}")).collect();
-    format!("with friction that conserves l:\n  {}", told.join("\n  "))
+    format!("with friction that conserves l:\n  {}", lines.join("\n  "))
 }
 
 /// What was written of a table.

@@ -8,7 +8,7 @@ use dashu_ratio::RBig;
 
 use crate::cli::terminal::significant;
 
-/// Digits of what is told.
+/// Digits in a warning.
 const DIGITS: usize = 3;
 
 /// kg/m³ between a foam and osmium.
@@ -37,8 +37,8 @@ fn rounded(x: &RBig) -> f64 {
 
 /// Warns of a mesh whose size or density no part has, with the unit that would make sense.
 pub fn warn_of_mesh(mesh: MeshSize, properties: &MassProperties, units: &Units, weight: Weight) {
-    if let Some(told) = mesh_warning(mesh, rounded(&properties.mass), units, weight) {
-        tracing::warn!("{told}");
+    if let Some(warning) = mesh_warning(mesh, rounded(&properties.mass), units, weight) {
+        tracing::warn!("{warning}");
     }
 }
 
@@ -86,8 +86,8 @@ const SYSTEMS: [&str; 6] = ["kg,mm", "g,mm", "kg,m", "g,cm", "kg,cm", "lb,in"];
 /// Warns of mass properties about the centre of mass that no part has.
 pub fn warn_of_tensor(properties: &MassProperties, units: &Units) {
     let trace = rounded(&properties.about_com.trace());
-    if let Some(told) = tensor_warning(rounded(&properties.mass), trace, units) {
-        tracing::warn!("{told}");
+    if let Some(warning) = tensor_warning(rounded(&properties.mass), trace, units) {
+        tracing::warn!("{warning}");
     }
 }
 
@@ -135,28 +135,28 @@ mod tests {
     #[test]
     fn a_mesh_in_millimetres_read_as_metres_is_noticed() {
         let bracket = MeshSize { extent: 60.0, volume: 24_000.0 };
-        let told = |mass: f64, text: &str, weight| mesh_warning(bracket, mass, &units(text), weight);
+        let warning = |mass: f64, text: &str, weight| mesh_warning(bracket, mass, &units(text), weight);
         // 24 cm³ of aluminium.
-        let by_mass = told(0.065, "kg,m,s", Weight::InUnits).unwrap();
+        let by_mass = warning(0.065, "kg,m,s", Weight::InUnits).unwrap();
         assert_eq!(by_mass, "the part is 60 m across: is the file in mm? then give --units kg,mm,s");
-        let own = told(24_000.0 * 2700.0, "kg,m,s", Weight::OwnDensity).unwrap();
+        let own = warning(24_000.0 * 2700.0, "kg,m,s", Weight::OwnDensity).unwrap();
         assert_eq!(own, by_mass);
-        let restated = told(24_000.0 * 2700.0, "kg,m,s", Weight::InUnits).unwrap();
+        let restated = warning(24_000.0 * 2700.0, "kg,m,s", Weight::InUnits).unwrap();
         assert_eq!(restated, format!("{by_mass} and the density as 2700kg/m3"));
-        assert_eq!(told(0.065, "kg,mm,s", Weight::InUnits), None);
-        assert_eq!(told(65.0, "g,mm,s", Weight::InUnits), None);
-        let light = told(6.5e-9, "kg,mm,s", Weight::InUnits).unwrap();
+        assert_eq!(warning(0.065, "kg,mm,s", Weight::InUnits), None);
+        assert_eq!(warning(65.0, "g,mm,s", Weight::InUnits), None);
+        let light = warning(6.5e-9, "kg,mm,s", Weight::InUnits).unwrap();
         assert!(light.contains("mean density of the part is 0.000271 kg/m³: check"), "{light}");
     }
 
     #[test]
     fn moments_in_other_units_are_noticed() {
         // The brass gyroscope in g mm²: a ball of mass 180 with this trace, 115500, has the diameter 2√(5·57750/(3·180)) = 46.25.
-        let told = |text: &str| tensor_warning(180.0, 29_625.0 * 2.0 + 56_250.0, &units(text));
-        assert_eq!(told("g,mm,s"), None);
-        let metres = told("kg,m,s").unwrap();
+        let warning = |text: &str| tensor_warning(180.0, 29_625.0 * 2.0 + 56_250.0, &units(text));
+        assert_eq!(warning("g,mm,s"), None);
+        let metres = warning("kg,m,s").unwrap();
         assert!(metres.contains("46.2 m across and weighs 180 kg: are the numbers in g,mm?"), "{metres}");
-        let dense = told("kg,mm,s").unwrap();
+        let dense = warning("kg,mm,s").unwrap();
         assert!(dense.contains("denser than") && dense.contains("--units g,mm,s"), "{dense}");
         // A satellite, and a rod of the examples.
         assert_eq!(tensor_warning(50.0, 9.9, &units("kg,m,s")), None);

@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use bifdiag_schema::Accuracy;
+use bifdiag_schema::{Accuracy, BodyParameter};
 use bifdiag_survey::scan::Shard;
-use bifdiag_survey::{BodyFamily, BodyParameter, ParameterRange};
+use bifdiag_survey::{BodyFamily, ParameterRange, parameter};
 use clap::{Args, Subcommand};
 
 use super::table::Format;
@@ -148,10 +148,10 @@ pub struct MapArguments {
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
     /// Parameter to the right
-    #[arg(long, value_name = "PARAMETER", help_heading = "Map")]
+    #[arg(long, value_name = "PARAMETER", value_parser = parameter, help_heading = "Map")]
     pub x: BodyParameter,
     /// Parameter upwards
-    #[arg(long, value_name = "PARAMETER", help_heading = "Map")]
+    #[arg(long, value_name = "PARAMETER", value_parser = parameter, help_heading = "Map")]
     pub y: BodyParameter,
     /// What the colours show
     #[arg(long, value_enum, default_value = "class", help_heading = "Map")]

@@ -22,7 +22,7 @@ impl Identity {
         Self { program: concat!("bifdiag ", env!("CARGO_PKG_VERSION")).to_owned(), accuracy, design, range }
     }
 
-    fn document(&self) -> ScanIdentityDocument {
+    pub fn document(&self) -> ScanIdentityDocument {
         ScanIdentityDocument {
             program: self.program.clone(),
             accuracy: self.accuracy,

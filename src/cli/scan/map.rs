@@ -2,7 +2,7 @@
 
 use bifdiag_documents::scan::ReadScanError;
 use bifdiag_plot::{Picture, draw_map};
-use bifdiag_survey::BodyParameter;
+use bifdiag_schema::BodyParameter;
 
 use super::arguments::MapArguments;
 use super::output;

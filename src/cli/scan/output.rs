@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
-use bifdiag_documents::scan::{ScanFile, design, read_design, read_row, scan_summary};
+use bifdiag_documents::scan::{read_design, read_row, scan_summary};
 use bifdiag_documents::words::counted;
 use bifdiag_schema::{RowDocument, ScanSummaryDocument};
 use bifdiag_survey::scan::Summary;
@@ -76,15 +76,7 @@ pub fn write(
     let (mut writer, sha256) = sink.finish().map_err(unwritten(out))?.finish();
     writer.flush().and_then(|()| writer.get_ref().sync_all()).map_err(unwritten(&fresh))?;
     drop(writer);
-    let file = ScanFile {
-        program: identity.program.clone(),
-        accuracy: identity.accuracy,
-        design: design(&identity.design),
-        range: identity.range,
-        format: format.name().to_owned(),
-        sha256,
-    };
-    let document = scan_summary(&summary, file);
+    let document = scan_summary(&summary, identity.document(), format.name(), sha256);
     let text = bifdiag_documents::layout::text(&document)?;
     let summary_out = summary_path(out);
     fs::write(&fresh_summary, text).map_err(unwritten(&fresh_summary))?;

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use bifdiag_dynamics::section::SectionCondition;
 use bifdiag_plot::Projection;
+use bifdiag_schema::VerdictsName;
 use clap::{Args, ValueEnum};
 
 use crate::cli::export::{DataTarget, PictureArguments, WidthArgument};
@@ -60,17 +61,16 @@ pub enum ColorArgument {
 }
 
 /// How orbits are judged.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum VerdictArgument {
-    /// Over the whole of each orbit
-    Whole,
-    /// Each orbit ends where its verdict is found
-    Early,
-    /// The verdict without exponents and rotation numbers: the work for it ends where it is found
-    Only,
-    /// Not at all, which takes a quarter of the time
-    None,
-}
+const VERDICTS: [Named<VerdictsName>; 4] = [
+    ("whole", "Over the whole of each orbit", VerdictsName::Whole),
+    ("early", "Each orbit ends where its verdict is found", VerdictsName::Early),
+    (
+        "only",
+        "The verdict without exponents and rotation numbers: the work for it ends where it is found",
+        VerdictsName::Only,
+    ),
+    ("none", "Not at all, which takes a quarter of the time", VerdictsName::None),
+];
 
 /// `bifdiag section`.
 #[derive(Debug, Args)]
@@ -104,8 +104,8 @@ pub struct SectionArguments {
     #[arg(help_heading = "Orbits", hide_short_help = true)]
     pub max_time: Option<f64>,
     /// Is each orbit regular, chaotic, or is that open? (default: whole; none where only --data is written)
-    #[arg(long, value_enum, help_heading = "Orbits", hide_short_help = true)]
-    pub verdict: Option<VerdictArgument>,
+    #[arg(long, value_parser = values::named(&VERDICTS), help_heading = "Orbits", hide_short_help = true)]
+    pub verdict: Option<VerdictsName>,
     /// The section condition S = 0
     #[arg(long, value_parser = values::named(&CONDITIONS), default_value = "height", help_heading = "Orbits", hide_short_help = true)]
     pub condition: SectionCondition,

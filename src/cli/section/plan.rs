@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use bifdiag_dynamics::poincare::PoincareError;
+use bifdiag_schema::VerdictsName;
 
-use super::arguments::{ColorArgument, SectionArguments, VerdictArgument};
+use super::arguments::{ColorArgument, SectionArguments};
 use super::sites::{ALL, Seed, Sites, load, poincare_failure};
 use crate::cli::export::{DataFormat, DataTarget, directory};
 use crate::cli::failure::Failure;
@@ -17,7 +18,7 @@ pub struct Plan<'a> {
     pub arguments: &'a SectionArguments,
     pub sites: Sites,
     pub starts: Starts<'a>,
-    pub verdict: VerdictArgument,
+    pub verdict: VerdictsName,
     /// For everything but the data of `--data`.
     pub directory: Option<PathBuf>,
 }
@@ -70,8 +71,7 @@ impl<'a> Plan<'a> {
     pub fn streamed(&self) -> Option<(&Path, DataFormat)> {
         match &self.arguments.data {
             Some(DataTarget::File { path, format })
-                if self.directory.is_none()
-                    && matches!(self.verdict, VerdictArgument::Only | VerdictArgument::None) =>
+                if self.directory.is_none() && matches!(self.verdict, VerdictsName::Only | VerdictsName::None) =>
             {
                 Some((path, *format))
             }
@@ -83,7 +83,7 @@ impl<'a> Plan<'a> {
     /// There is none where orbits end with their verdicts: these cannot be taken up again.
     pub fn resumed(&self, region: Option<&str>) -> Option<(PathBuf, bool)> {
         match (&self.arguments.data, &self.directory) {
-            _ if self.verdict == VerdictArgument::Early => None,
+            _ if self.verdict == VerdictsName::Early => None,
             (Some(DataTarget::File { path, .. }), _) => Some((self.file_of(path, region), false)),
             (None, Some(directory)) => Some((directory.join(format!("{}.npz", stem(region))), true)),
             _ => None,
@@ -105,7 +105,7 @@ pub fn stem(region: Option<&str>) -> String {
 }
 
 /// Who wants nothing but data wants them fast.
-fn verdict(arguments: &SectionArguments) -> Result<VerdictArgument, Failure> {
+fn verdict(arguments: &SectionArguments) -> Result<VerdictsName, Failure> {
     let color = match arguments.color {
         ColorArgument::Orbit => None,
         ColorArgument::Lyapunov => Some("lyapunov"),
@@ -113,16 +113,16 @@ fn verdict(arguments: &SectionArguments) -> Result<VerdictArgument, Failure> {
     };
     let data_alone = arguments.data.is_some() && arguments.no_plot && !arguments.json;
     match (arguments.verdict, color) {
-        (Some(verdict @ (VerdictArgument::Only | VerdictArgument::None)), Some(color)) => {
-            let verdict = if verdict == VerdictArgument::None { "none" } else { "only" };
+        (Some(verdict @ (VerdictsName::Only | VerdictsName::None)), Some(color)) => {
+            let verdict = if verdict == VerdictsName::None { "none" } else { "only" };
             Err(Failure::input(format!(
                 "--verdict {verdict} and --color {color} contradict each other: what the colour tells is not measured then; \
                  leave out one of them"
             )))
         }
         (Some(verdict), _) => Ok(verdict),
-        (None, None) if data_alone => Ok(VerdictArgument::None),
-        (None, _) => Ok(VerdictArgument::Whole),
+        (None, None) if data_alone => Ok(VerdictsName::None),
+        (None, _) => Ok(VerdictsName::Whole),
     }
 }
 

@@ -5,9 +5,8 @@ use std::path::Path;
 use bifdiag_dynamics::poincare::{PoincareSection, SectionSetting};
 use bifdiag_dynamics::section::chaos::{ChaosMeasure, ChaosOptions};
 use bifdiag_dynamics::section::{Monitor, OrbitSection, SectionError, SweepOptions, TorusPoint};
-use bifdiag_schema::{SectionDocument, SkippedDocument};
+use bifdiag_schema::{SectionDocument, SkippedDocument, VerdictsName};
 
-use super::arguments::VerdictArgument;
 use super::crossings::Crossings;
 use super::plan::{Plan, Starts};
 use super::sites::{Seed, Site, poincare_failure, wrong_line};
@@ -85,7 +84,7 @@ fn section_at(plan: &Plan<'_>, site: &Site, monitor: &Monitor) -> Result<Done, F
     let (section, journal) = match plan.resumed(site.region.as_deref()) {
         Some((path, discards)) => {
             let streamed = plan.streamed().is_some();
-            let judged = (streamed && plan.verdict == VerdictArgument::Only).then_some(&chaos);
+            let judged = (streamed && plan.verdict == VerdictsName::Only).then_some(&chaos);
             let (mut section, mut journal) =
                 follow((&path, discards), &setting, (&starts, seed), &options, judged, monitor)?;
             if !streamed && section.complete() {
@@ -96,7 +95,7 @@ fn section_at(plan: &Plan<'_>, site: &Site, monitor: &Monitor) -> Result<Done, F
             }
             (section, Some(journal))
         }
-        None if plan.verdict == VerdictArgument::Early => {
+        None if plan.verdict == VerdictsName::Early => {
             let section = setting.run_until_decided(&starts, seed, &options, &chaos, monitor);
             (section.map_err(poincare_failure)?, None)
         }
@@ -128,11 +127,9 @@ fn judge(
     monitor: &Monitor,
 ) -> Result<(), Failure> {
     match plan.verdict {
-        VerdictArgument::Whole => {
-            setting.measure(section, chaos, monitor).map_err(|error| poincare_failure(error.into()))
-        }
-        VerdictArgument::Only => setting.judge(section, chaos, monitor).map_err(|error| poincare_failure(error.into())),
-        VerdictArgument::Early | VerdictArgument::None => Ok(()),
+        VerdictsName::Whole => setting.measure(section, chaos, monitor).map_err(|error| poincare_failure(error.into())),
+        VerdictsName::Only => setting.judge(section, chaos, monitor).map_err(|error| poincare_failure(error.into())),
+        VerdictsName::Early | VerdictsName::None => Ok(()),
     }
 }
 

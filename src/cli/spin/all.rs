@@ -142,12 +142,12 @@ fn vector(v: [f64; 3]) -> String {
 
 /// What the table's words mean.
 fn legend(report: &mut Report, families: &[&SteadyFamilyDocument]) {
-    let mut told: Vec<&str> = Vec::new();
+    let mut listed: Vec<&str> = Vec::new();
     for family in families {
-        if told.contains(&family.branch.as_str()) {
+        if listed.contains(&family.branch.as_str()) {
             continue;
         }
-        told.push(&family.branch);
+        listed.push(&family.branch);
         let axes = match family.axes {
             Multiplicity::Points(2) => ": two axes, each the other's mirror image",
             Multiplicity::Circle => ": a circle of axes, of which one is listed",

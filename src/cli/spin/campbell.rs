@@ -46,7 +46,7 @@ pub struct CampbellArguments {
 }
 
 /// An axis farther than this, in degrees, from the one that is followed is reported.
-const TOLD: f64 = 1e-9;
+const REPORTED: f64 = 1e-9;
 
 /// What is said where there is no answer.
 const NOT_FOUND: &str = "the steady rotations could not be found";
@@ -64,7 +64,7 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
         Axis::Permanent { axis, nearest } => permanent(&subject, axis, &nearest, &arguments.to)?,
         _ => moving(&subject, arguments.axis.direction, &arguments.to)?,
     };
-    let Followed { rows, changes, told } = followed;
+    let Followed { rows, changes, notes } = followed;
     if rows.iter().any(|row| row.frequencies.into_iter().chain([row.growth]).any(f64::is_infinite)) {
         let right = "at such a spin the frequencies leave the range of numbers; give a smaller one";
         return Err(Failure::input(format!("--to {}: {right}", arguments.to)));
@@ -82,7 +82,7 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
         files.pictures("campbell", &picture, &PictureArguments::plain(PictureFormat::Svg), timings)?;
     }
     let mut report = Report::default();
-    for line in &told {
+    for line in &notes {
         report.line(line);
     }
     for (rpm, from, to) in &changes {
@@ -104,7 +104,7 @@ struct Followed {
     /// In rpm, with the types below and above.
     changes: Vec<(f64, String, String)>,
     /// What is followed, where it is not the axis as given.
-    told: Vec<String>,
+    notes: Vec<String>,
 }
 
 /// Rotation about a permanent axis.
@@ -121,7 +121,7 @@ fn permanent(
     Ok(Followed {
         rows: rows(&rotation, largest, subject),
         changes: changes.into_iter().map(|change| (change.spin.rpm, change.from, change.to)).collect(),
-        told: if nearest.angle_deg > TOLD { vec![followed_text(nearest)] } else { Vec::new() },
+        notes: if nearest.angle_deg > REPORTED { vec![followed_text(nearest)] } else { Vec::new() },
     })
 }
 
@@ -162,7 +162,7 @@ fn moving(subject: &Subject, given: [f64; 3], largest: &Spin) -> Result<Followed
         Some((rpm(pair[1].from?.omega), pair[0].kind.word().to_owned(), pair[1].kind.word().to_owned()))
     });
     let circle = if family.axes == Multiplicity::Circle { ", one of a circle of them" } else { "" };
-    let told = format!(
+    let note = format!(
         "the steady rotation from {} rpm on that tends to {} at fast spins is followed ({}{circle})",
         significant(start, 8),
         fast_axes(subject, std::slice::from_ref(family)),
@@ -172,7 +172,7 @@ fn moving(subject: &Subject, given: [f64; 3], largest: &Spin) -> Result<Followed
         let right = format!("the rotation near this axis begins at {} rpm; give a larger spin", significant(start, 8));
         return Err(Failure::input(format!("--to: {right}")));
     }
-    Ok(Followed { rows, changes: changes.collect(), told: vec![told] })
+    Ok(Followed { rows, changes: changes.collect(), notes: vec![note] })
 }
 
 /// Why an axis has no frequencies over the spin.

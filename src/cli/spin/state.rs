@@ -14,7 +14,7 @@ use clap::Args;
 use dashu_ratio::RBig;
 
 use super::axis::{Axis, AxisArgument, axis};
-use super::steady::{Question, at_spin, changes, told};
+use super::steady::{Question, at_spin, changes, report_steady};
 use crate::cli::export::answer;
 use crate::cli::failure::{Failure, failed, incomplete};
 use crate::cli::input::values::{self, Triple};
@@ -59,7 +59,7 @@ const ROUNDING: f64 = 1e-14;
 /// Digits of a spin that is not rational.
 const DIGITS: usize = 60;
 
-/// An axis farther than this, in radians, from the given one is told.
+/// An axis farther than this, in radians, from the given one is reported.
 const OTHER: f64 = 1e-12;
 
 /// How the body turns.
@@ -214,7 +214,7 @@ fn text(subject: &Subject, document: &StateDocument) -> String {
     match &document.steady {
         Some(steady) => {
             meant(&mut report, steady, document.vertical);
-            told(&mut report, steady);
+            report_steady(&mut report, steady);
             match Axis::of(subject, document.vertical) {
                 Axis::Permanent { .. } => changes(&mut report, steady, document.note.is_none()),
                 Axis::AtOneSpin { .. } => report.line("rotation about this axis is steady at this spin only"),
@@ -230,7 +230,7 @@ fn text(subject: &Subject, document: &StateDocument) -> String {
     report.text()
 }
 
-/// The axis of the rotation that is told, where it is not the given one to the last digits.
+/// The axis of the rotation that is reported, where it is not the given one to the last digits.
 fn meant(report: &mut Report, steady: &SteadyDocument, vertical: [f64; 3]) {
     let angle = angle_between(steady.axis, vertical);
     if angle > OTHER {
@@ -280,7 +280,7 @@ fn other_text(report: &mut Report, subject: &Subject, document: &StateDocument) 
     if let Some(others) = as_near(subject, document, nearest) {
         report.line(others);
     }
-    told(report, nearest);
+    report_steady(report, nearest);
 }
 
 /// The other steady axes at this spin that are as near to the vertical.

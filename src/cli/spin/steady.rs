@@ -94,7 +94,7 @@ fn about_axis(question: &Question<'_>, axis: PermanentAxis, angle: f64, prepared
     let size = norm(subject.body.center_f64()) + 0.5 * l.to_f64() * omega.to_f64().value();
     let document = SteadyDocument {
         axis: subject.to_given(axis.direction),
-        angle_deg: told_angle(angle),
+        angle_deg: reported_angle(angle),
         h: h.to_f64(),
         l: l.to_f64(),
         stability: judged.kind.word().to_owned(),
@@ -123,7 +123,7 @@ fn steady(question: &Question<'_>, found: &SteadyRotation, prepared: &Solver) ->
     let nonlinear = bifdiag_documents::nonlinear(&point.nonlinear);
     let document = SteadyDocument {
         axis: subject.to_given(found.gamma.map(|x| 0.0 - x)),
-        angle_deg: told_angle(found.angle),
+        angle_deg: reported_angle(found.angle),
         h: h.to_f64(),
         l: l.to_f64(),
         stability: point.stability.word().to_owned(),
@@ -144,7 +144,7 @@ fn steady(question: &Question<'_>, found: &SteadyRotation, prepared: &Solver) ->
 }
 
 /// In degrees; 0 where the two axes are meant to be one.
-fn told_angle(angle: f64) -> f64 {
+fn reported_angle(angle: f64) -> f64 {
     if angle <= MEANT { 0.0 } else { angle.to_degrees() }
 }
 
@@ -164,7 +164,7 @@ fn with_regions(document: SteadyDocument, regions: Option<[Spot; 2]>) -> SteadyD
 }
 
 /// Its stability in words.
-pub fn told(report: &mut Report, steady: &SteadyDocument) {
+pub fn report_steady(report: &mut Report, steady: &SteadyDocument) {
     report.line(format!("steady rotation, {}: {}", words::verdict(&steady.nonlinear), steady.stability));
     report.line(format!("with friction that conserves l: {}", words::with_friction(&steady.friction)));
     match steady.one_of {

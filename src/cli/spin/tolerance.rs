@@ -16,7 +16,7 @@ pub struct ToleranceArgument(pub [Number; 4]);
 /// Digits of a bound.
 const DIGITS: usize = 6;
 
-/// Half a unit of the last digit, relative to the smallest number that has so many.
+/// Half a unit of the last digit, relative to the smallest number with that many digits.
 const ROUNDING: f64 = 5e-6;
 
 /// Where the column of what was found inside a range stands.
@@ -271,22 +271,22 @@ mod tests {
 
     #[test]
     fn stability_is_told_where_it_is_decided() {
-        let told = |slow, ranges: &[SpinRangeDocument]| certainly("+axis", slow, ranges);
+        let text_of = |slow, ranges: &[SpinRangeDocument]| certainly("+axis", slow, ranges);
         let (first, second) = ([Some(1.0), Some(2.0)], [Some(4.0), Some(8.0)]);
         assert_eq!(
-            told("elliptic", &[]),
+            text_of("elliptic", &[]),
             "+axis up, each of these parts is elliptic at every spin: none is linearly unstable"
         );
-        assert_eq!(told("saddle", &[]), "+axis up, each of these parts is saddle at every spin: all are unstable");
+        assert_eq!(text_of("saddle", &[]), "+axis up, each of these parts is saddle at every spin: all are unstable");
         let unstable = [range(Some("saddle"), Some("complex"), first), range(Some("complex"), Some("saddle"), second)];
         let all = "+axis up, each of these parts is unstable at every spin outside the ranges";
-        assert_eq!(told("saddle", &unstable), all);
+        assert_eq!(text_of("saddle", &unstable), all);
         let between = [range(None, Some("elliptic"), first), range(Some("elliptic"), Some("saddle"), second)];
         assert_eq!(
-            told("saddle", &between),
+            text_of("saddle", &between),
             "+axis up, none of these parts is linearly unstable from 2.00001 to 3.99998 rpm"
         );
         let nowhere = "+axis up, the types of all these parts are known at no spin";
-        assert_eq!(told("elliptic", &[range(None, None, [Some(0.0), None])]), nowhere);
+        assert_eq!(text_of("elliptic", &[range(None, None, [Some(0.0), None])]), nowhere);
     }
 }

@@ -35,7 +35,7 @@ impl Progress {
         Self::styled(Some(total), &template, quiet).starting_at(done)
     }
 
-    /// Of `total` bytes, or of as many as come; a message says what they are.
+    /// Of `total` bytes, or of an unknown number; a message says what they are.
     pub fn of_bytes(total: Option<u64>, quiet: bool) -> Self {
         // What comes from a pipe is its own measure: lines are written as it goes on.
         let quiet = quiet || !is_terminal();

@@ -1,38 +1,18 @@
 //! Which bodies a scan looks at.
 
 use bifdiag_numbers::Number;
-use bifdiag_schema::{CommandLine, DesignDocument, FamilyDocument, ParameterName, RangeDocument};
+use bifdiag_schema::{CommandLine, DesignDocument, FamilyDocument, RangeDocument};
 use bifdiag_survey::scan::Shard;
-use bifdiag_survey::{BodyFamily, BodyList, BodyParameter, Design, ParameterRange};
+use bifdiag_survey::{BodyFamily, BodyList, Design, ParameterRange};
 
 use super::error::ReadScanError;
 use crate::body::texts;
-
-/// The parameters with their names.
-const PARAMETERS: [(BodyParameter, ParameterName); 6] = [
-    (BodyParameter::A1, ParameterName::A1),
-    (BodyParameter::A2, ParameterName::A2),
-    (BodyParameter::A3, ParameterName::A3),
-    (BodyParameter::R1, ParameterName::R1),
-    (BodyParameter::R2, ParameterName::R2),
-    (BodyParameter::R3, ParameterName::R3),
-];
-
-/// The name of a parameter.
-#[must_use]
-pub fn parameter(parameter: BodyParameter) -> ParameterName {
-    PARAMETERS[parameter.place()].1
-}
-
-fn read_parameter(name: ParameterName) -> BodyParameter {
-    BodyParameter::ALL.into_iter().find(|known| parameter(*known) == name).expect("every name has its parameter")
-}
 
 /// A range of a parameter.
 #[must_use]
 pub fn range(range: &ParameterRange) -> RangeDocument {
     RangeDocument {
-        parameter: parameter(range.parameter),
+        parameter: range.parameter,
         from: range.from.text().to_owned(),
         to: range.to.text().to_owned(),
         steps: range.steps,
@@ -70,8 +50,8 @@ pub fn read_design(document: &DesignDocument) -> Result<Design, ReadScanError> {
         FamilyDocument::Listed { sha256 } => BodyFamily::Listed(BodyList::new(sha256.clone(), Vec::new())),
     };
     let read_range = |range: &RangeDocument| -> Result<ParameterRange, ReadScanError> {
-        let (parameter, steps) = (read_parameter(range.parameter), range.steps);
-        Ok(ParameterRange { parameter, from: range.from.parse()?, to: range.to.parse()?, steps })
+        let RangeDocument { parameter, from, to, steps } = range;
+        Ok(ParameterRange { parameter: *parameter, from: from.parse()?, to: to.parse()?, steps: *steps })
     };
     let vary = document.vary.iter().map(read_range).collect::<Result<_, _>>()?;
     Ok(Design::new(family, vary, document.samples, document.seed)?)
@@ -91,8 +71,7 @@ pub fn command(design: &DesignDocument, range: [u64; 2]) -> CommandLine {
     };
     for range in &design.vary {
         let steps = range.steps.map_or_else(String::new, |steps| format!(":{steps}"));
-        let name = read_parameter(range.parameter);
-        line = line.option("vary", format!("{name}={}:{}{steps}", range.from, range.to));
+        line = line.option("vary", format!("{}={}:{}{steps}", range.parameter, range.from, range.to));
     }
     let is_list = matches!(design.family, FamilyDocument::Listed { .. });
     line.option_if("samples", if is_list { None } else { design.samples })
@@ -104,9 +83,10 @@ pub fn command(design: &DesignDocument, range: [u64; 2]) -> CommandLine {
 fn shard(design: &DesignDocument, range: [u64; 2]) -> Option<String> {
     const MOST: u64 = 4096;
     let bodies = read_design(design).ok()?.count();
-    let parts = (1..=MOST).flat_map(|count| (1..=count).map(move |number| format!("{number}/{count}")));
-    let mut parts = parts.filter(|part| part.parse::<Shard>().is_ok_and(|shard| shard.range(bodies) == range));
-    parts.next().filter(|part| part != "1/1")
+    let mut parts = (1..=MOST).flat_map(|count| (1..=count).map(move |number| (number, count)));
+    let is_this =
+        |&(number, count): &(u64, u64)| Shard::new(number, count).is_some_and(|shard| shard.range(bodies) == range);
+    parts.find(is_this).filter(|(_, count)| *count > 1).map(|(number, count)| format!("{number}/{count}"))
 }
 
 #[cfg(test)]

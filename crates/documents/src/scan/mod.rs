@@ -5,7 +5,7 @@ mod error;
 mod row;
 mod summary;
 
-pub use design::{command, design, parameter, range, read_design};
+pub use design::{command, design, range, read_design};
 pub use error::ReadScanError;
 pub use row::{read_row, row};
-pub use summary::{ScanFile, scan_summary};
+pub use summary::scan_summary;

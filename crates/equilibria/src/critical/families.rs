@@ -7,15 +7,15 @@ use dashu_ratio::RBig;
 use super::found::{abscissa_of, middle};
 use super::{Equilibrium, Multiplicity, RelativeEquilibria};
 use crate::curves::{Branch, BranchName, CurveName, Orbit};
-use crate::nonlinear::Setting;
-use crate::stability::exact::{Start, Strand};
+use crate::nonlinear::{Setting, VerdictChange, Verdicts};
+use crate::stability::exact::Strand;
 use crate::stability::{Constants, LinearType, StabilityChangeKind, State};
-use bifdiag_body::{Axis, Body};
+use bifdiag_body::{Axis, Body, Number};
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Arithmetic;
 use bifdiag_numbers::vector::dot;
 use bifdiag_numbers::wide::Wide;
-use bifdiag_schema::{NonlinearVerdict, Reason};
+use bifdiag_schema::{NonlinearVerdict, Reason, SteadyStart};
 
 /// Steady axes that move with the spin without ever meeting others, from one spin to infinity.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,7 +25,7 @@ pub struct SteadyFamily {
     /// The branch in words.
     pub branch_name: Arc<str>,
     /// How it begins.
-    pub start: Start,
+    pub start: SteadyStart,
     /// How many axes: one, a symmetric pair (2), a circle, or all (a sphere).
     pub axes: Multiplicity,
     /// The axis is the same at every spin.
@@ -73,7 +73,7 @@ impl SteadyFamily {
     #[must_use]
     pub fn holds(&self, body: &Body, axis: &Equilibrium) -> bool {
         let Some(CurveName::Piece { branch, .. }) = axis.curve else { return false };
-        let fold = self.stretches.first().and_then(|first| first.from).filter(|_| self.start == Start::Fold);
+        let fold = self.stretches.first().and_then(|first| first.from).filter(|_| self.start == SteadyStart::Fold);
         let (a, r) = (body.moments_f64(), body.center_f64());
         let moment = |gamma: [f64; 3]| (0..3).map(|k| a[k] * gamma[k] * gamma[k]).sum::<f64>();
         let multiplier = |gamma: [f64; 3], omega: f64| moment(gamma) + dot(gamma, r) / (omega * omega);
@@ -116,7 +116,7 @@ impl RelativeEquilibria<'_> {
         let (axis, side) = strand.fast;
         let unit = |axis: Axis, side: f64| Axis::ALL.map(|k| if k == axis { side } else { 0.0 });
         let fast = frame.vector_to_body(unit(axis, if side == Sign::Negative { -1.0 } else { 1.0 }));
-        let slow = (strand.start == Start::Rest).then(|| {
+        let slow = (strand.start == SteadyStart::Rest).then(|| {
             // Hanging at rest μ is large and positive, standing negative.
             let side = if side == Sign::Negative { -1.0 } else { 1.0 };
             frame.vector_to_body(frame.r_hat().map(|x| side * x))
@@ -159,7 +159,7 @@ impl RelativeEquilibria<'_> {
             families.push(SteadyFamily {
                 branch,
                 branch_name,
-                start: Start::Rest,
+                start: SteadyStart::Rest,
                 axes: if multiplicity == Multiplicity::Points(1) { Multiplicity::Points(2) } else { multiplicity },
                 is_permanent: true,
                 slow: Some(gamma),
@@ -168,5 +168,26 @@ impl RelativeEquilibria<'_> {
             });
         }
         Some(families)
+    }
+
+    /// The isolated relative equilibria at which a hypothesis of Arnold's theorem fails between others to which it applies,
+    /// with what fails there, by rising l; `None` where not all were found. Elsewhere that theorem decides wherever
+    /// eigenvalues, energy and integrals do not.
+    #[must_use]
+    pub fn exceptions(&self) -> Option<Vec<(Equilibrium, VerdictChange)>> {
+        let verdicts = Verdicts::new(self.body, &self.set);
+        if !verdicts.is_complete() {
+            return None;
+        }
+        let inside = verdicts.changes().iter().filter(|change| !change.changes);
+        inside.map(|change| Some((self.at_change(change)?, *change))).collect()
+    }
+
+    fn at_change(&self, change: &VerdictChange) -> Option<Equilibrium> {
+        let branch = BranchName::of(&self.set.frame, self.set.curves[change.curve].branch);
+        let on = |found: &Equilibrium| matches!(found.curve, Some(CurveName::Piece { branch: of, .. }) if of == branch);
+        let distance = |found: &Equilibrium| (found.h - change.h).abs();
+        let list = self.at(&Number::from_f64(change.l).ok()?).ok()?.list;
+        list.into_iter().filter(on).min_by(|p, q| distance(p).total_cmp(&distance(q)))
     }
 }

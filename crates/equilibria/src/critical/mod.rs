@@ -2,7 +2,6 @@
 
 mod beyond;
 mod continuation;
-mod exceptions;
 mod families;
 mod found;
 

@@ -20,7 +20,7 @@ const COM: usize = 6;
 const MASS: usize = 9;
 const GRAVITY: usize = 10;
 
-/// Numbers that enter tensor and weight are cut into so many pieces, so that both change together.
+/// Into how many pieces numbers that enter tensor and weight are cut, so that both change together.
 const PIECES: u8 = 8;
 
 /// The parts of a box in smaller boxes; `None` where the axis of the rotation, which points up along `up` in the part's frame,

@@ -65,7 +65,7 @@ const FLOOR: f64 = 1e-7;
 /// Pieces shorter than this, relative to the parameter, are given up when both ends and the middle fail.
 const COARSE: f64 = 0.02;
 
-/// The box is cut into so many pieces along each entry of the diagonal, where intervals of the whole are too wide.
+/// Into how many pieces the box is cut along each entry of the diagonal, where intervals of the whole are too wide.
 const CUTS: [u32; 3] = [1, 2, 5];
 
 /// Parts that are tried for their classes, the nominal one first.
@@ -448,7 +448,7 @@ impl BoxedBody {
         [0, 1, 2].map(|k| dot(&self.tensor[k], v))
     }
 
-    /// The box cut into so many pieces along each entry of the diagonal.
+    /// The box cut into this many pieces along each entry of the diagonal.
     fn cut(&self, pieces: u32) -> Vec<Self> {
         let cut = |x: Interval| -> Vec<Interval> {
             let pieces = if x.lo == x.hi { 1 } else { pieces };

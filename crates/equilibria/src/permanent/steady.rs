@@ -48,7 +48,7 @@ pub fn nearest_steady(body: &Body, omega: &RBig, up: &[RBig; 3]) -> Option<Stead
     let h = turning - dot(gamma, r);
     let size = turning.abs() + norm(r);
     let distance = |found: &Equilibrium| {
-        // A circle or sphere is told by one of its points.
+        // One point of a circle or sphere stands for all.
         let apart = match found.multiplicity {
             Multiplicity::Points(_) => (0..3).map(|k| (found.gamma[k] - gamma[k]).abs()).fold(0.0, f64::max),
             Multiplicity::Circle | Multiplicity::Sphere => 0.0,

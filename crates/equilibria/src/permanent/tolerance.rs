@@ -16,14 +16,14 @@ use super::certain::AxisBox;
 use super::rotation::{AxisRotation, SpinChange, SpinType};
 use bifdiag_body::Body;
 
-/// The inputs that are varied, as they are told.
+/// The inputs that are varied, as they are reported.
 pub const INPUTS: [&str; 4] =
     ["moment about the axis", "first other moment", "second other moment", "weight times distance"];
 
 /// Parts that are tried: each input less, nominal and more.
 pub const SAMPLES: usize = 81;
 
-/// The moments are cut into so many pieces each, so that the intervals are narrow.
+/// Into how many pieces each moment is cut, so that the intervals are narrow.
 const PIECES: u32 = 20;
 
 /// Spins at which a change may lie, over a box of parts.
@@ -270,7 +270,7 @@ mod tests {
         assert!(last.omega[1] >= most && last.omega[1] - most < 0.1 * (most - nominal), "{found:?}");
     }
 
-    /// Every change of random parts of the box lies in a range, and between the ranges their types are those that are told.
+    /// Every change of random parts of the box lies in a range, and between the ranges their types are those that are reported.
     #[test]
     fn no_part_of_the_box_changes_outside_the_ranges() {
         let mut state = 1_u64;

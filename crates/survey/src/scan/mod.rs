@@ -10,7 +10,7 @@ mod summary;
 pub use row::{DiagramCounts, RegionMargin, ScanRow};
 use std::collections::BTreeMap;
 use std::str::FromStr;
-pub use summary::{BodyRecord, ClassRecord, Record, Summary, class_text};
+pub use summary::{ClassRecord, Summary, class_text};
 
 use thiserror::Error;
 
@@ -49,12 +49,17 @@ impl FromStr for Shard {
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let (number, count) = text.split_once('/').ok_or(ParseShardError)?;
         let whole = |text: &str| text.trim().parse::<u64>().map_err(|_not_whole| ParseShardError);
-        let (number, count) = (whole(number)?, whole(count)?);
-        if (1..=count).contains(&number) { Ok(Self { number, count }) } else { Err(ParseShardError) }
+        Self::new(whole(number)?, whole(count)?).ok_or(ParseShardError)
     }
 }
 
 impl Shard {
+    /// `None` where there is no such part.
+    #[must_use]
+    pub fn new(number: u64, count: u64) -> Option<Self> {
+        (1..=count).contains(&number).then_some(Self { number, count })
+    }
+
     /// The bodies of this part of a scan of `bodies`: from, and up to but without.
     #[must_use]
     pub fn range(self, bodies: u64) -> [u64; 2] {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use bifdiag_schema::RowStatus;
+use bifdiag_schema::{BodyRecordDocument, RecordDocument, RowStatus};
 
 use super::row::ScanRow;
 use crate::signature::{ComponentType, Signature};
@@ -10,29 +10,11 @@ use bifdiag_body::Body;
 use bifdiag_diagram::class::{Class, ClassName};
 use bifdiag_exact::Accuracy;
 
-/// A body that shows something, with its number in the scan.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BodyRecord {
-    /// Its number.
-    pub index: u64,
-    /// A and r.
-    pub values: [[f64; 3]; 2],
-}
-
-/// Something that bodies show.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Record {
-    /// Number of bodies.
-    pub bodies: u64,
-    /// The first body.
-    pub first: BodyRecord,
-}
-
 /// A class and how often it was met.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClassRecord {
     /// Number of bodies, and the first one.
-    pub record: Record,
+    pub record: RecordDocument,
     /// Number of its regions.
     pub regions: u32,
     /// Number of its cusps, pitchforks and crossings.
@@ -53,13 +35,13 @@ pub struct Summary {
     /// Every class.
     pub classes: BTreeMap<ClassName, ClassRecord>,
     /// The bodies that show each signature.
-    pub signatures: BTreeMap<Signature, Record>,
+    pub signatures: BTreeMap<Signature, RecordDocument>,
     /// The bodies that show each type of component.
-    pub types: BTreeMap<ComponentType, Record>,
+    pub types: BTreeMap<ComponentType, RecordDocument>,
     /// The bodies with each number of relative equilibria at one l, at most.
-    pub critical_points: BTreeMap<u32, Record>,
+    pub critical_points: BTreeMap<u32, RecordDocument>,
     /// The bodies with each number of regions.
-    pub regions: BTreeMap<u32, Record>,
+    pub regions: BTreeMap<u32, RecordDocument>,
 }
 
 impl Summary {
@@ -74,9 +56,10 @@ impl Summary {
         let Some(diagram) = &row.diagram else { return };
         self.work += u64::from(diagram.work);
         let Some(class) = &row.class else { return };
-        let body = BodyRecord { index: row.index, values: row.values };
+        let [moments, center] = row.values;
+        let body = BodyRecordDocument { index: row.index, moments, center };
         let known = self.classes.entry(class.clone()).or_insert_with(|| ClassRecord {
-            record: Record { bodies: 0, first: body.clone() },
+            record: RecordDocument { bodies: 0, first: body.clone() },
             regions: diagram.regions,
             events: [diagram.cusps, diagram.pitchforks, diagram.crossings],
         });
@@ -106,14 +89,14 @@ impl Summary {
     }
 }
 
-fn note<K: Ord>(records: &mut BTreeMap<K, Record>, key: K, body: &BodyRecord) {
-    records.entry(key).or_insert_with(|| Record { bodies: 0, first: body.clone() }).bodies += 1;
+fn note<K: Ord>(records: &mut BTreeMap<K, RecordDocument>, key: K, body: &BodyRecordDocument) {
+    records.entry(key).or_insert_with(|| RecordDocument { bodies: 0, first: body.clone() }).bodies += 1;
 }
 
 /// The canonical form of the class of a body, made again; `None` where it has no class.
 #[must_use]
-pub fn class_text(body: &BodyRecord, accuracy: Accuracy) -> Option<String> {
-    let body = Body::from_f64(body.values[0], body.values[1]).ok()?;
+pub fn class_text(body: &BodyRecordDocument, accuracy: Accuracy) -> Option<String> {
+    let body = Body::from_f64(body.moments, body.center).ok()?;
     let class = Class::of(&bifdiag_exact::atlas(&body, accuracy).ok()?).ok()?;
     Some(class.text().to_owned())
 }

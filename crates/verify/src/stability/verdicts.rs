@@ -26,7 +26,7 @@ pub(super) fn check(
     for span in &curve.stability {
         let open = NonlinearDocument::along(NonlinearVerdict::Open, Reason::Degenerate, false);
         let arnold = |proved| NonlinearDocument::along(NonlinearVerdict::Stable, Reason::Arnold, proved);
-        let told = match expected(span.stability, index, integral) {
+        let possible = match expected(span.stability, index, integral) {
             Some((verdict, why)) => [NonlinearDocument::along(verdict, why, true); 2],
             None if span.nonlinear != open && is_arnold() => [arnold(true); 2],
             // What is left open claims nothing. Where the determinant vanishes along all of the stretch the theorem says nothing.
@@ -35,7 +35,7 @@ pub(super) fn check(
                 [arnold(false), open]
             }
         };
-        if !told.contains(&span.nonlinear) {
+        if !possible.contains(&span.nonlinear) {
             return Err(Refused::Field { field: "curves.stability.nonlinear" });
         }
         // Thomson, Tait and Chetaev: as many directions grow as the energy falls in.

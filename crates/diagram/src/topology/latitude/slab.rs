@@ -7,6 +7,7 @@ use super::circle::{CUTS, Circle};
 use super::error::Effort;
 use super::level::{Level, variation};
 use bifdiag_numbers::interval::Interval;
+use bifdiag_numbers::table::Partition;
 
 /// Share of the variation of G above which a brick is shortened rather than its slab thinned.
 const PARALLEL_SHARE: f64 = 0.7;
@@ -235,10 +236,10 @@ fn glue_sloping(level: &Level, low: &Circle, high: &Circle, stretch: Stretch, gl
     Some(columns)
 }
 
-/// Union-find over arcs (accessible) and gaps (not accessible) of all circles of latitude.
+/// The arcs (accessible) and gaps (not accessible) of all circles of latitude, and which of them are joined.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Gluing {
-    parent: Vec<usize>,
+    joined: Partition,
     accessible: Vec<bool>,
     borders: Vec<(usize, usize)>,
 }
@@ -246,25 +247,20 @@ pub(super) struct Gluing {
 impl Gluing {
     /// Number of arcs and gaps so far, which is the number of the next one.
     pub fn len(&self) -> usize {
-        self.parent.len()
+        self.accessible.len()
     }
 
     pub fn add(&mut self, accessible: bool) {
-        self.parent.push(self.parent.len());
+        self.joined.add();
         self.accessible.push(accessible);
     }
 
-    pub fn root(&mut self, mut arc: usize) -> usize {
-        while self.parent[arc] != arc {
-            self.parent[arc] = self.parent[self.parent[arc]];
-            arc = self.parent[arc];
-        }
-        arc
+    pub fn root(&mut self, arc: usize) -> usize {
+        self.joined.find(arc)
     }
 
     pub fn join(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.parent[a.max(b)] = a.min(b);
+        self.joined.unite(a, b);
     }
 
     /// Records that an arc and a gap lie on both sides of one piece of ∂U.
@@ -274,7 +270,7 @@ impl Gluing {
 
     /// The roots of the components of U or of its complement, ascending.
     pub fn components(&mut self, accessible: bool) -> Vec<usize> {
-        (0..self.len()).filter(|&arc| self.accessible[arc] == accessible && self.parent[arc] == arc).collect()
+        (0..self.len()).filter(|&arc| self.accessible[arc] == accessible && self.root(arc) == arc).collect()
     }
 
     /// Boundary circles as pairs (component of U, component of the complement): on the sphere two components

@@ -34,26 +34,18 @@ impl Floor {
 /// Steps after which a descent gives up.
 const MAX_STEPS: u32 = 200;
 
-/// A descent that ended, with its cost.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Descent {
-    /// Number of the minimum reached; `None` when the path could not be proved.
-    pub minimum: Option<usize>,
-    /// Steps taken.
-    pub steps: u32,
-}
-
-/// Follows U downhill from a point until an arc that stays below the current height reaches one of the minima.
+/// Follows U downhill from a point until an arc that stays below the current height reaches one of the minima: its number;
+/// `None` when no path could be proved.
 ///
 /// Each step is an arc of a great circle along which U ≤ U(start) is proved; so start and minimum lie in one component
 /// of {U ≤ U(start)}. The direction is Newton's with the absolute values of the Hessian's eigenvalues, which descends
 /// everywhere, is not slowed by narrow valleys, and leaves saddles.
-pub(super) fn descend(potential: &Potential, start: Vector, minima: &[Floor]) -> Descent {
+pub(super) fn descend(potential: &Potential, start: Vector, minima: &[Floor]) -> Option<usize> {
     let mut gamma = start;
     let ceiling = potential.value(start) + potential.value_error(start);
-    for steps in 0..MAX_STEPS {
+    for _ in 0..MAX_STEPS {
         if let Some(minimum) = nearest_joined(potential, gamma, minima, ceiling) {
-            return Descent { minimum: Some(minimum), steps };
+            return Some(minimum);
         }
         // A straight step that had to be shortened much meets a curved valley: then follow the circle of latitude.
         let straight = step(potential, gamma, ceiling);
@@ -64,12 +56,9 @@ pub(super) fn descend(potential: &Potential, start: Vector, minima: &[Floor]) ->
             let ends = straight.map(|step| step.end).into_iter().chain(along);
             ends.min_by(|p, q| potential.value(*p).total_cmp(&potential.value(*q)))
         };
-        let Some(next) = next else {
-            return Descent { minimum: None, steps };
-        };
-        gamma = next;
+        gamma = next?;
     }
-    Descent { minimum: None, steps: MAX_STEPS }
+    None
 }
 
 /// The nearest minimum that a direct arc below the ceiling reaches.

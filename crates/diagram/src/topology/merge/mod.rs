@@ -11,6 +11,7 @@ pub use partition::Partition;
 use super::component::{Component, Poles};
 use super::potential::{Potential, Vector};
 use bifdiag_body::{Axis, Frame};
+use bifdiag_numbers::table;
 use descent::{Floor, descend, is_nearly_critical, kick, sides_of_saddle};
 use slide::sides_of_ridge;
 
@@ -57,16 +58,7 @@ pub enum MergeError {
     },
 }
 
-/// The components, and the work done.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct MergeTree {
-    /// Components of U_hl in canonical order.
-    pub components: Vec<Component>,
-    /// Steps of downhill paths.
-    pub steps: u32,
-}
-
-/// Components of {U ≤ h} from the critical points below h.
+/// Components of {U ≤ h} from the critical points below h, and the means to find the one in which a point lies.
 ///
 /// Components are classes of minima joined by saddles; a component with m minima, σ saddles and x maxima has
 /// χ = m − σ + x = 2 − k. With one minimum nothing has to be followed.
@@ -76,20 +68,6 @@ pub struct MergeTree {
 ///
 /// # Errors
 /// [`MergeError`] when rounding leaves a join open.
-pub fn components(
-    frame: &Frame,
-    x: f64,
-    below: &[CriticalPoint],
-    poles: Option<Poles>,
-) -> Result<MergeTree, MergeError> {
-    let partition = partition(frame, x, below, poles)?;
-    Ok(MergeTree { steps: partition.steps(), components: partition.into_components() })
-}
-
-/// [`components`], and the means to find the one in which a point lies.
-///
-/// # Errors
-/// As [`components`].
 pub fn partition<'a>(
     frame: &'a Frame,
     x: f64,
@@ -103,17 +81,17 @@ pub fn partition<'a>(
         .iter()
         .map(|p| Floor { gamma: p.gamma, circle: if let Extent::Circle(axis) = p.extent { Some(axis) } else { None } })
         .collect();
-    let mut tree = Tree { potential, parent: (0..minima.len()).collect(), minima, steps: 0 };
+    let mut tree = Tree { potential, joined: table::Partition::new(minima.len()), minima };
     let higher: Vec<&CriticalPoint> = below.iter().filter(|p| !is_floor(p)).collect();
     let homes = higher.iter().map(|point| tree.join(point)).collect::<Result<Vec<usize>, MergeError>>()?;
     let inside = tree.poles(poles.unwrap_or_default())?;
     let mut euler = vec![0_i32; floors.len()];
     for (m, point) in floors.into_iter().enumerate().chain(homes.into_iter().zip(higher)) {
-        euler[tree.find(m)] += contribution(point);
+        euler[tree.joined.find(m)] += contribution(point);
     }
     let mut found = Vec::new();
     for (m, &euler) in euler.iter().enumerate() {
-        if tree.find(m) == m {
+        if tree.joined.find(m) == m {
             let boundary_circles = u32::try_from(2 - euler).map_err(|_| MergeError::Euler { euler })?;
             found.push((m, Component { boundary_circles, poles: poles.map(|_| inside[m]) }));
         }
@@ -134,41 +112,24 @@ fn contribution(point: &CriticalPoint) -> i32 {
 struct Tree<'a> {
     potential: Potential<'a>,
     minima: Vec<Floor>,
-    parent: Vec<usize>,
-    steps: u32,
+    /// The minima that are joined so far.
+    joined: table::Partition,
 }
 
 impl Tree<'_> {
-    fn find(&self, mut m: usize) -> usize {
-        while self.parent[m] != m {
-            m = self.parent[m];
-        }
-        m
-    }
-
-    fn unite(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.find(a), self.find(b));
-        self.parent[a.max(b)] = a.min(b);
-    }
-
-    /// Number of components so far.
-    fn count(&self) -> usize {
-        (0..self.parent.len()).filter(|&m| self.parent[m] == m).count()
-    }
-
     /// The minimum below a critical point that is none itself; a saddle joins the minima on its two sides.
     fn join(&mut self, point: &CriticalPoint) -> Result<usize, MergeError> {
         if self.minima.len() == 1 {
             return Ok(0);
         }
-        if point.index != 1 || self.count() <= 1 {
+        if point.index != 1 || self.joined.count() <= 1 {
             return self.home(point.gamma);
         }
         let [p, q] = sides_of_saddle(&self.potential, point.gamma)
             .or_else(|| sides_of_ridge(&self.potential, point.gamma))
             .ok_or(MergeError::FlatSaddle)?;
         let (p, q) = (self.descend(p)?, self.descend(q)?);
-        self.unite(p, q);
+        self.joined.unite(p, q);
         Ok(p)
     }
 
@@ -178,7 +139,7 @@ impl Tree<'_> {
         for (present, sign) in [(poles.plus, 1.0), (poles.minus, -1.0)] {
             if present {
                 let home = self.home(self.potential.frame.r_hat().map(|c| sign * c))?;
-                let root = self.find(home);
+                let root = self.joined.find(home);
                 inside[root].plus |= sign > 0.0;
                 inside[root].minus |= sign < 0.0;
             }
@@ -187,18 +148,16 @@ impl Tree<'_> {
     }
 
     /// The minimum below a point; any one when all minima are joined already.
-    fn home(&mut self, gamma: Vector) -> Result<usize, MergeError> {
-        if self.count() == 1 {
+    fn home(&self, gamma: Vector) -> Result<usize, MergeError> {
+        if self.joined.count() == 1 {
             return Ok(0);
         }
         let start = off_critical(&self.potential, gamma).ok_or(MergeError::LostPath)?;
         self.descend(start)
     }
 
-    fn descend(&mut self, gamma: Vector) -> Result<usize, MergeError> {
-        let descent = descend(&self.potential, gamma, &self.minima);
-        self.steps += descent.steps;
-        descent.minimum.ok_or(MergeError::LostPath)
+    fn descend(&self, gamma: Vector) -> Result<usize, MergeError> {
+        descend(&self.potential, gamma, &self.minima).ok_or(MergeError::LostPath)
     }
 }
 

@@ -14,19 +14,20 @@ pub struct Partition<'a> {
     /// Number of the component of each minimum.
     home: Vec<usize>,
     components: Vec<Component>,
-    steps: u32,
 }
 
 impl<'a> Partition<'a> {
     /// From a finished tree and the components by the minimum that stands for each.
-    pub(super) fn new(tree: Tree<'a>, mut found: Vec<(usize, Component)>) -> Self {
+    pub(super) fn new(mut tree: Tree<'a>, mut found: Vec<(usize, Component)>) -> Self {
         sort_by_component(&mut found);
-        let number = |m: usize| found.iter().position(|(root, _)| *root == tree.find(m)).unwrap_or_default();
+        let mut number = |m: usize| {
+            let home = tree.joined.find(m);
+            found.iter().position(|(root, _)| *root == home).unwrap_or_default()
+        };
         Self {
-            home: (0..tree.minima.len()).map(number).collect(),
+            home: (0..tree.minima.len()).map(&mut number).collect(),
             components: found.iter().map(|(_, component)| *component).collect(),
             potential: tree.potential,
-            steps: tree.steps,
             minima: tree.minima,
         }
     }
@@ -43,12 +44,6 @@ impl<'a> Partition<'a> {
         self.components
     }
 
-    /// Steps of downhill paths that it took.
-    #[must_use]
-    pub fn steps(&self) -> u32 {
-        self.steps
-    }
-
     /// The frame in which points are given.
     #[must_use]
     pub fn frame(&self) -> &'a Frame {
@@ -63,7 +58,7 @@ impl<'a> Partition<'a> {
             return Some(0);
         }
         let start = off_critical(&self.potential, gamma)?;
-        descend(&self.potential, start, &self.minima).minimum.map(|m| self.home[m])
+        descend(&self.potential, start, &self.minima).map(|m| self.home[m])
     }
 
     /// A minimum of U, in the frame, that lies in a component.

@@ -25,7 +25,7 @@ pub use body::{ExactBody, Forms};
 pub(crate) use family_chart::{Family, FamilyChart};
 pub use profile::{ExactPoint, Touch};
 pub(crate) use profile::{StationKind, compare};
-pub use strands::{Start, Strand, StrandStretch};
+pub use strands::{Strand, StrandStretch};
 
 /// The families of a body with everything that decides the linear type along them.
 #[derive(Clone, Debug)]

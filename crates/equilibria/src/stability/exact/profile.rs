@@ -273,7 +273,7 @@ impl ExactPoint {
             bits *= 4;
         }
     }
-    /// The point again, enclosed with so many bits.
+    /// The point again, enclosed with this many bits.
     #[must_use]
     pub(super) fn refined<E: Enclosure>(
         &self,

@@ -20,17 +20,7 @@ use bifdiag_numbers::enclosure::Enclosure;
 use bifdiag_numbers::polynomial::{Polynomial, Root};
 use bifdiag_numbers::table::Id;
 use bifdiag_numbers::wide::Wide;
-
-/// How a strand begins.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Start {
-    /// At rest, where the body hangs or stands.
-    Rest,
-    /// At the least spin of a family, together with another strand.
-    Fold,
-    /// On another family, from which a pair or a circle leaves.
-    Fork,
-}
+use bifdiag_schema::SteadyStart;
 
 /// A part of a strand with one type.
 #[derive(Clone, Debug)]
@@ -51,7 +41,7 @@ pub struct Strand {
     /// Its branch.
     pub branch: Branch,
     /// How it begins.
-    pub start: Start,
+    pub start: SteadyStart,
     /// By rising spin.
     pub stretches: Vec<StrandStretch>,
     /// The axis of the frame to which γ tends at fast spins, and on which side of it.
@@ -97,9 +87,9 @@ impl StabilityProfile {
             (Family::Over(_), [Some(fast), _]) => {
                 let one = &Polynomial::from_rationals(&[-RBig::ONE, RBig::ONE]);
                 let fork = state(&mut Root::exact(one, RBig::ONE));
-                Some(vec![strand(Start::Fork, Some(fork), falling(last), fast)?])
+                Some(vec![strand(SteadyStart::Fork, Some(fork), falling(last), fast)?])
             }
-            (_, [Some(fast), None]) => Some(vec![strand(Start::Rest, None, falling(last), fast)?]),
+            (_, [Some(fast), None]) => Some(vec![strand(SteadyStart::Rest, None, falling(last), fast)?]),
             (_, [Some(left), Some(right)]) => {
                 let mut found = chart.roots(&chart.fold(&self.body, forms))?;
                 let mut fold = found.pop().filter(|_| found.is_empty())?;
@@ -113,8 +103,8 @@ impl StabilityProfile {
                     }
                 }
                 let from = state(&mut fold);
-                let down = strand(Start::Fold, Some(from.clone()), falling(below), left)?;
-                let up = strand(Start::Fold, Some(from), (below + at..=last).collect(), right)?;
+                let down = strand(SteadyStart::Fold, Some(from.clone()), falling(below), left)?;
+                let up = strand(SteadyStart::Fold, Some(from), (below + at..=last).collect(), right)?;
                 Some(vec![down, up])
             }
             _ => None,
