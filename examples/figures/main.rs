@@ -10,6 +10,7 @@ mod chart;
 mod diagrams;
 mod figure;
 mod maps;
+mod proved;
 mod schematic;
 mod schemes;
 mod sections;
@@ -57,6 +58,7 @@ fn figures(charts: bool) -> impl Iterator<Item = Figure> {
         .chain(theorems::figures())
         .chain(sections::figures())
         .chain(maps::figures())
+        .chain(proved::figures())
         .chain(tradeoff::figures().filter(move |_| charts))
 }
 

@@ -164,6 +164,36 @@ fn a_proved_motion_holds_the_plain_one() {
     bifdiag(&format!("{line} --proved --data m.npz")).inside(place.path()).succeeds();
 }
 
+/// The screen says in which direction gamma points, as that of the plain motion does.
+#[test]
+fn a_proved_motion_tells_its_frame() {
+    let line = "orbit --body paper --gamma 0.6,0,0.8 --omega 1,0.3,1 --times 0:1:2";
+    for option in ["", " --proved"] {
+        bifdiag(&format!("{line}{option}"))
+            .succeeds()
+            .printing("gamma points down, along gravity, and so does the third axis of space");
+    }
+}
+
+/// The digits that are advised are more than those that were used, and enough for the bound.
+#[test]
+fn advised_digits_go_further() {
+    let line = "orbit --A 2.3,1.7,1.2 --r 0.5,0.3,0.6 --gamma 1,2,2 --omega 0.5,-0.3,2 --times 0:200:3 --proved";
+    let reached = |options: &str| {
+        let ended = bifdiag(&format!("{line} {options}")).fails();
+        let text = ended.stdout();
+        let to = text.split("proved to t = ").nth(1).unwrap().split(';').next().unwrap().parse::<f64>().unwrap();
+        let digits = text.split("--digits ").nth(1).unwrap().split_whitespace().next().unwrap().parse::<u32>().unwrap();
+        (to, digits)
+    };
+    let (to, digits) = reached("--digits 5");
+    assert!(digits >= 17, "53 bits are 15 digits: {digits}");
+    bifdiag(&format!("{line} --digits {digits}")).succeeds();
+    assert!(to > 10.0);
+    assert!(reached("--digits 30 --bound 1e-140").1 >= 150);
+    bifdiag(&format!("{line} --digits 5")).fails().telling("1 of 3 times is enclosed");
+}
+
 /// Sixty digits are sixty digits, and where digits end it is told what goes further.
 #[test]
 fn the_proof_has_as_many_digits_as_are_asked() {

@@ -1,6 +1,6 @@
 //! Enclosures of a motion as a document.
 
-use bifdiag_enclosure::orbit::{Ends, MOST_DIGITS, ProofEnd, ProvedMotion};
+use bifdiag_enclosure::orbit::{Ends, MOST_BITS, MOST_DIGITS, ProofEnd, ProvedMotion};
 use bifdiag_enclosure::start::ExactStart;
 use bifdiag_numbers::Number;
 use bifdiag_numbers::decimal::{outward, significant};
@@ -87,12 +87,20 @@ fn ending(asked: &ProofAsked, motion: &ProvedMotion, end: ProofEnd) -> String {
     }
     let bits = motion.bits;
     match asked.digits {
-        Some(digits) => {
-            let more = (digits + digits / 2).max(digits + 10).min(MOST_DIGITS);
+        Some(digits) if bits < MOST_BITS => {
+            let more = (digits + digits / 2).max(digits + 10).max(digits_beyond(bits, asked.bound)).min(MOST_DIGITS);
             format!("{proved}; from there enclosures outrun {bits} bits: --digits {more}")
         }
-        None => format!("{proved}; from there enclosures outrun {bits} bits, the most that there are: --bound 1e-2"),
+        _ => format!("{proved}; from there enclosures outrun {bits} bits, the most that there are: --bound 1e-2"),
     }
+}
+
+/// Digits that so many bits do not have, and that hold a bound with ten more.
+fn digits_beyond(bits: usize, bound: f64) -> u32 {
+    // log₁₀ 2 < 0.302.
+    let bits = u32::try_from(bits).unwrap_or(u32::MAX / 1000);
+    let places = (0..300_u32).take_while(|n| libm::pow(10.0, -f64::from(*n)) > bound).count();
+    (bits * 302 / 1000 + 2).max(u32::try_from(places).unwrap_or(0) + 10)
 }
 
 /// The enclosures as decimals, as short as their widths allow.

@@ -34,13 +34,53 @@ pub fn exp(x: f64) -> f64 {
 #[must_use]
 #[inline]
 pub fn norm<const N: usize>(v: &[f64; N]) -> f64 {
-    up(v.iter().map(|x| x * x).sum::<f64>().sqrt())
+    length(v)
 }
 
 /// A bound for the Frobenius norm of a matrix.
 #[must_use]
+#[inline]
 pub fn frobenius<const N: usize>(matrix: &[[f64; N]; N]) -> f64 {
-    up(matrix.as_flattened().iter().map(|x| x * x).sum::<f64>().sqrt())
+    length(matrix.as_flattened())
+}
+
+/// Squares below this may have lost digits, or all of them.
+const SMALL: f64 = 1e-280;
+
+#[inline]
+fn length(v: &[f64]) -> f64 {
+    let square = v.iter().map(|x| x * x).sum::<f64>();
+    if square < SMALL {
+        // Not by squares.
+        return up(v.iter().map(|x| x.abs()).sum());
+    }
+    up(square.sqrt())
+}
+
+/// A bound for the largest absolute value of the eigenvalues of a symmetric matrix M: ‖M⁸‖ to the power 1/8, in the
+/// Frobenius norm, which is at most N to the power 1/16 too large.
+#[must_use]
+pub fn spectral<const N: usize>(matrix: &[[f64; N]; N]) -> f64 {
+    let mut bound = 1.0;
+    let mut power = *matrix;
+    // ‖M‖ = s, ‖M²/s²‖ = s′, …: the bound is s √(s′ √…). Each square of a matrix of norm 1 has a norm of at least 1/N.
+    let mut sizes = [0.0; 4];
+    for size in &mut sizes {
+        *size = frobenius(&power);
+        if *size == 0.0 || !size.is_finite() {
+            return *size;
+        }
+        let unit = power.map(|row| row.map(|x| x / *size));
+        for i in 0..N {
+            for j in 0..N {
+                power[i][j] = (0..N).map(|m| unit[i][m] * unit[m][j]).sum();
+            }
+        }
+    }
+    for size in sizes.iter().rev() {
+        bound = size * f64::sqrt(bound);
+    }
+    up(bound)
 }
 
 #[cfg(test)]
@@ -55,5 +95,26 @@ mod tests {
         }
         assert_eq!(exp(17.0), f64::INFINITY);
         assert_eq!(up(f64::NAN), f64::INFINITY);
+    }
+    /// Also where squares vanish.
+    #[test]
+    fn lengths_of_tiny_vectors_are_bounded() {
+        for size in [1e-250, 1e-170, 1e-150, 1e-130, 1e-3] {
+            let bound = norm(&[3.0 * size, 4.0 * size]);
+            assert!(bound >= 5.0 * size && bound <= 7.0 * size * (1.0 + 1e-9), "{size} {bound}");
+            assert!(frobenius(&[[3.0 * size, 0.0], [0.0, 4.0 * size]]) >= 5.0 * size);
+        }
+    }
+
+    #[test]
+    fn the_spectral_bound_is_above_the_largest_eigenvalue_and_close() {
+        // Eigenvalues 3 and -1, 5, and 4 and -6.
+        for (matrix, largest) in
+            [([[1.0, 2.0], [2.0, 1.0]], 3.0), ([[5.0, 0.0], [0.0, 5.0]], 5.0), ([[-1.0, 5.0], [5.0, -1.0]], 6.0)]
+        {
+            let bound = spectral(&matrix);
+            assert!(bound >= largest && bound < 1.1 * largest, "{bound} {largest}");
+        }
+        assert!(spectral(&[[0.0; 3]; 3]) < 1e-200);
     }
 }

@@ -4,7 +4,7 @@ use bifdiag_body::Body;
 use bifdiag_numbers::interval::Interval;
 use dashu_ratio::RBig;
 
-use crate::bound::{frobenius, up};
+use crate::bound::{frobenius, spectral, up};
 use crate::scalar::Scalar;
 
 /// Coordinates of (γ, ω).
@@ -120,12 +120,35 @@ pub struct QuadraticField<S: Scalar, const N: usize> {
     linear: Vec<Linear<S>>,
     /// ‖Q(u, v)‖ ≤ κ‖u‖‖v‖ for the symmetric Q.
     pub kappa: f64,
+    /// The symmetric part of 2Q(u, ·) is at most σ‖u‖ in norm: what the logarithmic norm of Df may change by.
+    pub sigma: f64,
     /// The same for the sums of the absolute values of the terms, in any order of the factors.
     pub kappa_terms: f64,
     /// ‖|B| |u|‖ ≤ λ‖u‖.
     pub lambda: f64,
     /// More operations than follow a product of coefficients in a row.
     pub depth: f64,
+    /// As many summands as a row of f has, by which variables they are derived counted, at most.
+    pub width: f64,
+}
+
+/// κ and σ from the matrices Q_a = Q(e_a, ·). Q(u, v) = (Σ u_a Q_a)v, and ‖Σ u_a Q_a‖ is at most ‖u‖ times the norm of all Q_a
+/// side by side, or one above the other: the root of the largest eigenvalue of Σ Q_a Q_aᵀ, or of Σ Q_aᵀQ_a.
+fn sizes<const N: usize>(slices: &[[[f64; N]; N]; N]) -> (f64, f64) {
+    let (mut beside, mut above, mut symmetric) = ([[0.0; N]; N], [[0.0; N]; N], [[0.0; N]; N]);
+    for q in slices {
+        for i in 0..N {
+            for j in 0..N {
+                for m in 0..N {
+                    beside[i][j] += q[i][m] * q[j][m];
+                    above[i][j] += q[m][i] * q[m][j];
+                    symmetric[i][j] += (q[i][m] + q[m][i]) * (q[j][m] + q[m][j]);
+                }
+            }
+        }
+    }
+    let [beside, above, symmetric] = [beside, above, symmetric].map(|matrix| up(f64::sqrt(spectral(&matrix))));
+    (beside.min(above), symmetric)
 }
 
 /// A Taylor polynomial, by rows.
@@ -148,11 +171,13 @@ impl<S: Scalar, const N: usize> QuadraticField<S, N> {
             quadratic: Vec::new(),
             linear: Vec::new(),
             kappa: 0.0,
+            sigma: 0.0,
             kappa_terms: 0.0,
             lambda: 0.0,
             depth: 0.0,
+            width: 0.0,
         };
-        let (mut squares, mut rows, mut counts) = (0.0, [0.0; N], [0.0; N]);
+        let (mut slices, mut rows, mut counts, mut widths) = ([[[0.0; N]; N]; N], [0.0; N], [0.0; N], [0.0; N]);
         let double = |c: &RBig| c.to_f64().value();
         for (row, a, b, c) in &equations.quadratic {
             let (row, a, b, double) = (*row, *a, *b, double(c));
@@ -160,20 +185,24 @@ impl<S: Scalar, const N: usize> QuadraticField<S, N> {
                 field.pairs.push([a, b]);
                 field.pairs.len() - 1
             });
-            squares += double * double * if a == b { 1.0 } else { 0.5 };
+            slices[a][row][b] += 0.5 * double;
+            slices[b][row][a] += 0.5 * double;
             rows[row] += double.abs();
             counts[row] += 1.0;
+            widths[row] += 2.0;
             field.quadratic.push(Quadratic { row, a, b, pair, exact: S::rational(c, precision), double });
         }
         let mut linear = [[0.0; N]; N];
         for (row, a, c) in &equations.linear {
             linear[*row][*a] = double(c).abs();
             counts[*row] += 1.0;
+            widths[*row] += 1.0;
             field.linear.push(Linear { row: *row, a: *a, exact: S::rational(c, precision), double: double(c) });
         }
-        field.kappa = up(f64::sqrt(squares));
+        (field.kappa, field.sigma) = sizes(&slices);
         field.kappa_terms = crate::bound::norm(&rows);
         field.lambda = frobenius(&linear);
+        field.width = widths.iter().fold(0.0, |most: f64, width| most.max(*width));
         field.depth = counts.iter().fold(0.0, |most: f64, count| most.max(*count)) + 6.0;
         field
     }
@@ -281,29 +310,45 @@ impl<S: Scalar, const N: usize> QuadraticField<S, N> {
     /// The coefficients V_0 … V_order of a solution of V̇ = Df(x(t)) V, V(0) = 1, in doubles; `x` are those of x(t), by rows.
     #[must_use]
     pub fn variation(&self, x: &[Vec<f64>; N], order: usize) -> Vec<[[f64; N]; N]> {
+        // The entries of Df that are not zero, by rows, as series in time.
+        let mut entries: [Vec<(usize, Vec<f64>)>; N] = std::array::from_fn(|_| Vec::with_capacity(N));
+        let mut add = |row: usize, column: usize, factor: f64, of: &[f64]| {
+            let row = &mut entries[row];
+            let at = row.iter().position(|(known, _)| *known == column).unwrap_or_else(|| {
+                row.push((column, vec![0.0; order]));
+                row.len() - 1
+            });
+            for (sum, x) in row[at].1.iter_mut().zip(of) {
+                *sum += factor * x;
+            }
+        };
+        for term in &self.quadratic {
+            add(term.row, term.a, term.double, &x[term.b]);
+            add(term.row, term.b, term.double, &x[term.a]);
+        }
+        for term in &self.linear {
+            add(term.row, term.a, term.double, &[1.0]);
+        }
         let mut identity = [[0.0; N]; N];
         for (i, row) in identity.iter_mut().enumerate() {
             row[i] = 1.0;
         }
         let mut series = vec![identity];
         for k in 0..order {
+            let factor = 1.0 / (k + 1) as f64;
             let mut next = [[0.0; N]; N];
-            for j in 0..=k {
-                let v = &series[k - j];
-                for term in &self.quadratic {
-                    let (of_a, of_b) = (term.double * x[term.b][j], term.double * x[term.a][j]);
-                    for m in 0..N {
-                        next[term.row][m] += of_a * v[term.a][m] + of_b * v[term.b][m];
+            for (next, entries) in next.iter_mut().zip(&entries) {
+                let mut sum = [0.0; N];
+                for (column, entry) in entries {
+                    for (factor, v) in entry.iter().zip(series.iter().rev()) {
+                        for (sum, v) in sum.iter_mut().zip(&v[*column]) {
+                            *sum += factor * v;
+                        }
                     }
                 }
+                *next = sum.map(|x| factor * x);
             }
-            for term in &self.linear {
-                for m in 0..N {
-                    next[term.row][m] += term.double * series[k][term.a][m];
-                }
-            }
-            let divisor = (k + 1) as f64;
-            series.push(next.map(|row| row.map(|x| x / divisor)));
+            series.push(next);
         }
         series
     }

@@ -3,8 +3,8 @@
 //! The equations are quadratic ([`field`]). A step takes the Taylor polynomial p of the motion from the middle of the
 //! present set, in any arithmetic ([`scalar`]), as a guess; what the guess leaves in the equations, its **defect**
 //! d = ṗ − f(p), is bounded with every rounding in it, and the theorem in [`step`] turns that into a bound of the motion
-//! of the whole set. The set is a parallelepiped in a frame that follows the flow (Lohner's method), in
-//! doubles, whatever the precision of its middle: [`set`]. [`orbit`] puts steps together.
+//! of the whole set. The set is the image of the box of the start and a few ellipsoids that hold what was added on the way
+//! ([`set`]), in doubles, whatever the precision of its middle. [`orbit`] puts steps together.
 //!
 //! Bounds are sums and products of numbers that are not negative, computed in doubles and then enlarged by more than all
 //! their roundings ([`bound`]). Nothing depends on the machine.

@@ -9,18 +9,17 @@ use bifdiag_numbers::wide::{FixedFloat, Wide};
 use dashu_ratio::RBig;
 use thiserror::Error;
 
-use crate::bound::norm;
+use crate::bound::{frobenius, norm};
 use crate::field::{ATTITUDE, Equations, QuadraticField};
 use crate::scalar::{DoubleDouble, Float, Scalar};
+use crate::set::{FlowSet, identity, product};
 use crate::start::ExactStart;
 use crate::step::{Enclosed, Step};
 
 /// The most digits that can be asked for: bounds are doubles, and beyond this their products would vanish.
 pub const MOST_DIGITS: u32 = 250;
 /// Bits of as many digits.
-const MOST_BITS: usize = 832;
-/// Bits of a pair of doubles.
-const PAIR: usize = 102;
+pub const MOST_BITS: usize = 832;
 /// The longest step, in the time of the motion's fastest frequency.
 const LONGEST: f64 = 4.0;
 
@@ -130,32 +129,35 @@ fn in_one_direction(body: &Body, start: &ExactStart, times: &[RBig], options: &P
     if let Some(digits) = options.digits {
         return problem.run_with(bits_of(digits).min(MOST_BITS));
     }
-    // Bits of the bound.
+    // Bits of the bound, and of what a regular motion loses: the square of the time, and some for roundings.
     let asked = usize::try_from(-libm::ilogb(options.bound.max(f64::MIN_POSITIVE))).unwrap_or(0);
-    let mut bits = if asked < 44 { 53 } else { asked + 12 };
     let last = times.last().map_or(0.0, |time| time.to_f64().value());
-    // How far fewer bits have come.
-    let mut before: Option<(usize, f64)> = None;
+    let turns = libm::ilogb((last * problem.speed.to_f64().value()).clamp(1.0, 1e9));
+    let mut bits = asked + 4 + 2 * usize::try_from(turns).unwrap_or(0);
+    let mut grown = false;
     loop {
         let motion = problem.run_with(bits.min(MOST_BITS));
         if motion.end != Some(ProofEnd::Wide) || motion.bits >= MOST_BITS {
             return motion;
         }
-        // Pairs of doubles cost little. Beyond them as many more bits as the last ones were spent on the way.
         let (used, reached) = (motion.bits, motion.proved[1]);
-        bits = match before {
-            _ if used < PAIR => PAIR.min(used + 27),
-            Some((fewer, earlier)) if reached > earlier => {
-                let share = (1.1 * (last - reached) / (reached - earlier)).clamp(0.0, 50.0);
-                // In hundredths of what was spent between the two runs.
-                let hundredths = (0_u16..5000).take_while(|part| f64::from(*part) < 100.0 * share).count();
-                used + 8 + (used - fewer) * hundredths / 100
-            }
-            _ => 2 * used,
+        // Once by the growth of a computed motion; where that was not enough, by what was spent up to here.
+        bits = if !grown {
+            asked + problem.growth(last)
+        } else if reached > 0.0 {
+            let share = ((last - reached) / reached).clamp(0.0, 50.0);
+            used + 8 + times_hundredths(used.saturating_sub(asked), 110.0 * share)
+        } else {
+            2 * used
         };
+        grown = true;
         bits = bits.clamp(used + 1, MOST_BITS.max(used + 1));
-        before = Some((used, reached));
     }
+}
+
+/// n x/100, rounded down.
+fn times_hundredths(n: usize, x: f64) -> usize {
+    n * (0_u16..5500).take_while(|part| f64::from(*part) < x).count() / 100
 }
 
 /// Bits of so many digits: log₂ 10 < 3.322.
@@ -177,13 +179,37 @@ impl Problem<'_> {
         match bits {
             ..=53 => self.run::<f64>((), 53),
             // Pairs of doubles, whose full length is seldom needed.
-            54..=80 => self.run::<DoubleDouble>((), 80),
+            54..=64 => self.run::<DoubleDouble>((), 64),
+            65..=80 => self.run::<DoubleDouble>((), 80),
             81..=102 => self.run::<DoubleDouble>((), 102),
             103..=255 => self.run::<Float<FixedFloat<4>>>((), 255),
             256..=383 => self.run::<Float<FixedFloat<6>>>((), 383),
             384..=511 => self.run::<Float<FixedFloat<8>>>((), 511),
             _ => self.run::<Float<Big>>(bits, bits),
         }
+    }
+
+    /// The bits that the motion up to a time loses, as it is computed in doubles: its flow's derivative, once for each step,
+    /// and some for roundings. Nothing is proved by it.
+    fn growth(&self, last: f64) -> usize {
+        let field =
+            QuadraticField::<f64, ATTITUDE>::new(&Equations::attitude(self.body, &self.speed), (), accuracy(53));
+        let mut point = self.start.attitude::<f64>(&self.speed, (), 53).middle;
+        let (mut left, mut steps, mut bits) = (last * self.speed.to_f64().value(), 0.0, 0);
+        let mut flow = identity();
+        while left > 0.0 && !self.options.stop.load(Ordering::Relaxed) {
+            let Some(step) = Step::new(&field, FlowSet::new(point, [0.0; ATTITUDE]), LONGEST) else { break };
+            let (map, next) = step.plain_end();
+            let image = product(&map, &flow);
+            // Powers of two, so that nothing overflows.
+            let exponent = libm::ilogb(frobenius(&image));
+            flow = image.map(|row| row.map(|x| libm::ldexp(x, -exponent)));
+            bits += i64::from(exponent);
+            left -= step.length();
+            steps += 1.0;
+            point = next;
+        }
+        usize::try_from(bits.max(0)).unwrap_or(0) + usize::try_from(libm::ilogb(1.0 + steps)).unwrap_or(0) + 8
     }
 
     fn run<S: Scalar>(&self, precision: S::Precision, bits: usize) -> ProvedMotion {

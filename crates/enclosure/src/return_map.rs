@@ -19,7 +19,7 @@ use thiserror::Error;
 use crate::bound::{exp, frobenius, norm, up};
 use crate::field::{Equations, FREE, QuadraticField};
 use crate::scalar::{DoubleDouble, Scalar};
-use crate::set::{self, FramedSet, ROUNDINGS, inverse_bound};
+use crate::set::{self, FlowSet, ROUNDINGS, inverse_bound};
 use crate::start::ExactStart;
 use crate::step::Step;
 
@@ -42,7 +42,7 @@ pub struct Return {
 #[derive(Clone, Debug)]
 pub struct Starts {
     speed: RBig,
-    set: FramedSet<DoubleDouble, FREE>,
+    set: FlowSet<DoubleDouble, FREE>,
 }
 
 impl Starts {
@@ -51,7 +51,7 @@ impl Starts {
     pub fn near(body: &Body, start: &ExactStart, radius: f64) -> Self {
         let speed = start.speed(body);
         let mut set = start.free::<DoubleDouble>(&speed, (), 106);
-        for r in &mut set.radii {
+        for r in &mut set.shape.radii {
             *r = up(*r + radius);
         }
         Self { speed, set }
@@ -67,7 +67,7 @@ impl Starts {
         let unit = speed.to_f64().value();
         let scaled = |i: usize| if i < 3 { 1.0 } else { 1.0 / unit };
         let middle = std::array::from_fn(|i| DoubleDouble::double(middle[i] * scaled(i), ()));
-        let set = FramedSet::new(middle, std::array::from_fn(|i| up(radii[i] * scaled(i))));
+        let set = FlowSet::new(middle, std::array::from_fn(|i| up(radii[i] * scaled(i))));
         Some(Self { speed, set })
     }
 }
@@ -366,13 +366,9 @@ impl Crossing<'_> {
         let delay = at_middle / rate;
         let (images, rest) = self.step.image(&time);
         let state = std::array::from_fn(|i| {
-            let along: f64 = (0..FREE)
-                .map(|j| {
-                    let entry =
-                        (0..FREE).fold(Interval::ZERO, |sum, m| sum + turned[i][m] * Interval::point(images[m][j]));
-                    entry.magnitude() * self.step.start().radii[j]
-                })
-                .sum();
+            let along = images.reach(|v| {
+                (0..FREE).fold(Interval::ZERO, |sum, m| sum + turned[i][m] * Interval::point(v[m])).magnitude()
+            });
             let beside = (0..FREE).map(|m| turned[i][m].magnitude()).sum::<f64>() * rest;
             p[i] - delay * f[i] + ball(up(along) + up(beside))
         });

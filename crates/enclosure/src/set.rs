@@ -1,4 +1,18 @@
-//! Sets that hold a state: a middle, and a parallelepiped about it in a frame that follows the flow (Lohner's representation).
+//! Sets that hold a state: a middle, the image of the box of the start, and ellipsoids that hold what came on the way.
+//!
+//! A linear map takes such a set to such a set, whatever it does to angles, so that nothing is ever wrapped. Each step adds
+//! a ball, one more ellipsoid; so that they do not become many, two that hold equally many steps are joined, as digits are
+//! carried in a binary counter: n steps leave at most 1 + log₂ n ellipsoids, and no step is joined more often than that.
+//!
+//! **Lemma.** Let a > 0, b > 0, 1/a² + 1/b² ≤ 1, K = (aE, bG) an N × 2N matrix, Q a 2N × N matrix, L an N × N matrix. For
+//! ‖u‖ ≤ 1, ‖v‖ ≤ 1 the vector Eu + Gv is Lw + z with ‖w‖ ≤ ‖Q‖ and ‖z‖ ≤ ‖K − LQᵀ‖.
+//!
+//! *Proof.* Eu + Gv = Ky with y = (u/a, v/b), ‖y‖² ≤ 1/a² + 1/b² ≤ 1, and Ky = L(Qᵀy) + (K − LQᵀ)y. ∎
+//!
+//! Q is an orthonormal basis of the rows of K and L = KQ, both rounded, so that ‖Q‖ is nearly 1 and z nearly 0: it joins
+//! the next ball. With a² = 1 + ‖G‖/‖E‖, b² = 1 + ‖E‖/‖G‖ (Frobenius norms) the norm of L is the sum of those of E and G,
+//! and no other choice makes it smaller: where all ellipsoids are long in the same direction, as the flow makes them, sizes
+//! add as they do for intervals of one dimension.
 
 use crate::bound::{frobenius, norm, up};
 use crate::scalar::Scalar;
@@ -9,25 +23,97 @@ pub type Matrix<const N: usize> = [[f64; N]; N];
 /// Roundings of a sum of N products, N ≤ 9, of rounded entries.
 pub(crate) const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
 
-/// A frame whose inverse is larger than this is made orthogonal.
-const STRETCH: f64 = 50.0;
+/// What is left of a row of a matrix of norm about 1 and is rounding.
+const DEPENDENT: f64 = 1e-14;
 
-/// All x = middle + F e with |e_j| ≤ radius_j, F the frame, whose columns have length 1 within rounding.
+/// All E u with ‖u‖ ≤ 1.
 #[derive(Clone, Debug)]
-pub struct FramedSet<S, const N: usize> {
-    /// The middle, a point.
-    pub middle: [S; N],
-    /// The frame.
-    pub frame: Matrix<N>,
-    /// Radii along its columns.
-    pub radii: [f64; N],
+struct Ellipsoid<const N: usize> {
+    matrix: Matrix<N>,
+    /// The steps whose balls it holds.
+    steps: u32,
 }
 
-impl<S: Scalar, const N: usize> FramedSet<S, N> {
+/// All F e + Σ Eᵢuᵢ with |e_j| ≤ radius_j, ‖uᵢ‖ ≤ 1.
+#[derive(Clone, Debug)]
+pub struct Shape<const N: usize> {
+    /// F: the derivative of the flow since the start.
+    pub frame: Matrix<N>,
+    /// Radii of the box of the start.
+    pub radii: [f64; N],
+    /// Longest held first.
+    ellipsoids: Vec<Ellipsoid<N>>,
+}
+
+impl<const N: usize> Shape<N> {
+    /// A box.
+    #[must_use]
+    pub fn new(radii: [f64; N]) -> Self {
+        Self { frame: identity(), radii, ellipsoids: Vec::new() }
+    }
+
+    /// Bounds of |x_i|.
+    #[must_use]
+    pub fn component_radii(&self) -> [f64; N] {
+        std::array::from_fn(|i| {
+            let box_part = (0..N).map(|j| self.frame[i][j].abs() * self.radii[j]).sum::<f64>();
+            up(box_part + self.ellipsoids.iter().map(|e| norm(&e.matrix[i])).sum::<f64>())
+        })
+    }
+
+    /// A bound of |⟨c, x⟩|, where `bound` bounds |⟨c, v⟩| for a vector v.
+    #[must_use]
+    pub fn reach(&self, bound: impl Fn([f64; N]) -> f64) -> f64 {
+        let columns = |matrix: &Matrix<N>| transposed(matrix).map(&bound);
+        let along = columns(&self.frame);
+        let box_part = (0..N).map(|j| along[j] * self.radii[j]).sum::<f64>();
+        up(box_part + self.ellipsoids.iter().map(|e| norm(&columns(&e.matrix))).sum::<f64>())
+    }
+
+    /// The image under M, and a bound of how far its points are from where they should be, by rounding.
+    #[must_use]
+    pub fn image(&self, map: &Matrix<N>) -> (Self, f64) {
+        let mut sizes = frobenius(&self.frame) * norm(&self.radii);
+        let ellipsoids = self.ellipsoids.iter().map(|e| {
+            sizes += frobenius(&e.matrix);
+            Ellipsoid { matrix: product(map, &e.matrix), steps: e.steps }
+        });
+        let ellipsoids = ellipsoids.collect();
+        let shape = Self { frame: product(map, &self.frame), radii: self.radii, ellipsoids };
+        (shape, up(ROUNDINGS * frobenius(map) * sizes))
+    }
+
+    /// The sum with a ball, after ellipsoids that hold equally many steps were joined.
+    #[must_use]
+    pub fn widened(mut self, mut ball: f64) -> Self {
+        while let [.., a, b] = &self.ellipsoids[..]
+            && a.steps == b.steps
+        {
+            let (matrix, beside) = joined(&a.matrix, &b.matrix);
+            let steps = a.steps + b.steps;
+            ball = up(ball + beside);
+            self.ellipsoids.truncate(self.ellipsoids.len() - 2);
+            self.ellipsoids.push(Ellipsoid { matrix, steps });
+        }
+        self.ellipsoids.push(Ellipsoid { matrix: identity().map(|row| row.map(|x| ball * x)), steps: 1 });
+        self
+    }
+}
+
+/// All x = middle + y, y of a shape.
+#[derive(Clone, Debug)]
+pub struct FlowSet<S, const N: usize> {
+    /// The middle, a point.
+    pub middle: [S; N],
+    /// What is about it.
+    pub shape: Shape<N>,
+}
+
+impl<S: Scalar, const N: usize> FlowSet<S, N> {
     /// A box.
     #[must_use]
     pub fn new(middle: [S; N], radii: [f64; N]) -> Self {
-        Self { middle, frame: identity(), radii }
+        Self { middle, shape: Shape::new(radii) }
     }
 
     /// A bound of ‖x − middle‖.
@@ -39,41 +125,68 @@ impl<S: Scalar, const N: usize> FramedSet<S, N> {
     /// Bounds of |x_i − middle_i|.
     #[must_use]
     pub fn component_radii(&self) -> [f64; N] {
-        image_radii(&self.frame, &self.radii)
+        self.shape.component_radii()
     }
 
-    /// The set that holds M(x − old middle) + v + `middle` for all x of this set and ‖v‖ ≤ `ball`. The frame follows M as it is,
-    /// so that nothing is wrapped, until its columns become too parallel; then it is made orthogonal by QR, the widest columns
-    /// first (Lohner). `None` when the frame degenerates.
+    /// The set that holds M(x − old middle) + v + `middle` for all x of this set and ‖v‖ ≤ `ball`; `None` when a number left
+    /// the range of doubles.
     #[must_use]
     pub fn mapped(&self, map: &Matrix<N>, ball: f64, middle: [S; N]) -> Option<Self> {
-        let image = product(map, &self.frame);
-        let (frame, inverse) = followed(&image).or_else(|| {
-            let frame = orthonormal(&image, &self.radii)?;
-            Some((frame, transposed(&frame)))
-        })?;
-        // F⁻¹ = (1 − D)⁻¹ G with D = 1 − GF, so that |F⁻¹w − Gw| ≤ ‖D‖/(1 − ‖D‖) ‖G‖ ‖w‖.
-        let defect = inverse_defect(&inverse, &frame);
-        if defect > 1e-6 {
-            return None;
-        }
-        let inward = product(&inverse, &image);
-        let (widest, size) = (norm(&self.radii), frobenius(&inverse));
-        // Of the image, and of what G makes of it.
-        let rounding = up(2.0 * ROUNDINGS * frobenius(map) * frobenius(&self.frame) * size * widest);
-        let beside = up(defect / (1.0 - defect) * (size * frobenius(&image) * widest + rounding)
-            + size / (1.0 - defect) * ball
-            + rounding);
-        let radii =
-            std::array::from_fn(|i| up((0..N).map(|j| inward[i][j].abs() * self.radii[j]).sum::<f64>() + beside));
-        Some(Self { middle, frame, radii })
+        let (shape, rounding) = self.shape.image(map);
+        let shape = shape.widened(up(ball + rounding));
+        shape.component_radii().iter().all(|radius| radius.is_finite()).then_some(Self { middle, shape })
     }
 }
 
-/// Bounds of |(M e)_i| for |e_j| ≤ radius_j.
-#[must_use]
-pub fn image_radii<const N: usize>(matrix: &Matrix<N>, radii: &[f64; N]) -> [f64; N] {
-    std::array::from_fn(|i| up((0..N).map(|j| matrix[i][j].abs() * radii[j]).sum::<f64>()))
+/// L and a bound of ‖z‖ as in the lemma above, L already stretched by ‖Q‖.
+fn joined<const N: usize>(first: &Matrix<N>, second: &Matrix<N>) -> (Matrix<N>, f64) {
+    let sizes = [frobenius(first), frobenius(second)];
+    let [a, b] = [1.0 + sizes[1] / sizes[0], 1.0 + sizes[0] / sizes[1]].map(f64::sqrt);
+    // A power of two: nothing vanishes, and scaling is exact.
+    let unit = libm::ldexp(1.0, libm::ilogb(a * sizes[0] + b * sizes[1]));
+    let scaled = |matrix: &Matrix<N>, factor: f64| matrix.map(|row| row.map(|x| factor * (x / unit)));
+    let (left, right) = (scaled(first, a), scaled(second, b));
+    let dot = |u: [&[f64; N]; 2], v: [&[f64; N]; 2]| (0..N).map(|m| u[0][m] * v[0][m] + u[1][m] * v[1][m]).sum::<f64>();
+    // Gram and Schmidt, twice. A row that depends on those before it is left out.
+    let (mut q, mut p) = ([[0.0; N]; N], [[0.0; N]; N]);
+    for i in 0..N {
+        let (mut u, mut v) = (left[i], right[i]);
+        for _ in 0..2 {
+            for j in 0..i {
+                let along = dot([&u, &v], [&q[j], &p[j]]);
+                for m in 0..N {
+                    u[m] -= along * q[j][m];
+                    v[m] -= along * p[j][m];
+                }
+            }
+            let length = dot([&u, &v], [&u, &v]).sqrt();
+            let factor = if length > DEPENDENT { 1.0 / length } else { 0.0 };
+            (u, v) = (u.map(|x| factor * x), v.map(|x| factor * x));
+        }
+        (q[i], p[i]) = (u, v);
+    }
+    let basis = |j: usize| [&q[j], &p[j]];
+    let matrix: Matrix<N> = std::array::from_fn(|i| std::array::from_fn(|j| dot([&left[i], &right[i]], basis(j))));
+    let (mut beside, mut gram) = (0.0, 0.0);
+    for i in 0..N {
+        let (mut u, mut v) = (left[i], right[i]);
+        for j in 0..N {
+            for m in 0..N {
+                u[m] -= matrix[i][j] * q[j][m];
+                v[m] -= matrix[i][j] * p[j][m];
+            }
+            // The square of a length is 0 or nearly 1.
+            let inner = dot(basis(i), basis(j));
+            let inner = if i == j && inner > 0.5 { inner - 1.0 } else { inner };
+            gram += inner * inner;
+        }
+        beside += dot([&u, &v], [&u, &v]);
+    }
+    // ‖Q‖² = ‖QᵀQ‖ ≤ 1 + ‖QᵀQ − D‖ for a diagonal matrix D of zeros and ones; entries are below 2.
+    let stretch = up(1.0 + 0.5 * (gram.sqrt() + 4.0 * N as f64 * ROUNDINGS));
+    let size = frobenius(&matrix) + frobenius(&left) + frobenius(&right);
+    let matrix = matrix.map(|row| row.map(|x| stretch * unit * x));
+    (matrix, up(unit * (beside.sqrt() + 4.0 * N as f64 * ROUNDINGS * size)))
 }
 
 /// 1.
@@ -119,17 +232,6 @@ pub(crate) fn inverse_bound<const N: usize>(matrix: &Matrix<N>) -> f64 {
     if defect < 0.5 { up(frobenius(&inverse) / (1.0 - defect)) } else { f64::INFINITY }
 }
 
-/// The columns of M brought to length 1, and the inverse of that; `None` where it is larger than [`STRETCH`].
-fn followed<const N: usize>(matrix: &Matrix<N>) -> Option<(Matrix<N>, Matrix<N>)> {
-    let columns = transposed(matrix).map(|column| {
-        let length = column.iter().map(|x| x * x).sum::<f64>().sqrt();
-        column.map(|x| x / length)
-    });
-    let frame = transposed(&columns);
-    let inverse = inverse(&frame)?;
-    (frobenius(&inverse) <= STRETCH).then_some((frame, inverse))
-}
-
 /// The inverse, rounded, by Gauss and Jordan with pivots.
 fn inverse<const N: usize>(matrix: &Matrix<N>) -> Option<Matrix<N>> {
     let (mut left, mut right) = (*matrix, identity());
@@ -151,28 +253,54 @@ fn inverse<const N: usize>(matrix: &Matrix<N>) -> Option<Matrix<N>> {
     right.as_flattened().iter().all(|x| x.is_finite()).then_some(right)
 }
 
-/// The columns of M, those first that are longest when weighted by the radii, made orthonormal by Gram and Schmidt, twice.
-fn orthonormal<const N: usize>(matrix: &Matrix<N>, radii: &[f64; N]) -> Option<Matrix<N>> {
-    let columns = transposed(matrix);
-    let mut order: [usize; N] = std::array::from_fn(|j| j);
-    let weight = |j: usize| columns[j].iter().map(|x| x * x).sum::<f64>().sqrt() * radii[j];
-    order.sort_by(|i, j| weight(*j).total_cmp(&weight(*i)));
-    let mut found: Vec<[f64; N]> = Vec::with_capacity(N);
-    for j in order {
-        let mut v = columns[j];
-        for _ in 0..2 {
-            let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
-            v = v.map(|x| x / length);
-            for u in &found {
-                let along = (0..N).map(|i| u[i] * v[i]).sum::<f64>();
-                for i in 0..N {
-                    v[i] -= along * u[i];
-                }
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use support::random::SplitMix64;
+
+    type Ellipse = Matrix<5>;
+
+    /// The largest ⟨c, x⟩ over an ellipsoid.
+    fn support(matrix: &Ellipse, c: &[f64; 5]) -> f64 {
+        let along: [f64; 5] = std::array::from_fn(|j| (0..5).map(|i| c[i] * matrix[i][j]).sum());
+        along.iter().map(|x| x * x).sum::<f64>().sqrt()
+    }
+
+    /// In no direction does the sum of two ellipsoids reach further than what joins them, though one may be flat, or tiny.
+    #[test]
+    fn what_joins_two_ellipsoids_holds_their_sum() {
+        let mut random = SplitMix64::new(5);
+        for round in 0..400 {
+            let scale = [1.0, 1e-8, 1e-120, 1e-30][round % 4];
+            let mut matrix = |columns: usize, size: f64| -> Ellipse {
+                std::array::from_fn(|_| {
+                    std::array::from_fn(|j| if j < columns { size * random.between(-1.0, 1.0) } else { 0.0 })
+                })
+            };
+            let first = matrix(1 + round % 5, scale);
+            let second = matrix(1 + round / 7 % 5, scale * [1.0, 1e-6, 1e-17][round % 3]);
+            let (held, beside) = joined(&first, &second);
+            let sizes = frobenius(&first) + frobenius(&second);
+            assert!(frobenius(&held) <= sizes * (1.0 + 1e-9) && beside <= 1e-11 * sizes, "{round}");
+            for _ in 0..50 {
+                let c: [f64; 5] = std::array::from_fn(|_| random.between(-1.0, 1.0));
+                let length = c.iter().map(|x| x * x).sum::<f64>().sqrt();
+                let (sum, bound) = (support(&first, &c) + support(&second, &c), support(&held, &c) + length * beside);
+                assert!(sum <= bound * (1.0 + 1e-14), "{round}: {sum} {bound}");
             }
         }
-        let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
-        found.push(v.map(|x| x / length));
     }
-    let frame = transposed(&std::array::from_fn(|j| found[j]));
-    frame.as_flattened().iter().all(|x| x.is_finite()).then_some(frame)
+
+    /// Steps are carried as in a binary counter, and a ball that is only mapped by 1 grows as intervals do.
+    #[test]
+    fn steps_leave_few_ellipsoids() {
+        let mut shape = Shape::<5>::new([0.0; 5]);
+        for step in 1..=1000_u32 {
+            shape = shape.image(&identity()).0.widened(1e-9);
+            assert_eq!(shape.ellipsoids.iter().map(|e| e.steps).sum::<u32>(), step);
+            assert!(shape.ellipsoids.len() <= 1 + step.ilog2() as usize + 1);
+        }
+        let radius = shape.component_radii()[0];
+        assert!(radius >= 1e-6 && radius < 1.01e-6, "{radius}");
+    }
 }

@@ -7,7 +7,7 @@ use dashu_ratio::RBig;
 
 use crate::bound::up;
 use crate::scalar::Scalar;
-use crate::set::FramedSet;
+use crate::set::FlowSet;
 
 /// The start: a vertical of any length, the angular velocity, both in the body's axes, and Euler's angle φ.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,7 +46,7 @@ impl ExactStart {
 
     /// (γ, ω/speed) at the start.
     #[must_use]
-    pub fn free<S: Scalar>(&self, speed: &RBig, precision: S::Precision, bits: usize) -> FramedSet<S, 6> {
+    pub fn free<S: Scalar>(&self, speed: &RBig, precision: S::Precision, bits: usize) -> FlowSet<S, 6> {
         let [x, y, z] = self.vertical(bits + GUARD);
         let [a, b, c] = self.velocity(speed, bits + GUARD);
         enclosed(&[x, y, z, a, b, c], precision)
@@ -54,7 +54,7 @@ impl ExactStart {
 
     /// (q, ω/speed) at the start.
     #[must_use]
-    pub fn attitude<S: Scalar>(&self, speed: &RBig, precision: S::Precision, bits: usize) -> FramedSet<S, 7> {
+    pub fn attitude<S: Scalar>(&self, speed: &RBig, precision: S::Precision, bits: usize) -> FlowSet<S, 7> {
         let [w, x, y, z] = self.quaternion(bits + GUARD);
         let [a, b, c] = self.velocity(speed, bits + GUARD);
         enclosed(&[w, x, y, z, a, b, c], precision)
@@ -137,7 +137,7 @@ fn cosine_and_sine(x: &RBig, bits: usize) -> (Wide, Wide) {
 }
 
 /// A box about intervals.
-fn enclosed<S: Scalar, const N: usize>(values: &[Wide; N], precision: S::Precision) -> FramedSet<S, N> {
+fn enclosed<S: Scalar, const N: usize>(values: &[Wide; N], precision: S::Precision) -> FlowSet<S, N> {
     let mut radii = [f64::INFINITY; N];
     let middle = std::array::from_fn(|i| {
         let ends = values[i].exact_bounds().unwrap_or([RBig::ZERO, RBig::ZERO]);
@@ -149,5 +149,5 @@ fn enclosed<S: Scalar, const N: usize>(values: &[Wide; N], precision: S::Precisi
         }
         rounded
     });
-    FramedSet::new(middle, radii)
+    FlowSet::new(middle, radii)
 }

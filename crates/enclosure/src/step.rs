@@ -20,10 +20,10 @@
 
 use dashu_ratio::RBig;
 
-use crate::bound::{exp, frobenius, norm, up};
+use crate::bound::{exp, frobenius, norm, spectral, up};
 use crate::field::{QuadraticField, Series};
 use crate::scalar::Scalar;
-use crate::set::{FramedSet, Matrix, image_radii, product};
+use crate::set::{FlowSet, Matrix, Shape};
 
 /// Terms of the polynomial of the variation: it needs only a few digits, since what it multiplies is small.
 const VARIATION_ORDER: usize = 12;
@@ -50,7 +50,7 @@ pub fn order_for(unit: f64) -> usize {
 #[derive(Clone, Debug)]
 pub struct Step<'a, S: Scalar, const N: usize> {
     field: &'a QuadraticField<S, N>,
-    start: FramedSet<S, N>,
+    start: FlowSet<S, N>,
     /// p.
     series: Series<S, N>,
     /// Of W.
@@ -114,7 +114,7 @@ impl<'a, S: Scalar, const N: usize> Step<'a, S, N> {
     /// The longest step from a set whose defect is about a rounding, at most `longest`; `None` where nothing can be proved: the
     /// set is too wide, or a number left the range of doubles.
     #[must_use]
-    pub fn new(field: &'a QuadraticField<S, N>, start: FramedSet<S, N>, longest: f64) -> Option<Self> {
+    pub fn new(field: &'a QuadraticField<S, N>, start: FlowSet<S, N>, longest: f64) -> Option<Self> {
         let order = order_for(field.accuracy);
         // With steps of e⁻² of the radius of convergence the k-th term is about e⁻²ᵏ: beyond this one doubles suffice.
         let spare = usize::try_from(libm::ilogb(UNIT) - libm::ilogb(field.accuracy)).unwrap_or(0);
@@ -160,7 +160,7 @@ impl<'a, S: Scalar, const N: usize> Step<'a, S, N> {
         let (field, h) = (self.field, self.length);
         let order = norms.x.len() - 1;
         let tail = powers(h, std::iter::once(0.0).chain(norms.x[1..].iter().copied()));
-        let steepness = up(steepness + 2.0 * field.kappa * tail);
+        let steepness = up(steepness + field.sigma * tail);
         if steepness * h > 3.0 {
             return false;
         }
@@ -182,14 +182,17 @@ impl<'a, S: Scalar, const N: usize> Step<'a, S, N> {
         };
         let defect = up(truncation + powers(h, (0..order).map(rounded)));
         let size = self.start.size();
-        let deviation = up(1.2 * (size + h * defect) * growth);
-        if up((size + h * defect) * exp((steepness + field.kappa * deviation) * h)) >= deviation {
+        let guess = up(1.2 * (size + h * defect) * growth);
+        // ‖e‖ < ε with the guess for ε, and therefore this bound, which is nearly always smaller.
+        let deviation = up((size + h * defect) * exp((steepness + field.kappa * guess) * h));
+        if deviation >= guess {
             return false;
         }
         let last = norms.w.len() - 1;
         let rounded = |k: usize| {
             let terms = 2.0 * field.kappa_terms * norms.xw[k] + field.lambda * norms.w[k];
-            (k as f64 + field.depth + 4.0) * UNIT * terms
+            // All summands of a row are added one after the other.
+            ((k as f64 + 1.0) * field.width + 12.0) * UNIT * terms
         };
         let variation_defect = up(powers(h, (0..last).map(rounded))
             + power(h, last)
@@ -216,7 +219,7 @@ impl<'a, S: Scalar, const N: usize> Step<'a, S, N> {
 
     /// Where it starts.
     #[must_use]
-    pub fn start(&self) -> &FramedSet<S, N> {
+    pub fn start(&self) -> &FlowSet<S, N> {
         &self.start
     }
 
@@ -270,30 +273,35 @@ impl<'a, S: Scalar, const N: usize> Step<'a, S, N> {
         &self.series.doubles
     }
 
-    /// W(t)F for the frame F of the start, and a bound of what the motions of the set are beside it, with all roundings.
+    /// The image of the start's shape under W(t), and a bound of what the motions of the set are beside it, with all roundings.
     #[must_use]
-    pub fn image(&self, time: &RBig) -> (Matrix<N>, f64) {
+    pub fn image(&self, time: &RBig) -> (Shape<N>, f64) {
         self.imaged(&self.polynomials(time).1)
     }
 
-    fn imaged(&self, map: &Matrix<N>) -> (Matrix<N>, f64) {
-        let frame = &self.start.frame;
-        let rounding = up(16.0 * f64::EPSILON * frobenius(map) * frobenius(frame) * norm(&self.start.radii));
-        (product(map, frame), up(rounding + self.rest))
+    fn imaged(&self, map: &Matrix<N>) -> (Shape<N>, f64) {
+        let (shape, rounding) = self.start.shape.image(map);
+        (shape, up(rounding + self.rest))
     }
 
     /// The motions of the set at a time from the start of the step, which is not beyond its end.
     #[must_use]
     pub fn at(&self, time: &RBig) -> Enclosed<S, N> {
         let (middle, map) = self.polynomials(time);
-        let (images, rest) = self.imaged(&map);
-        let radii = image_radii(&images, &self.start.radii).map(|radius| up(radius + rest));
-        Enclosed { middle, radii }
+        let (shape, rest) = self.imaged(&map);
+        Enclosed { middle, radii: shape.component_radii().map(|radius| up(radius + rest)) }
     }
 
-    /// The set at the end; `None` when its frame degenerates.
+    /// W and p at the end, as they are computed.
     #[must_use]
-    pub fn end(&self) -> Option<FramedSet<S, N>> {
+    pub fn plain_end(&self) -> (Matrix<N>, [S; N]) {
+        let (middle, map) = self.polynomials(&RBig::try_from(self.length).unwrap_or(RBig::ZERO));
+        (map, middle)
+    }
+
+    /// The set at the end; `None` when a number left the range of doubles.
+    #[must_use]
+    pub fn end(&self) -> Option<FlowSet<S, N>> {
         let (middle, map) = self.polynomials(&RBig::try_from(self.length).ok()?);
         self.start.mapped(&map, self.rest, middle)
     }
@@ -308,11 +316,8 @@ impl<'a, S: Scalar, const N: usize> Step<'a, S, N> {
 
 /// A bound of the largest eigenvalue of the symmetric part, not below 0.
 fn steepness<const N: usize>(matrix: &Matrix<N>) -> f64 {
-    let rows = (0..N).map(|i| {
-        let beside = (0..N).filter(|j| *j != i).map(|j| 0.5 * (matrix[i][j] + matrix[j][i]).abs());
-        matrix[i][i] + beside.sum::<f64>()
-    });
-    rows.fold(0.0, f64::max)
+    let symmetric: Matrix<N> = std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (matrix[i][j] + matrix[j][i])));
+    spectral(&symmetric)
 }
 
 /// hᵏ, not below it.

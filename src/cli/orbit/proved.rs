@@ -15,7 +15,7 @@ use crate::cli::export::{Columns, DataFormat, DataTarget, FileSet, Values, answe
 use crate::cli::failure::Failure;
 use crate::cli::input::head;
 use crate::cli::terminal::interrupt::stoppable;
-use crate::cli::terminal::{Report, Table, Timings, bound, print, significant};
+use crate::cli::terminal::{Report, Table, Timings, bound, counted, print, significant};
 
 pub fn run(problem: &Problem<'_>, timings: &Timings) -> Result<(), Failure> {
     let Problem { arguments, subject, times, .. } = problem;
@@ -54,7 +54,9 @@ fn finish(
     answered: Result<(), Failure>,
 ) -> Result<(), Failure> {
     answered?;
-    let count = format!("{} of {} times are enclosed", motion.samples.len(), problem.times.len());
+    let (found, all) = (motion.samples.len(), problem.times.len());
+    let count =
+        format!("{found} of {} {} enclosed", counted(all, "time", "times"), if found == 1 { "is" } else { "are" });
     match motion.end {
         None => Ok(()),
         Some(ProofEnd::Wide) => Err(Failure::work(format!("{count}: {}", document.notes.join("; ")))),
@@ -142,13 +144,14 @@ fn text(problem: &Problem<'_>, document: &ProvedMotionDocument, motion: &ProvedM
         if motion.samples.len() > LISTED {
             report.line(format!("… and {} more; --data FILE.csv writes all", motion.samples.len() - LISTED));
         }
+        report.line(super::report::FRAME);
         report.line("");
     }
     report.line(format!(
-        "widest enclosure: {}, of gamma, omega, rotation and quaternion; {} bits, {} steps",
+        "widest enclosure: {}, of gamma, omega, rotation and quaternion; {} bits, {}",
         bound(document.widest, 2),
         document.bits,
-        document.steps
+        counted(document.steps, "step", "steps")
     ));
     report.line("The ends of each interval are in --json and --data; the table shows middles.");
     for note in &document.notes {

@@ -113,6 +113,9 @@ pub fn columns(document: &MotionDocument, samples: &[MotionSample]) -> Result<Co
     Columns::new(columns, document)
 }
 
+/// What the components of gamma and the attitude are of.
+pub const FRAME: &str = "gamma points down, along gravity, and so does the third axis of space";
+
 /// Samples that are listed; those beyond, and all where they are written, are in the data.
 const LISTED: usize = 40;
 
@@ -126,7 +129,7 @@ pub fn text(subject: &Subject, document: &MotionDocument, samples: &[MotionSampl
         if samples.len() > LISTED {
             report.line(format!("… and {} more; --data FILE.csv writes all", samples.len() - LISTED));
         }
-        report.line("gamma points down, along gravity, and so does the third axis of space");
+        report.line(FRAME);
         report.line("");
     }
     let summary = &document.summary;

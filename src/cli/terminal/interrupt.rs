@@ -3,6 +3,7 @@
 use std::fs;
 use std::mem;
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, Once, PoisonError, TryLockError};
 use std::time::{Duration, Instant};
 
@@ -19,6 +20,9 @@ static WRITING: Mutex<()> = Mutex::new(());
 
 /// Files and directories that go if an interrupt ends the process before their set is whole.
 static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// Whether anything was ever written.
+static WRITTEN: AtomicBool = AtomicBool::new(false);
 
 /// The work under way, if results of it can be kept.
 static WORK: Mutex<Work> = Mutex::new(Work::Nothing);
@@ -39,7 +43,9 @@ fn lock<T>(mutex: &'static Mutex<T>) -> MutexGuard<'static, T> {
 
 /// Until the guard is dropped, an interrupt waits.
 pub fn uninterrupted() -> MutexGuard<'static, ()> {
-    lock(&WRITING)
+    let guard = lock(&WRITING);
+    WRITTEN.store(true, Ordering::Relaxed);
+    guard
 }
 
 /// The list of what is not whole yet; the process does not end by an interrupt while it is held.
@@ -136,7 +142,8 @@ fn end(since: Instant) -> ! {
         let _not_there = fs::remove_file(path).or_else(|_no_file| fs::remove_dir(path));
     }
     if !matches!(guard, Err(TryLockError::WouldBlock)) {
-        say("interrupted; what was written is whole");
+        let written = WRITTEN.load(Ordering::Relaxed);
+        say(if written { "interrupted; what was written is whole" } else { "interrupted; nothing was written" });
     }
     std::process::exit(1);
 }
