@@ -41,7 +41,7 @@ pub fn chaos_point(
         point_shares(&solver, [&h, &l], &options, &monitor)
     };
     let found = work::run(python, threads, &monitor.stop, work)?.map_err(|error| match error {
-        PointError::Forbidden | PointError::OnCurve | PointError::TooNear => errors::input(&error),
+        PointError::Nowhere(_) | PointError::TooNear => errors::input(&error),
         _ => errors::range(&error),
     })?;
     json(&documents::chaos_point(&body.subject, [&h, &l], &found, &options))

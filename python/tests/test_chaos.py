@@ -86,7 +86,7 @@ def test_wrong_questions_are_refused(paper):
     ]:
         with pytest.raises(bifdiag.InputError, match=told):
             paper.chaos(**options)
-    with pytest.raises(bifdiag.InputError, match="on a curve"):
+    with pytest.raises(bifdiag.InputError, match="on the curve"):
         bifdiag.Body.preset("kovalevskaya").chaos(2, 2)
 
 

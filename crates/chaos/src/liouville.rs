@@ -2,6 +2,7 @@
 //! docs/algorithms.md).
 
 use std::f64::consts::{PI, SQRT_2, TAU};
+use std::sync::OnceLock;
 
 use bifdiag_body::Body;
 use bifdiag_diagram::accessible::{AccessibleRegion, component_of};
@@ -45,6 +46,8 @@ pub struct EnergySurface {
     l: f64,
     components: usize,
     region: AccessibleRegion,
+    /// Of each component, once it was asked for.
+    domains: Vec<OnceLock<Domain>>,
 }
 
 impl EnergySurface {
@@ -62,6 +65,7 @@ impl EnergySurface {
             l: units.reduce(l, Dimension::MOMENTUM),
             components,
             region: AccessibleRegion::new(body, h, l)?,
+            domains: vec![OnceLock::new(); components],
         })
     }
 
@@ -98,7 +102,8 @@ impl EnergySurface {
         from: u64,
     ) -> Result<(Vec<State>, u64), SampleError> {
         let partition = self.region.partition()?;
-        let domain = self.domain(partition.as_ref(), component);
+        let Some(domain) = self.domains.get(component) else { return Err(SampleError::TooSmall { component }) };
+        let domain = domain.get_or_init(|| self.domain(partition.as_ref(), component));
         let smallest = self.reduced.moments().iter().copied().fold(f64::INFINITY, f64::min);
         let mut states = Vec::with_capacity(count);
         let mut idle = 0;
@@ -189,6 +194,7 @@ impl EnergySurface {
 }
 
 /// Where the places of a component lie.
+#[derive(Clone, Copy, Debug)]
 struct Domain {
     cap: Cap,
     /// No other component meets the cap.
@@ -196,6 +202,7 @@ struct Domain {
 }
 
 /// The points of the sphere within an angle from a centre.
+#[derive(Clone, Copy, Debug)]
 struct Cap {
     center: [f64; 3],
     first: [f64; 3],

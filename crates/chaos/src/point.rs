@@ -1,10 +1,12 @@
 //! The chaotic shares of the energy surface at one point.
 
+use bifdiag_body::Body;
 use bifdiag_diagram::arrangement::RegionId;
 use bifdiag_diagram::atlas::Spot;
-use bifdiag_diagram::topology::{Answer, Component};
+use bifdiag_diagram::topology::{Answer, Classification, Component};
+use bifdiag_dynamics::poincare::PoincareError;
 use bifdiag_dynamics::section::Monitor;
-use bifdiag_exact::{AnswerError, Solver};
+use bifdiag_exact::{AnswerError, Solver, critical};
 use bifdiag_numbers::Number;
 use thiserror::Error;
 
@@ -25,14 +27,9 @@ pub struct PointShares {
 /// Why a point has no shares.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum PointError {
-    /// Nothing moves there.
-    #[error("(h, l) is forbidden: h is below the minimum of U_l; choose h above it")]
-    Forbidden,
-    /// The energy surface is singular.
-    #[error(
-        "(h, l) lies on a curve of the bifurcation diagram, where the energy surface is singular; choose h above or below"
-    )]
-    OnCurve,
+    /// Nothing moves there, or the energy surface is singular: in the words that sections have for it.
+    #[error(transparent)]
+    Nowhere(PoincareError),
     /// Doubles cannot tell the point from a curve.
     #[error(
         "(h, l) is too near to a curve of the bifurcation diagram for orbits in double precision; choose h farther from it"
@@ -62,12 +59,25 @@ pub fn point_shares(
     let found = solver.classify(h, l)?;
     let components = match &found.answer {
         Answer::Regular(components) => components.to_vec(),
-        Answer::Forbidden => return Err(PointError::Forbidden),
-        Answer::Critical(_) => return Err(PointError::OnCurve),
+        Answer::Forbidden | Answer::Critical(_) => {
+            return Err(PointError::Nowhere(nowhere(solver.body(), h, l, &found)));
+        }
         Answer::Undecided(_) => return Err(PointError::TooNear),
     };
     let Spot::Region(region) = solver.spot(h, l, &found.answer) else { return Err(PointError::TooNear) };
     let surface = EnergySurface::new(solver.body(), h.to_f64(), l.to_f64(), components.len());
     let shares = shares(&surface.map_err(PointError::Range)?, options, monitor)?;
     Ok(PointShares { region, components, shares })
+}
+
+/// Why a point is in no region.
+fn nowhere(body: &Body, h: &Number, l: &Number, found: &Classification) -> PoincareError {
+    let (h, l_text) = (h.text().to_owned(), l.text().to_owned());
+    if found.answer == Answer::Forbidden {
+        let lowest = critical(body, l).ok().and_then(|found| found.list.into_iter().next());
+        let branch = lowest.as_ref().and_then(|point| point.curve).map_or_else(String::new, |curve| curve.to_string());
+        return PoincareError::Forbidden { h, l: l_text, lowest: lowest.map_or(f64::NAN, |point| point.h), branch };
+    }
+    let curve = found.margin.nearest.map_or_else(String::new, |curve| curve.to_string());
+    PoincareError::OnCurve { h, l: l_text, curve }
 }

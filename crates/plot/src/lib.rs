@@ -19,7 +19,7 @@ mod steady;
 
 pub use animation::{AnimatedCrossing, AnimationScene, draw_animation};
 pub use campbell::{Campbell, Known, draw_campbell};
-pub use chaos::{ChaosCell, ChaosScene, draw_chaos};
+pub use chaos::{ChaosCell, ChaosPanel, ChaosScene, draw_chaos};
 pub use diagram::{
     CurveSource, DiagramOptions, DiagramTitle, DiagramView, LegendPlace, MarkedPoints, draw, draw_codes, draw_figure,
 };

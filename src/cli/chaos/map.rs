@@ -16,8 +16,8 @@ use crate::cli::failure::Failure;
 use crate::cli::terminal::interrupt::stoppable;
 use crate::cli::terminal::{Progress, say};
 
-/// Tiles between two entries of the journal: what a killed map loses at most. Their orbits are shared among the threads.
-const GROUP: u64 = 4;
+/// Tiles between two entries of the journal: what a killed map loses at most. Their orbits fill the lanes of all threads.
+const GROUP: u64 = 16;
 
 pub fn run(arguments: &ShareArguments, quiet: bool) -> Result<(), Failure> {
     let point = &arguments.point;
@@ -55,11 +55,11 @@ pub fn run(arguments: &ShareArguments, quiet: bool) -> Result<(), Failure> {
     let monitor = Arc::new(Monitor::default());
     let stop = Arc::clone(&monitor);
     let interruptible = stoppable(move || stop.stop.store(true, Ordering::Relaxed));
-    let progress = Progress::new(done(&journal) - from, to - from, "tiles", quiet);
+    let progress = Progress::new(cells.within(from..done(&journal)), cells.within(from..to), "cells", quiet);
     while done(&journal) < to {
         let next = done(&journal);
         let group = next..to.min(next + GROUP);
-        let size = group.end - group.start;
+        let size = cells.within(group.clone());
         let rows = map_tiles(&solver, &cells, group, &options, &monitor).map_err(unmapped)?;
         if monitor.is_stopped() {
             break;

@@ -27,18 +27,26 @@ pub fn run(arguments: &MergeArguments) -> Result<(), Failure> {
     for shard in &shards {
         let [from, to] = shard.tiles;
         if from != next {
-            let what = if from > next { "are missing" } else { "are there twice" };
-            let (low, high) = (from.min(next), from.max(next));
-            return Err(Failure::input(format!("tiles {low} to {} {what}; name each shard of the map once", high - 1)));
+            let what = if from > next { "missing" } else { "there twice" };
+            let tiles = tiles(from.min(next), from.max(next));
+            return Err(Failure::input(format!("{tiles} {what}; name each shard of the map once")));
         }
         next = to;
     }
     if next != cells.tiles() {
-        let last = cells.tiles() - 1;
-        return Err(Failure::input(format!("tiles {next} to {last} are missing; make that shard too and name it")));
+        let tiles = tiles(next, cells.tiles());
+        return Err(Failure::input(format!("{tiles} missing; make that shard too and name it")));
     }
     let map = ChaosMapDocument { tiles: [0, next], ..whole(first) };
     output::write(target, map, shards)
+}
+
+/// Which tiles are (missing, or there twice).
+fn tiles(from: u64, to: u64) -> String {
+    match to - from {
+        1 => format!("tile {from} is"),
+        _ => format!("tiles {from} to {} are", to - 1),
+    }
 }
 
 /// The cells of a map.

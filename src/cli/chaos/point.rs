@@ -44,7 +44,7 @@ fn missing(option: &str, what: &str) -> Failure {
 fn unmeasured(error: PointError) -> Failure {
     let told = error.to_string();
     match error {
-        PointError::Forbidden | PointError::OnCurve | PointError::TooNear => Failure::input(error),
+        PointError::Nowhere(_) | PointError::TooNear => Failure::input(error),
         PointError::Answer(error) => unanswered(error),
         PointError::Range(cause) => Failure::work(told).because(cause),
         PointError::Share(cause) => Failure::work(told).because(cause),

@@ -2,6 +2,7 @@
 //! verdict.
 
 mod averages;
+mod course;
 mod curve;
 mod decision;
 mod growth;
@@ -11,7 +12,8 @@ mod measure;
 mod rotation;
 mod verdict;
 
-pub use decision::{Decision, DecisionOptions, decisions};
+pub use course::Decision;
+pub use decision::{DecisionOptions, decisions};
 pub use growth::{Growth, Lyapunov, TangentCourse};
 pub use lyapunov::{ChaosOptions, growths, lyapunov_exponents};
 pub use measure::{ChaosMeasure, chaos_measures, verdicts};
