@@ -5,6 +5,7 @@ use std::sync::atomic::AtomicBool;
 use bifdiag::diagram::atlas::Window;
 use bifdiag::documents::{self, DocumentOptions, Drawn, Subject, atlas::document};
 use bifdiag::equilibria::curves::CurveName;
+use bifdiag::plot::DiagramView;
 use bifdiag::schema::{Accuracy, AtlasDocument, WindowDocument};
 use bifdiag::{CertifiedAtlas, Curves, Solver, plot};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
@@ -12,6 +13,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::columns::{array, vectors};
+use crate::straightened::Straightened;
 use crate::texts::{Numbers, json, number};
 use crate::{errors, places, work};
 
@@ -141,6 +143,26 @@ impl Atlas {
             Ok::<_, PyErr>(plot::draw(&document, Some(&Curves(self.atlas())), &plot::DiagramOptions::default()))
         })?;
         picture.map(|picture| picture.svg).map_err(|error| errors::range(&error))
+    }
+
+    /// The view of the command's picture: "plane" or "straight".
+    fn view(&self, python: Python<'_>) -> PyResult<&'static str> {
+        let chosen = python.detach(|| {
+            let document = self.document(&DocumentOptions::default())?;
+            let view = plot::chosen_view(&document, Some(&Curves(self.atlas())), &plot::DiagramOptions::default());
+            view.map_err(|error| errors::range(&error))
+        })?;
+        Ok(if chosen == DiagramView::Straight { "straight" } else { "plane" })
+    }
+
+    /// Where everything lies in the straightened plane.
+    fn straightened(&self, python: Python<'_>) -> PyResult<Straightened> {
+        python.detach(|| {
+            let document = self.document(&DocumentOptions::default())?;
+            let found =
+                plot::straight_diagram(&document, Some(&Curves(self.atlas())), &plot::DiagramOptions::default());
+            Ok(Straightened(found.map_err(|error| errors::range(&error))?))
+        })
     }
 
     /// The outlines [h, l] of each region inside a window.

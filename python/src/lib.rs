@@ -16,6 +16,7 @@ mod periodic;
 mod places;
 mod proved;
 mod section;
+mod straightened;
 mod survey;
 mod texts;
 mod work;
@@ -38,11 +39,13 @@ mod _core {
     #[pymodule_export]
     use crate::part::{body_of_file, body_of_tensor};
     #[pymodule_export]
-    use crate::periodic::periodic_orbits;
+    use crate::periodic::{periodic_families, periodic_orbits};
     #[pymodule_export]
     use crate::proved::proved_motion;
     #[pymodule_export]
     use crate::section::section;
+    #[pymodule_export]
+    use crate::straightened::Straightened;
     #[pymodule_export]
     use crate::survey::{find, readable, verify};
     use pyo3::prelude::*;

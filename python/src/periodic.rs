@@ -1,8 +1,12 @@
 //! Periodic orbits: documents.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use bifdiag::documents;
 use bifdiag::dynamics::poincare::SectionSetting;
 use bifdiag::dynamics::section::Monitor;
+use bifdiag::periodic::catalogue::Catalogue;
+use bifdiag::periodic::family::{FamilyOptions, Held};
 use bifdiag::periodic::list::{ListError, ListOptions, list};
 use pyo3::prelude::*;
 
@@ -30,4 +34,52 @@ pub fn periodic_orbits(
         error => errors::range(&error),
     })?;
     json(&documents::periodic(&body.subject, [&h, &l], crossings, &found))
+}
+
+/// The families that begin at the equilibria of one l, or of one h: the document.
+#[pyfunction]
+pub fn periodic_families(
+    python: Python<'_>,
+    body: &Body,
+    held: &str,
+    value: &str,
+    curve: Option<&str>,
+    members: usize,
+    branches: bool,
+) -> PyResult<String> {
+    let (name, value) = (held, number(value)?);
+    let held = if name == "l" { Held::Momentum } else { Held::Energy };
+    let stop = AtomicBool::new(false);
+    let options = FamilyOptions { held, members, branches, stop: &stop };
+    let subject = &body.subject;
+    let work = || {
+        let catalogue = Catalogue::new(&subject.body).map_err(|error| errors::range(&error))?;
+        let known = catalogue.curves();
+        let only = curve.map(|id| {
+            known.iter().copied().find(|known| known.to_string() == id).ok_or_else(|| {
+                let known: Vec<String> = known.iter().map(ToString::to_string).collect();
+                errors::wrong(format!(
+                    "curve = {id:?}: the body has no such curve of steady rotations; it has {}",
+                    known.join(", ")
+                ))
+            })
+        });
+        let starts = catalogue.starts(held, &value, only.transpose()?).map_err(|error| errors::range(&error))?;
+        if starts.is_empty() {
+            let of = curve.map_or_else(|| "the body".to_owned(), |id| format!("the curve {id}"));
+            return Err(errors::wrong(format!("{name} = {}: {of} has no equilibrium there", value.text())));
+        }
+        let mut found = Vec::with_capacity(starts.len());
+        for start in starts {
+            if stop.load(Ordering::Relaxed) {
+                break;
+            }
+            let families = catalogue.families(&start, &options).map_err(|error| errors::range(&error))?;
+            found.push((start, families));
+        }
+        let command = subject.command("periodic family").option_if("from", curve).option(name, value.text());
+        let command = command.option("members", members).flag("branches", branches);
+        Ok::<_, PyErr>(documents::periodic_families(subject, command, (held, value.text()), &found))
+    };
+    json(&work::run(python, 1, &stop, work)??)
 }

@@ -57,3 +57,57 @@ def test_wrong_questions_are_refused(paper):
             paper.periodic_orbits(*arguments)
     with pytest.raises(bifdiag.InputError):
         bifdiag.Body.preset("euler").periodic_orbits(1, 1)
+
+
+@pytest.fixture(scope="module")
+def family():
+    (found, *_) = bifdiag.Body.preset("paper").periodic_families(l="1.5", curve="G2.1", members=40, branches=True)
+    return found
+
+
+def test_families_are_the_commands(family, command):
+    line = ("periodic", "family", "--body=paper", "--from=G2.1", "--l=1.5", "--members=40", "--branches", "--json")
+    theirs = json.loads(command(*line))["families"]
+    ours = bifdiag.Body.preset("paper").periodic_families(l="1.5", curve="G2.1", members=40, branches=True)
+    assert len(ours) == len(theirs)
+    for one, document in zip(ours, theirs, strict=True):
+        assert one.gamma.tolist() == [orbit["gamma"] for orbit in document["members"]]
+        assert one.period.tolist() == [orbit["period"] for orbit in document["members"]]
+        assert (one.curve, one.frequency, one.end) == (document["curve"], document["frequency"], document["end"]["kind"])
+        assert [event["kind"] for event in one.events] == [event["kind"] for event in document["events"]]
+        branches = [branch for event in document["events"] for branch in event["branches"]]
+        assert [len(branch) for branch in one.branches] == [len(branch["members"]) for branch in branches]
+    assert family.free == "h" and np.allclose(family.l, 1.5, rtol=1e-12)
+    assert (family.meta["l"], family.curve) == (1.5, "G2.1")
+
+
+def test_families_at_one_energy(family):
+    (found, *_) = bifdiag.Body.preset("paper").periodic_families(h=1, curve="G2.1", members=5)
+    assert found.free == "l" and np.allclose(found.h, 1, atol=1e-9)
+
+
+def test_families_convert_and_are_drawn(family, tmp_path):
+    assert pickle.loads(pickle.dumps(family)) == family
+    family.save(tmp_path / "family.npz")
+    assert bifdiag.PeriodicFamily.load(tmp_path / "family.npz") == family
+    with pytest.raises(bifdiag.InputError, match="a family of periodic orbits"):
+        bifdiag.PeriodicOrbits.load(tmp_path / "family.npz")
+    figure = pytest.importorskip("matplotlib.figure")
+    ax = figure.Figure().subplots()
+    assert family.plot(ax) is ax and ax.get_xlabel() == "$h$"
+    kinds = {line.get_gid() for line in ax.lines}
+    assert set(family.stability.tolist()) <= kinds and {event["kind"] for event in family.events} <= kinds
+    ends = [line.get_xdata()[-1] for line in ax.lines if line.get_gid() in set(family.stability.tolist())]
+    assert family.h[-1] in ends
+
+
+def test_wrong_families_are_refused(paper):
+    for options, told in [
+        ({}, "either l"),
+        ({"l": 1, "h": 1}, "either l"),
+        ({"l": 1.5, "curve": "G9.9"}, "it has G0"),
+        ({"h": -100}, "no equilibrium there"),
+        ({"l": 1, "members": 0}, "members"),
+    ]:
+        with pytest.raises(bifdiag.InputError, match=told):
+            paper.periodic_families(**options)

@@ -21,7 +21,8 @@ pub use animation::{AnimatedCrossing, AnimationScene, draw_animation};
 pub use campbell::{Campbell, Known, draw_campbell};
 pub use chaos::{ChaosCell, ChaosPanel, ChaosScene, draw_chaos};
 pub use diagram::{
-    CurveSource, DiagramOptions, DiagramTitle, DiagramView, LegendPlace, MarkedPoints, draw, draw_codes, draw_figure,
+    CurveSource, DiagramOptions, DiagramTitle, DiagramView, LegendPlace, MarkedPoints, StraightDiagram, StraightLabel,
+    StraightStretch, chosen_view, draw, draw_codes, draw_figure, straight_diagram,
 };
 pub use map::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote, draw_map};
 pub use page::{Caption, Figure, Picture, PlotError, Theme, Width, body_line, section_type};

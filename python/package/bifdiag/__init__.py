@@ -19,7 +19,7 @@ from .chaos import ChaosMap
 from .critical import Equilibria
 from .errors import BifdiagError, BodyError, BodyWarning, InputError, RangeError, VerifyError
 from .motion import Motion
-from .periodic import PeriodicOrbits
+from .periodic import PeriodicFamily, PeriodicOrbits
 from .points import Classifications
 from .proved import ProvedMotion
 from .records import (
@@ -72,6 +72,7 @@ __all__ = [
     "Motion",
     "Neighbour",
     "Nonlinear",
+    "PeriodicFamily",
     "PeriodicOrbits",
     "ProvedMotion",
     "RangeError",

@@ -401,6 +401,32 @@ class Atlas:
         """Draws the bifurcation diagram with matplotlib; see `bifdiag.pictures.diagram` for the options."""
         return pictures.diagram(self, ax, **options)
 
+    @cached_property
+    def _straightened(self) -> _core.Straightened:
+        return self._inner.straightened()
+
+    def straightened(self, h: npt.ArrayLike, l: npt.ArrayLike) -> npt.NDArray[np.float64]:
+        """Where points (h, l) lie in ``plot(view="straight")``, whose axes are the unit square.
+
+        Parameters
+        ----------
+        h, l : array of float
+            They are broadcast.
+
+        Returns
+        -------
+        array (..., 2)
+            NaN where there is no motion, and beyond the last l that is shown.
+
+        Raises
+        ------
+        RangeError
+            If the plane cannot be straightened.
+        """
+        first, second = np.broadcast_arrays(np.asarray(h, dtype=np.float64), np.asarray(l, dtype=np.float64))
+        flat = [np.ascontiguousarray(array).reshape(-1) for array in (first, second)]
+        return self._straightened.positions(*flat).reshape(*first.shape, 2)
+
     def svg(self) -> str:
         """The command line's picture as SVG."""
         return self._inner.svg()

@@ -14,6 +14,7 @@ READERS = {
     "proved motion": ("a proved motion (NPZ)", "bifdiag.ProvedMotion.load reads it"),
     "chaos map": ("a map of the chaotic share (NPZ)", "bifdiag.ChaosMap.load reads it"),
     "list of periodic orbits": ("a list of periodic orbits (NPZ)", "bifdiag.PeriodicOrbits.load reads it"),
+    "family of periodic orbits": ("a family of periodic orbits (NPZ)", "bifdiag.PeriodicFamily.load reads it"),
     "archive": ("an archive of other arrays (NPZ)", "numpy.load reads it"),
     "array": ("a single array (NPY)", "numpy.load reads it"),
     "table": ("a Parquet file", "pandas.read_parquet reads it"),
@@ -30,6 +31,7 @@ SOURCES = {
     "proved motion": "an archive of `bifdiag orbit --proved --data FILE.npz` or ProvedMotion.save",
     "chaos map": "an archive of `bifdiag chaos --out FILE.npz` or ChaosMap.save",
     "list of periodic orbits": "an archive of PeriodicOrbits.save",
+    "family of periodic orbits": "an archive of PeriodicFamily.save",
 }
 """Where files that can be loaded come from."""
 
@@ -38,7 +40,8 @@ ARCHIVES = {
     "quaternion": "motion",
     "attitude_lo": "proved motion",
     "fraction": "chaos map",
-    "multipliers": "list of periodic orbits",
+    "continuum": "list of periodic orbits",
+    "multipliers": "family of periodic orbits",
     "orbit": "section",
 }
 """Arrays by which archives are known."""

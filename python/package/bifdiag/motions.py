@@ -11,7 +11,7 @@ from .errors import InputError
 from .exact import Number
 from .given import Given
 from .motion import Motion
-from .periodic import PeriodicOrbits
+from .periodic import PeriodicFamily, PeriodicOrbits, families
 from .proved import ProvedMotion
 from .records import ChaosPoint
 from .section import Section
@@ -312,3 +312,45 @@ class Motions(Given):
         (2, True, ['elliptic'])
         """
         return PeriodicOrbits._compute(self._exactly(), h, l, crossings, threads)
+
+    def periodic_families(
+        self,
+        *,
+        l: Number | None = None,
+        h: Number | None = None,
+        curve: str | None = None,
+        members: int = 200,
+        branches: bool = False,
+    ) -> tuple[PeriodicFamily, ...]:
+        """The families of periodic orbits that begin at relative equilibria, one from each imaginary pair of eigenvalues.
+
+        Parameters
+        ----------
+        l, h : number
+            Vertical angular momentum or energy, whichever all orbits have; just one of the two.
+        curve : str, optional
+            Only from equilibria on this curve of the diagram, such as ``"G2.1"``.
+        members : int
+            The most orbits of a family.
+        branches : bool
+            Follow the families that begin at doublings and crossings too.
+
+        Returns
+        -------
+        tuple of PeriodicFamily
+
+        Raises
+        ------
+        InputError
+            If there is no such curve, or no equilibrium there.
+        RangeError
+            If the families cannot be followed.
+
+        Examples
+        --------
+        >>> import bifdiag
+        >>> (first, *_) = bifdiag.Body.preset("paper").periodic_families(l=1.5, curve="G2.1", members=20)
+        >>> first.curve, len(first), first.free
+        ('G2.1', 20, 'h')
+        """
+        return families(self._exactly(), h, l, curve, members, branches)

@@ -6,13 +6,32 @@ from typing import Any, ClassVar
 import numpy as np
 import numpy.typing as npt
 
-from . import _core, exact
+from . import _core, exact, pictures
 from .errors import InputError
 from .exact import Number
 from .tables import Table
 
 
-class PeriodicOrbits(Table):
+class _Orbits(Table):
+    h: npt.NDArray[np.float64]
+    l: npt.NDArray[np.float64]
+    gamma: npt.NDArray[np.float64]
+    omega: npt.NDArray[np.float64]
+    period: npt.NDArray[np.float64]
+    crossings: npt.NDArray[np.int32]
+    multipliers: npt.NDArray[np.complex128]
+    stability: npt.NDArray[np.str_]
+    action: npt.NDArray[np.float64]
+    symmetric: npt.NDArray[np.bool_]
+    proved: npt.NDArray[np.bool_]
+
+    NAMES: ClassVar[tuple[str, ...]] = (
+        *("h", "l", "gamma", "omega", "period", "crossings", "multipliers"),
+        *("stability", "action", "symmetric", "proved"),
+    )
+
+
+class PeriodicOrbits(_Orbits):
     """Periodic orbits of γ and ω, a row for each; made by `Body.periodic_orbits`.
 
     Attributes
@@ -42,23 +61,9 @@ class PeriodicOrbits(Table):
         The document of ``bifdiag periodic --json``.
     """
 
-    h: npt.NDArray[np.float64]
-    l: npt.NDArray[np.float64]
-    gamma: npt.NDArray[np.float64]
-    omega: npt.NDArray[np.float64]
-    period: npt.NDArray[np.float64]
-    crossings: npt.NDArray[np.int32]
-    multipliers: npt.NDArray[np.complex128]
-    stability: npt.NDArray[np.str_]
-    action: npt.NDArray[np.float64]
-    symmetric: npt.NDArray[np.bool_]
-    proved: npt.NDArray[np.bool_]
     continuum: npt.NDArray[np.bool_]
 
-    NAMES = (
-        *("h", "l", "gamma", "omega", "period", "crossings", "multipliers"),
-        *("stability", "action", "symmetric", "proved", "continuum"),
-    )
+    NAMES = (*_Orbits.NAMES, "continuum")
     KIND: ClassVar[str] = "list of periodic orbits"
 
     @classmethod
@@ -91,6 +96,91 @@ class PeriodicOrbits(Table):
         told = "complete" if self.complete else "not complete"
         point = f"(h, l) = ({self.meta['h']}, {self.meta['l']})"
         return f"PeriodicOrbits at {point}: {len(self)}, {told} [{', '.join(self.columns)}, meta]"
+
+
+class PeriodicFamily(_Orbits):
+    """A family of periodic orbits, a row for each, from the relative equilibrium on; made by `Body.periodic_families`.
+
+    It has the columns of `PeriodicOrbits`, but for ``continuum``; none of its orbits is proved.
+
+    Attributes
+    ----------
+    meta : dict
+        The family of the document of ``bifdiag periodic family --json`` without its members: ``curve``, ``frequency``,
+        ``events``, ``end``, of a branch ``end`` alone; and ``free``, ``"h"`` or ``"l"``, which changes along it.
+    """
+
+    KIND: ClassVar[str] = "family of periodic orbits"
+
+    @classmethod
+    def _of(cls, document: dict[str, Any], free: str) -> "PeriodicFamily":
+        about = {name: value for name, value in document.items() if name != "members"} | {"free": free}
+        return cls(_columns(document["members"]), json.dumps(about))
+
+    @property
+    def curve(self) -> str | None:
+        """The curve of the diagram on which the equilibrium lies where the family begins; None of a branch."""
+        curve: str | None = self.meta.get("curve")
+        return curve
+
+    @property
+    def frequency(self) -> float | None:
+        """The frequency of small oscillations about that equilibrium, to which 2π/period tends; None of a branch."""
+        frequency: float | None = self.meta.get("frequency")
+        return frequency
+
+    @property
+    def free(self) -> str:
+        """What changes along the family, ``"h"`` or ``"l"``."""
+        free: str = self.meta["free"]
+        return free
+
+    @property
+    def end(self) -> str:
+        """How it ends; ``meta["end"]`` has more.
+
+        ``"equilibrium"``, ``"separatrix"``, ``"joined"``, ``"members"`` (so many were asked for), ``"lost"`` or
+        ``"resonant"`` (not begun).
+        """
+        end: str = self.meta["end"]["kind"]
+        return end
+
+    @property
+    def events(self) -> list[dict[str, Any]]:
+        """Its special orbits.
+
+        Each has ``kind`` (``"fold"``, ``"branch"``, ``"doubling"``, ``"tripling"``), ``after`` (which member), ``h``,
+        ``l``, ``period`` and ``error``.
+        """
+        events: list[dict[str, Any]] = self.meta.get("events", [])
+        return [{name: value for name, value in event.items() if name != "branches"} for event in events]
+
+    @property
+    def branches(self) -> "list[PeriodicFamily]":
+        """The families that begin at its special orbits, if they were followed."""
+        found = [branch for event in self.meta.get("events", []) for branch in event["branches"]]
+        return [PeriodicFamily._of(branch, self.free) for branch in found]
+
+    def plot(self, ax: Any = None, **options: Any) -> Any:
+        """Draws the periods over h or l with matplotlib; see `bifdiag.pictures.family`."""
+        return pictures.family(self, ax, **options)
+
+    def __repr__(self) -> str:
+        begin = "a branch" if self.curve is None else f"from {self.curve}"
+        return f"PeriodicFamily {begin}: {len(self)} orbits, end: {self.end} [{', '.join(self.columns)}, meta]"
+
+
+def families(
+    body: _core.Body, h: Number | None, l: Number | None, curve: str | None, members: int, branches: bool
+) -> tuple[PeriodicFamily, ...]:
+    """The families from the relative equilibria at one l, or of one energy."""
+    if (h is None) == (l is None):
+        raise InputError("give either l, which all orbits then have, or h")
+    held, value = ("l", exact.text(l, "l")) if h is None else ("h", exact.text(h, "h"))
+    most = exact.whole(members, "members", 1, 10**6)
+    document = json.loads(_core.periodic_families(body, held, value, curve, most, bool(branches)))
+    free = "h" if held == "l" else "l"
+    return tuple(PeriodicFamily._of(family, free) for family in document["families"])
 
 
 def _columns(orbits: list[dict[str, Any]]) -> dict[str, npt.NDArray[Any]]:

@@ -20,11 +20,13 @@ mod placement;
 mod plan;
 mod scene;
 mod straight;
+mod straightened;
 mod stroke;
 mod trace;
 mod windows;
 
 pub use scene::{CurveSource, DiagramOptions, DiagramTitle, DiagramView, LegendPlace, MarkedPoints};
+pub use straightened::{StraightDiagram, StraightLabel, StraightStretch};
 
 use crate::page::{FAINT_INK, Figure, INK, PAPER, Picture, PlotError, png};
 use bifdiag_schema::AtlasDocument;
@@ -61,14 +63,48 @@ pub fn draw_figure(
     source: Option<&dyn CurveSource>,
     options: &DiagramOptions,
 ) -> Result<Figure, PlotError> {
+    chosen(atlas, source, options)?.0.draw(options.theme)
+}
+
+/// Where everything lies in the straightened plane, for those who draw it themselves.
+///
+/// # Errors
+/// As those of [`draw`], and [`PlotError::NotStraight`] for a document that does not tell which curves lie above each other.
+pub fn straight_diagram(
+    atlas: &AtlasDocument,
+    source: Option<&dyn CurveSource>,
+    options: &DiagramOptions,
+) -> Result<StraightDiagram, PlotError> {
+    let plan = Plan::straight(options.width, options.title != DiagramTitle::None);
+    StraightDiagram::new(Page::new(atlas, source, options, plan)?)
+}
+
+/// The view that [`draw`] chooses: [`DiagramView::Plane`] or [`DiagramView::Straight`].
+///
+/// # Errors
+/// As those of [`draw`].
+pub fn chosen_view(
+    atlas: &AtlasDocument,
+    source: Option<&dyn CurveSource>,
+    options: &DiagramOptions,
+) -> Result<DiagramView, PlotError> {
+    chosen(atlas, source, options).map(|(_, view)| view)
+}
+
+/// The page that is drawn, and its view.
+fn chosen<'a>(
+    atlas: &'a AtlasDocument,
+    source: Option<&'a dyn CurveSource>,
+    options: &DiagramOptions,
+) -> Result<(Page<'a>, DiagramView), PlotError> {
     let (width, has_title) = (options.width, options.title != DiagramTitle::None);
     let page = |plan| Page::new(atlas, source, options, plan);
     let straight = || page(Plan::straight(width, has_title));
     if options.view == DiagramView::Straight {
-        return straight()?.draw(options.theme);
+        return Ok((straight()?, DiagramView::Straight));
     }
     let mut plans = Plan::of(width, has_title);
-    let Some(first) = plans.next() else { return straight()?.draw(options.theme) };
+    let Some(first) = plans.next() else { return Ok((straight()?, DiagramView::Straight)) };
     let mut drawn = page(first)?;
     let (insets, is_crowded) = drawn.insets();
     if insets == 0 && first.beside > 0 {
@@ -80,7 +116,7 @@ pub fn draw_figure(
         Some(straight) => straight.map(Some),
     };
     if let Some(straight) = better(insets > INSETS || is_crowded)? {
-        return straight.draw(options.theme);
+        return Ok((straight, DiagramView::Straight));
     }
     // The first plan is for few insets; of the others each has room for fewer and more for the key.
     let mut is_done = drawn.is_complete() && drawn.fits();
@@ -88,7 +124,10 @@ pub fn draw_figure(
         drawn = page(plan)?;
         is_done = drawn.fits();
     }
-    better(!drawn.fits())?.unwrap_or(drawn).draw(options.theme)
+    Ok(match better(!drawn.fits())? {
+        Some(straight) => (straight, DiagramView::Straight),
+        None => (drawn, DiagramView::Plane),
+    })
 }
 
 /// The image of a grid: rows of `width` codes from below, each the number of a region (whose sections are `kinds`), or

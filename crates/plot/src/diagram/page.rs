@@ -155,6 +155,11 @@ impl<'a> Page<'a> {
         self.size[1] <= self.limit && frames.iter().flatten().all(|frame| texts.letters[frame.insets[0]].is_some())
     }
 
+    /// What is drawn in and at the panels.
+    pub(super) fn into_diagram(self) -> Diagram<'a> {
+        self.diagram
+    }
+
     /// Draws it.
     ///
     /// # Errors

@@ -40,4 +40,4 @@ pub(crate) use places::{Labelled, Taken, all_over, round_point};
 pub(crate) use table::Table;
 pub use text::text_width;
 pub(crate) use text::{lines, title_size, widest};
-pub(crate) use union::union;
+pub(crate) use union::{outlines, union};

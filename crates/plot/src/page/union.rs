@@ -11,6 +11,15 @@ type Corner = [i32; 2];
 /// The points that an odd number of polygons encloses. Polygons meet, if at all, along sides on which the coordinate `fixed`
 /// does not change; of these the path has as few as that needs.
 pub(crate) fn union(polygons: impl IntoIterator<Item = Vec<Point>>, fixed: usize) -> Path {
+    let mut path = Path::default();
+    for line in outlines(polygons, fixed) {
+        path.line(&line, true);
+    }
+    path
+}
+
+/// The same as closed lines.
+pub(crate) fn outlines(polygons: impl IntoIterator<Item = Vec<Point>>, fixed: usize) -> Vec<Vec<Point>> {
     let polygons: Vec<Vec<Point>> = polygons.into_iter().collect();
     let mut sides: Vec<[Corner; 2]> = Vec::new();
     // The ends of the sides along each line on which polygons may meet.
@@ -37,11 +46,7 @@ pub(crate) fn union(polygons: impl IntoIterator<Item = Vec<Point>>, fixed: usize
         let left = ends.chunks_exact(2).filter(|side| side[0] != side[1]);
         sides.extend(left.map(|side| [corner(side[0]), corner(side[1])]));
     }
-    let mut path = Path::default();
-    for line in if is_shared { joined(&sides) } else { polygons } {
-        path.line(&line, true);
-    }
-    path
+    if is_shared { joined(&sides) } else { polygons }
 }
 
 /// Closed lines of sides, of which an even number ends in every corner.

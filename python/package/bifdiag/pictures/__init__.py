@@ -2,8 +2,9 @@
 
 from .chaos import chaos
 from .diagram import diagram, pretty, tint
+from .family import family
 from .plane import plane
 from .section import VERDICTS, section
 from .space import body, motion, sphere
 
-__all__ = ["VERDICTS", "body", "chaos", "diagram", "motion", "plane", "pretty", "section", "sphere", "tint"]
+__all__ = ["VERDICTS", "body", "chaos", "diagram", "family", "motion", "plane", "pretty", "section", "sphere", "tint"]

@@ -1,14 +1,16 @@
 """Bifurcation diagrams."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 import numpy.typing as npt
 
+from ..errors import InputError
 from ..exact import span
 from ..optional import needed
 from .axes import Array, Size, axes
+from .straight import straight
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -54,6 +56,7 @@ def diagram(
     ax: "Axes | None" = None,
     *,
     figsize: Size | None = None,
+    view: "Literal['plane', 'straight', 'auto']" = "plane",
     h: tuple[float, float] | None = None,
     l: tuple[float, float] | None = None,
     regions: bool = True,
@@ -74,8 +77,13 @@ def diagram(
         Where; None makes a new figure.
     figsize : pair of float, optional
         Width and height of a new figure in inches.
+    view : {"plane", "straight", "auto"}
+        ``"plane"``: h to the right, l upwards. ``"straight"``: the plane straightened so that every region can be seen: l
+        to the right, h upwards from the level lowest curve, each region as high as its label needs; the places are those
+        of the command's picture, in the unit square, and `Atlas.straightened` gives those of other points. ``"auto"``:
+        straight where the command's plane would need more than two insets, or be too high.
     h, l : pair of float, optional
-        Ranges of the axes; by default those of the picture of the command line.
+        Ranges of the axes of the plane; by default those of the picture of the command line.
     regions, labels : bool
         Whether regions are coloured, and named.
     **line
@@ -88,15 +96,26 @@ def diagram(
     Raises
     ------
     InputError
-        If a range is none.
+        If a range is none, the view is unknown, or ranges are given for the straightened plane.
+    RangeError
+        If the plane cannot be straightened.
     ImportError
         Without matplotlib, which ``bifdiag[plot]`` brings.
     """
+    if view not in ("plane", "straight", "auto"):
+        raise InputError(f'view = {view!r}: the views are "plane", "straight" and "auto"')
+    if h is not None or l is not None:
+        if view == "straight":
+            raise InputError("h and l are ranges of the plane; the straightened plane is drawn as a whole")
+        view = "plane"
+    # The grounds of regions are pale whatever the style sheet says.
+    ink = "black" if regions else needed("matplotlib", "plot").rcParams["text.color"]
+    if view == "straight" or (view == "auto" and atlas._inner.view() == "straight"):
+        shown = {"regions": regions, "labels": labels}
+        return straight(atlas, axes(ax, figsize), styles=_style, tint=tint, ink=ink, **shown, **line)
     window = atlas._view()["main"]
     h, l = span(h or window["h"], "h"), span(l or window["l"], "l")
     ax = axes(ax, figsize)
-    # The grounds of regions are pale whatever the style sheet says.
-    ink = "black" if regions else needed("matplotlib", "plot").rcParams["text.color"]
     for region, outlines in zip(atlas.regions, atlas.outlines(h, l), strict=True) if regions else ():
         ax.add_patch(_patch(region, outlines))
     for curve in atlas.curves:
@@ -115,12 +134,20 @@ def diagram(
 def _stretches(curve: "Curve", ink: str) -> Iterator[tuple[float, float, dict[str, Any]]]:
     """The ranges of l over which a curve is drawn in one style."""
     if curve.kind in POLES:
-        yield *curve.l_range, {"color": "0.4", "linestyle": POLES[curve.kind]}
-    for part in curve.stability:
-        style: dict[str, Any] = {"color": ink, "linestyle": STRETCHES[part.nonlinear.verdict]}
-        if part.nonlinear.verdict == "stable" and part.friction.conserving_l != "survives":
-            style["linewidth"] = THIN
-        yield part.l_from, part.l_to, style
+        yield *curve.l_range, _style(curve, None, ink)
+    for number, part in enumerate(curve.stability):
+        yield part.l_from, part.l_to, _style(curve, number, ink)
+
+
+def _style(curve: "Curve", stretch: int | None, ink: str) -> dict[str, Any]:
+    """How a stretch of stability of a curve is drawn; a pole line has none."""
+    if stretch is None:
+        return {"color": "0.4", "linestyle": POLES.get(curve.kind, "-")}
+    part = curve.stability[stretch]
+    style: dict[str, Any] = {"color": ink, "linestyle": STRETCHES[part.nonlinear.verdict]}
+    if part.nonlinear.verdict == "stable" and part.friction.conserving_l != "survives":
+        style["linewidth"] = THIN
+    return style
 
 
 def name_regions(

@@ -20,11 +20,11 @@ const MOST: f64 = 60.0;
 const UPPER: f64 = 9.0;
 
 /// A round number on an axis.
-struct Tick {
+pub(crate) struct Tick {
     value: f64,
     /// Along the axis.
-    at: f64,
-    label: String,
+    pub at: f64,
+    pub label: String,
 }
 
 /// Round numbers between given ones: coarse ones first, finer ones where there is room between them.
@@ -62,7 +62,7 @@ fn round_numbers(pieces: &[f64], place: impl Fn(f64) -> Option<f64>, extent: imp
 
 impl Straight {
     /// The levels of h on the left and on the right.
-    fn levels(&self) -> [Vec<Tick>; 2] {
+    pub(crate) fn levels(&self) -> [Vec<Tick>; 2] {
         let Some((first, last)) = self.slabs.first().zip(self.slabs.last()) else { return [Vec::new(), Vec::new()] };
         [(first, 0, 0), (last, self.slabs.len() - 1, last.stations.len() - 1)].map(|(slab, number, station)| {
             let h = &slab.stations[station].h;
@@ -75,18 +75,28 @@ impl Straight {
         })
     }
 
+    pub(crate) fn paint_levels(&self, canvas: &Canvas) {
+        for line in self.level_lines() {
+            canvas.path(&line, Ink { color: FAINT_INK, width: 0.3 });
+        }
+    }
+
     /// Curves of constant h: those of the ticks on the left, and between the curves those of the ticks on the right, which
     /// above them would be too close to each other.
-    pub(crate) fn paint_levels(&self, canvas: &Canvas) {
+    pub(crate) fn level_lines(&self) -> Vec<Vec<Point>> {
         let [left, right] = self.levels();
         let values = |ticks: &[Tick]| ticks.iter().map(|tick| tick.value).collect::<Vec<f64>>();
         let (left, right) = (values(&left), values(&right));
-        let further = right.iter().filter(|value| !left.contains(value));
-        for (level, above) in left.iter().map(|level| (level, true)).chain(further.map(|level| (level, false))) {
-            for line in self.level(*level, above) {
-                canvas.path(&line, Ink { color: FAINT_INK, width: 0.3 });
-            }
-        }
+        let further = right.iter().filter(|value| !left.contains(value)).map(|level| (*level, false));
+        let levels = left.iter().map(|level| (*level, true)).chain(further);
+        levels.flat_map(|(level, above)| self.level(level, above)).collect()
+    }
+
+    /// Round momenta.
+    pub(crate) fn momenta(&self) -> Vec<Tick> {
+        let x = |l: f64| self.at(l).map(|place| self.x(place));
+        let pieces = self.slabs.iter().map(|slab| slab.l[0]).chain(self.l_end());
+        round_numbers(&pieces.collect::<Vec<f64>>(), x, |label| text_width(label, TICK_SIZE) / 2.0)
     }
 
     /// The lines of constant h above the lowest curve, and `above` the highest.
@@ -134,9 +144,7 @@ impl Straight {
         let ink = Ink { color: INK, width: 0.9 };
         canvas.outline(&rect.corners(), ink);
         let l_end = self.l_end().unwrap_or(0.0);
-        let x = |l: f64| self.at(l).map(|place| self.x(place));
-        let pieces: Vec<f64> = self.slabs.iter().map(|slab| slab.l[0]).chain([l_end]).collect();
-        for tick in round_numbers(&pieces, x, |label| text_width(label, TICK_SIZE) / 2.0) {
+        for tick in self.momenta() {
             canvas.path(&[[tick.at, rect.bottom()], [tick.at, rect.bottom() + TICK]], ink);
             let base = [tick.at, rect.bottom() + TICK + 1.2 * TICK_SIZE];
             canvas.text(&tick.label, base, TICK_SIZE, INK, Anchor::Middle);

@@ -9,5 +9,6 @@ mod plane;
 mod shares;
 mod strata;
 
+pub(super) use axes::Tick;
 pub(super) use fit::straighten;
 pub(super) use plane::Straight;

@@ -11,7 +11,7 @@ pub(super) const BELOW_ALL: f64 = 8.0;
 
 /// A panel of the straightened plane.
 pub(crate) struct Straight {
-    pub(super) rect: Rect,
+    pub(crate) rect: Rect,
     /// Pixels on the right of it.
     pub(super) right: f64,
     pub(super) slabs: Vec<Slab>,
@@ -58,7 +58,7 @@ impl Straight {
         self.placed = self.slabs.iter().enumerate().map(of_slab).collect();
     }
 
-    pub(super) fn l_end(&self) -> Option<f64> {
+    pub(crate) fn l_end(&self) -> Option<f64> {
         self.slabs.last().map(|slab| slab.l[1])
     }
 
