@@ -301,6 +301,6 @@ mod tests {
             assert!(shape.ellipsoids.len() <= 1 + step.ilog2() as usize + 1);
         }
         let radius = shape.component_radii()[0];
-        assert!(radius >= 1e-6 && radius < 1.01e-6, "{radius}");
+        assert!((1e-6..1.01e-6).contains(&radius), "{radius}");
     }
 }
