@@ -61,6 +61,7 @@ def family(
         ring: dict[str, Any] = {"markerfacecolor": "none"} if event["kind"] == "branch" else {}
         ax.plot(event[found.free], event["period"], MARKERS[event["kind"]], color=style["color"], gid=event["kind"], **ring)
     for branch in found.branches:
-        family(branch, ax, events=events, **(style | {"color": "C1"} | line))
+        inner: dict[str, Any] = style | {"color": "C1"} | line
+        family(branch, ax, events=events, **inner)
     ax.set(xlabel=f"${found.free}$", ylabel="period")
     return ax
