@@ -162,8 +162,8 @@ impl<'a> Catalogue<'a> {
 fn short_decimal(from: f64, to: f64) -> Option<Number> {
     let (least, most) = (0.75 * from + 0.25 * to, 0.25 * from + 0.75 * to);
     let middle = 0.5 * (from + to);
-    let decimals = (0..18).map(|digits| format!("{middle:.digits$e}"));
+    let mut decimals = (0..18).map(|digits| format!("{middle:.digits$e}"));
     let inside = |text: &String| text.parse().is_ok_and(|x: f64| (least..=most).contains(&x));
-    let number: f64 = decimals.into_iter().find(inside)?.parse().ok()?;
+    let number: f64 = decimals.find(inside)?.parse().ok()?;
     format!("{number:?}").parse().ok()
 }
