@@ -149,16 +149,15 @@ fn show_surface(report: &mut Report, document: &AtlasDocument, name: &str) {
 
 fn unknown(id: &str, document: &AtlasDocument) -> Failure {
     let curves: Vec<&str> = document.curves.iter().map(|curve| curve.id.as_str()).collect();
-    let up_to = |letter: &str, count: usize| {
-        if count == 1 { format!("{letter}1") } else { format!("{letter}1 to {letter}{count}") }
+    let up_to = |what: &str, letter: &str, count: usize| match count {
+        0 => format!("no {what}s"),
+        1 => format!("the {what} {letter}1"),
+        _ => format!("the {what}s {letter}1 to {letter}{count}"),
     };
-    let events = match document.events.len() {
-        0 => " and no events".to_owned(),
-        count => format!(" and the events {}", up_to("E", count)),
-    };
-    let (regions, curves) = (up_to("R", document.regions.len()), curves.join(", "));
+    let regions = up_to("region", "R", document.regions.len());
+    let (curves, events) = (curves.join(", "), up_to("event", "E", document.events.len()));
     Failure::input(format!(
-        "ID {id}: the body has no such thing; it has the regions {regions}, the curves {curves}{events}"
+        "ID {id}: this body has none of that name; it has {regions}, the curves {curves} and {events}"
     ))
 }
 

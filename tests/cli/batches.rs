@@ -118,14 +118,14 @@ fn the_first_and_the_later_points_of_a_body_have_the_same_answers() {
 #[test]
 fn right_questions_without_an_answer_count_apart() {
     let lines = "{\"A\":[1e-30,1,1],\"r\":[1,1,1],\"h\":1,\"l\":1}\n{\"A\":[2,1,0]}\n";
-    let message = "without an answer are 1 of 2 lines of the batch";
+    let message = "1 of 2 lines of the batch is without an answer";
     let done = bifdiag("classify --batch -")
         .reading(lines)
         .fails()
         .telling(message)
-        .telling("wrong are 1 of 2 lines of the batch");
+        .telling("1 of 2 lines of the batch is wrong");
     assert_eq!(done.json_lines().len(), 2);
-    bifdiag("classify --batch - --strict").reading(lines).refused().telling("wrong are 1 of 2 lines of the batch");
+    bifdiag("classify --batch - --strict").reading(lines).refused().telling("1 of 2 lines of the batch is wrong");
 }
 
 /// A key that means nothing here is no secret; a spin would be another question.

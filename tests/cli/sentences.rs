@@ -81,7 +81,7 @@ fn isolated_exceptions_of_a_curve_are_told_to_be_such() {
     shown
         .printing("at l = 2.23671 alone (1:2 resonance): unstable\n")
         .printing("at l = 3.03086 alone (1:3 resonance): stable\n")
-        .printing("at l = 2.3278 alone (D4 = 0): open\n");
+        .printing("at l = 2.3278 alone (D4 = 0): stable (Arnold's theorem)\n");
 }
 
 #[test]
@@ -333,7 +333,7 @@ fn a_body_without_weight_at_rest_has_its_regions() {
         assert!(above.is_string() && found["steady"]["note"].is_null(), "{found}");
     }
     bifdiag("show l=0 --A 2,1.1,1 --r 0,0,0").succeeds().printing("the forbidden region and R1, R2, R3 meet");
-    bifdiag("show l=0 --body paper").refused().telling("the body has no such thing");
+    bifdiag("show l=0 --body paper").refused().telling("this body has none of that name");
 }
 
 #[test]
@@ -464,4 +464,51 @@ fn the_end_of_a_circle_is_the_axis_that_was_given() {
     // At the spin where it begins it lies on the axis of symmetry, hanging.
     let [x, y, z] = axis(&families[0]["stretches"][0]["from"]["axis"]);
     assert!(x.abs() + y.abs() + (z + 1.0).abs() < 1e-9, "{found}");
+}
+
+/// What a stranger stumbled over.
+#[test]
+fn refusals_and_tables_say_what_is_so() {
+    let body = "--A 2.2,1.7,1.3 --r 0.3,-0.5,0.7";
+    let limits = "|l| between 5.0e-46 and 5.0e44, or 0, is possible";
+    bifdiag(&format!("critical {body} --l 1e-140")).refused().telling("--l: l = 1e-140").telling(limits);
+    bifdiag("show R9 --A 2,2,1 --r 0,0,1")
+        .refused()
+        .telling("the regions R1 to R3, the curves")
+        .telling("and the event E1");
+    // l about the upward vertical has the other sign than about γ.
+    let state = bifdiag(&format!("state {body} --omega 1,2,3 --vertical 0,0,1")).succeeds();
+    assert!(state.stdout().contains("l = 3.9 about the upward vertical"), "{}", state.stdout());
+    // A spin that does not depend on Ixx is not said to.
+    let part = "--inertia-com 0.02±1%,0.03,0.04,0,0,0 --com 0,0,0.2 --mass 1.5 --axis z";
+    let spins = bifdiag(&format!("critical-spin {part}")).succeeds();
+    assert!(spins.stdout().lines().all(|row| !(row.contains("Ixx") && row.contains("e-1"))), "{}", spins.stdout());
+    // One product of inertia moves the axes only.
+    let one = "body --inertia-com 0.02,0.03,0.04,0.001,0,0 --com 0,0,0.2 --mass 1.5";
+    bifdiag(one).refused().telling("0.01990098, 0.03009902, 0.04 with either sign, the principal axes are not");
+    let way = bifdiag("spin-down --A 1,1,2 --r 0,0,1 --from L-.1").succeeds();
+    assert!(way.stdout().contains("L-.1 ends at l = 2 in a pitchfork, from which S12.1 goes on"), "{}", way.stdout());
+    let border = bifdiag("scan border --A 2.2,1.7,1.3 --r 0.3,0,0.7 --vary r2=0:0.5").succeeds();
+    assert!(border.stdout().contains("crossing of G2 and P+ (2 times)"), "{}", border.stdout());
+    assert!(!border.stdout().contains("0.00000000"), "{}", border.stdout());
+}
+
+/// Every sample in the table of regions lies in its region, however thin that is.
+#[test]
+fn printed_samples_lie_in_their_regions() {
+    let bodies = ["--A 1e9,2e9,1.5e9 --r 1e-3,1,2e-3", "--body ten", "--body paper", "--A 3,2,1 --r 0.1,1,0.2"];
+    let mut seen = 0;
+    for body in bodies {
+        let atlas = bifdiag(&format!("{body} --no-plot")).succeeds().stdout();
+        for line in atlas.lines().filter(|line| line.starts_with('R')) {
+            // The last pair of numbers in parentheses: E may have some before.
+            let Some((_, pair)) = line.rsplit_once('(') else { continue };
+            let Some((h, l)) = pair.split_once(')').and_then(|(pair, _)| pair.split_once(", ")) else { continue };
+            let id = line.split_whitespace().next().unwrap().trim_end_matches('*');
+            let found = bifdiag(&format!("classify {body} --h={h} --l={l} --json")).succeeds().json();
+            assert_eq!(found["region"], id, "{body}: {line}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 30, "{seen}");
 }

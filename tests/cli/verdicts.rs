@@ -291,7 +291,7 @@ fn a_range_of_spins_admits_its_isolated_exceptions() {
     let told = bifdiag(line).succeeds().printing("by Arnold's theorem: at each of these spins but\n");
     told.printing("  +axis up: 13.087694 rpm (1:2 resonance): stable (Arnold's theorem)\n")
         .printing(" rpm (1:3 resonance): stable\n")
-        .printing(" rpm (D4 = 0): open\n");
+        .printing(" rpm (D4 = 0): stable (Arnold's theorem)\n");
     let found = bifdiag(&format!("{line} --json")).succeeds().json();
     let by_arnold: Vec<&Value> = found["stretches"]
         .as_array()
@@ -300,5 +300,5 @@ fn a_range_of_spins_admits_its_isolated_exceptions() {
         .filter(|stretch| stretch["nonlinear"]["why"] == json!("arnold"))
         .collect();
     assert!(!by_arnold.is_empty() && by_arnold.iter().all(|stretch| stretch["nonlinear"]["proved"] == json!(false)));
-    bifdiag("show L-.1 --A 1.71,2.63,2.11 --r 0,0,1").succeeds().printing("alone (D4 = 0): open");
+    bifdiag("show L-.1 --A 1.71,2.63,2.11 --r 0,0,1").succeeds().printing("alone (D4 = 0): stable (Arnold's theorem)");
 }

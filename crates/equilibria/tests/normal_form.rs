@@ -1,14 +1,14 @@
 //! Birkhoff's normal form against results that are known.
 
 use bifdiag_body::{Axis, Body};
-use bifdiag_equilibria::nonlinear::{NormalForm, arnold_numerator, reduced_hamiltonian, series::Series, taylor};
+use bifdiag_equilibria::nonlinear::{NormalForm, arnold_numerator, reduced_hamiltonian, series::Series, sixth, taylor};
 use bifdiag_equilibria::stability::{Constants, LinearType, Reduced, State};
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
 use bifdiag_numbers::interval::Interval;
 
 /// m/|q − place| as a series in q = (q₁, q₂).
-fn attraction(mass: Interval, from: [Interval; 2]) -> Series<Interval> {
+fn attraction<const D: usize>(mass: Interval, from: [Interval; 2]) -> Series<Interval, D> {
     let one = Interval::point(1.0);
     let squares = [0, 1].map(|k| {
         let coordinate = Series::variable(k, from[k], one);
@@ -18,9 +18,9 @@ fn attraction(mass: Interval, from: [Interval; 2]) -> Series<Interval> {
     let start = from[0].square() + from[1].square();
     // x^(−1/2) at the start.
     let mut value = one / start.sqrt();
-    let taylor: [Interval; 5] = std::array::from_fn(|power| {
+    let taylor = (0_u8..).map(|power| {
         let here = value;
-        let n = Interval::point(f64::from(u8::try_from(power).unwrap()));
+        let n = Interval::point(f64::from(power));
         value = value * (Interval::point(-0.5) - n) / (n + one) / start;
         here
     });
@@ -28,7 +28,7 @@ fn attraction(mass: Interval, from: [Interval; 2]) -> Series<Interval> {
 }
 
 /// The Hamiltonian of the restricted three-body problem about a triangular point, for the mass μ of the smaller body.
-fn at_the_triangular_point(mu: Interval) -> Series<Interval> {
+fn at_the_triangular_point<const D: usize>(mu: Interval) -> Series<Interval, D> {
     let point = |x| Interval::point(x);
     let (one, half, minus) = (point(1.0), point(0.5), point(-1.0));
     let height = point(3.0).sqrt() * half;
@@ -93,12 +93,72 @@ fn the_triangular_points_are_stable_at_rouths_mass() {
     assert!((numerator.middle().lo - 59.0 / 144.0).abs() < 1e-6, "{numerator:?}");
 }
 
+/// Where the determinant of the triangular points is 0, at the mass 0.010914, K. R. Meyer and D. S. Schmidt (J. Differ. Equ. 62,
+/// 1986) went on to degree six.
+#[test]
+fn the_triangular_points_have_a_sixth_degree_where_deprits_determinant_is_zero() {
+    let n = Interval::point;
+    let (one, half) = (n(1.0), n(0.5));
+    // 36 − 541c + 644c² = 0, c = 27μ(1 − μ)/4.
+    let square = (n(541.0) - (n(541.0).square() - n(4.0 * 644.0 * 36.0)).sqrt()) / n(2.0 * 644.0);
+    let mu = half * (one - (one - n(16.0) * square / n(27.0)).sqrt());
+    let found = sixth(&at_the_triangular_point(mu), &one, &square, ()).expect("no resonance");
+    assert!((found.middle().lo + 66.6).abs() < 0.1 && width(found) < 1e-3, "{mu:?} {found:?}");
+}
+
+/// Two pendulums, E(I) = I − I²/16 − I³/256 − …, in canonical coordinates that mix them.
+#[test]
+fn the_sixth_degree_does_not_depend_on_coordinates() {
+    let n = Interval::point;
+    let variable = |k: usize| Series::<Interval, 6>::variable(k, n(0.0), n(1.0));
+    let [q1, q2, p1, p2] = [0, 1, 2, 3].map(variable);
+    // p + ∇S for S = q₁²q₂/3 + q₁q₂² − q₂³/2.
+    let [q11, q12, q22] = [q1.times(&q1), q1.times(&q2), q2.times(&q2)];
+    let p1 = p1.plus(q12.clone().scaled(&(n(2.0) / n(3.0)))).plus(q22.clone());
+    let p2 =
+        p2.plus(q11.clone().scaled(&(n(1.0) / n(3.0)))).plus(q12.scaled(&n(2.0))).plus(q22.clone().scaled(&n(-1.5)));
+    // cos q − 1 as a function of q².
+    let cosine = [0.0, -0.5, 1.0 / 24.0].map(n).into_iter().chain([n(-1.0) / n(720.0)]);
+    let pendulum = |p: &Series<Interval, 6>, square: &Series<Interval, 6>| {
+        p.times(p).scaled(&n(0.5)).plus(square.composed(cosine.clone()).scaled(&n(-1.0)))
+    };
+    let ratio = 0.443;
+    let hamiltonian = pendulum(&p1, &q11).plus(pendulum(&p2, &q22).scaled(&n(-ratio)));
+    let square = n(ratio).square();
+    let found = sixth(&hamiltonian, &(n(1.0) + square), &square, ()).expect("no resonance");
+    let known = (ratio - ratio * ratio * ratio) / 256.0;
+    assert!((found.middle().lo - known).abs() < 1e-9 && width(found) < 1e-6, "{found:?} {known}");
+}
+
+/// A = 2, 1.1, 1, r = 0.9, 0.2, 0.6, τ₂ ≈ −0.22, where Arnold's determinant is 0. From the amplitudes of the modes
+/// `bifdiag_verify` finds the same (`stability::amplitudes`).
+#[test]
+fn the_sixth_degree_of_a_body() {
+    let body = Body::parse(&["2", "1.1", "1"], &["0.9", "0.2", "0.6"]).expect("a body");
+    let c = Constants::rounded(&body.frame());
+    let at = |delta: f64| {
+        let state = State::generic(&c, Axis::ALL[1], &Interval::point(delta));
+        let reduced = Reduced::new(&c, &state);
+        let [b, d] = reduced.coefficients().map(Clone::clone);
+        let form = NormalForm::new(&reduced_hamiltonian(&c, &state, Axis::ALL[0]), &b, &d, ()).expect("a form");
+        let found = sixth(&reduced_hamiltonian(&c, &state, Axis::ALL[0]), &b, &d, ()).expect("no resonance");
+        [form.arnold, found].map(|value| value.middle().lo)
+    };
+    let [mut lo, mut hi] = [-0.2227, -0.2177];
+    for _ in 0..60 {
+        let middle = 0.5 * (lo + hi);
+        if at(middle)[0] < 0.0 { lo = middle } else { hi = middle }
+    }
+    let [_, found] = at(lo);
+    assert!((found - 14.088_934_015_872).abs() < 1e-9, "{found}");
+}
+
 /// The determinant from eigenvectors and from the coefficients alone.
 #[test]
 fn the_determinant_is_a_rational_function_of_the_coefficients() {
     for (c, state, reduced) in elliptic_points() {
         let [b, d] = reduced.coefficients();
-        let series = reduced_hamiltonian(&c, &state, Axis::ALL[0]);
+        let series: Series<_> = reduced_hamiltonian(&c, &state, Axis::ALL[0]);
         let form = NormalForm::new(&series, b, d, ()).expect("a form");
         let numerator = arnold_numerator(&series, b, d, ()).expect("no resonance");
         let other = numerator / (*d * *reduced.discriminant());
@@ -160,7 +220,7 @@ fn elliptic_points() -> Vec<(Constants<Interval>, State<Interval>, Reduced<Inter
 #[test]
 fn the_series_begins_with_the_linearised_flow() {
     for (c, state, reduced) in elliptic_points() {
-        let series = reduced_hamiltonian(&c, &state, Axis::ALL[0]);
+        let series: Series<_> = reduced_hamiltonian(&c, &state, Axis::ALL[0]);
         for unit in 0..4 {
             let mut power = [0; 4];
             power[unit] = 1;

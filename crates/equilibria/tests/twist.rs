@@ -1,15 +1,17 @@
-//! The twist of the normal form against orbits: frequencies of integrated tori of small amplitude, measured by weighted
-//! averages, extrapolated to amplitude 0. Nothing here knows the reduced Hamiltonian.
+//! The normal form against orbits: the twist is that of integrated tori of small amplitude, whose frequencies are measured by
+//! weighted averages and extrapolated to amplitude 0; at an unstable resonance ω₁ = 3ω₂ orbits leave as fast as the normal form
+//! says. Nothing here knows the reduced Hamiltonian.
 
 mod whole;
 
 use bifdiag_body::{Axis, Body, Frame};
-use bifdiag_equilibria::nonlinear::{Question, Setting};
+use bifdiag_equilibria::nonlinear::{NormalForm, reduced_hamiltonian};
 use bifdiag_equilibria::stability::{Constants, LinearType, Reduced, State};
 use bifdiag_numbers::enclosure::Enclosure;
 use bifdiag_numbers::interval::Interval;
 use bifdiag_numbers::vector::{cross, dot};
 use nalgebra::{Complex, SMatrix, SVector};
+use support::random::SplitMix64;
 
 type Vector = SVector<Complex<f64>, 6>;
 type Matrix = SMatrix<Complex<f64>, 6, 6>;
@@ -45,6 +47,18 @@ impl Top<'_> {
         )
     }
 
+    /// A state beside the equilibrium, with |γ| = 1 and the same l.
+    fn disturbed(&self, disturbance: &Vector) -> [f64; 6] {
+        let rest = self.rest();
+        let moment: f64 = dot(self.gamma, [rest[3], rest[4], rest[5]]);
+        let mut y: [f64; 6] = std::array::from_fn(|k| rest[k] + disturbance[k].re);
+        let length = dot([y[0], y[1], y[2]], [y[0], y[1], y[2]]).sqrt();
+        (0..3).for_each(|k| y[k] /= length);
+        let excess = moment - dot([y[0], y[1], y[2]], [y[3], y[4], y[5]]);
+        (0..3).for_each(|k| y[k + 3] += excess * y[k]);
+        y
+    }
+
     /// A vector that a matrix takes to iω times itself, by inverse iteration.
     fn eigenvector(matrix: &Matrix, frequency: f64) -> Vector {
         let shift = Complex::new(1e-10, frequency * (1.0 + 1e-11));
@@ -72,13 +86,7 @@ impl Top<'_> {
     fn frequencies(&self, disturbance: &Vector, modes: &[Vector; 2], near: [f64; 2]) -> [f64; 2] {
         const STEPS: u32 = 60_000;
         let time = 0.02 / near[0].max(1.0);
-        let rest = self.rest();
-        let moment: f64 = dot(self.gamma, [rest[3], rest[4], rest[5]]);
-        let mut y: [f64; 6] = std::array::from_fn(|k| rest[k] + disturbance[k].re);
-        let length = dot([y[0], y[1], y[2]], [y[0], y[1], y[2]]).sqrt();
-        (0..3).for_each(|k| y[k] /= length);
-        let excess = moment - dot([y[0], y[1], y[2]], [y[3], y[4], y[5]]);
-        (0..3).for_each(|k| y[k + 3] += excess * y[k]);
+        let (rest, mut y) = (self.rest(), self.disturbed(disturbance));
         let phase = |y: &[f64; 6]| {
             modes.each_ref().map(|mode| {
                 let z = (0..6).fold(Complex::new(0.0, 0.0), |sum, k| sum + mode[k] * (y[k] - rest[k]));
@@ -105,73 +113,214 @@ impl Top<'_> {
     }
 }
 
+/// An equilibrium of index 2 with two imaginary pairs.
+struct Maximum<'a> {
+    top: Top<'a>,
+    form: NormalForm<Interval>,
+    /// ω₁ and ω₂, per unit of time.
+    frequencies: [f64; 2],
+    modes: [Vector; 2],
+    /// Forms that give the amplitudes of the modes.
+    duals: [Vector; 2],
+    /// The amplitudes of action 1.
+    units: [f64; 2],
+}
+
+impl<'a> Maximum<'a> {
+    fn new(frame: &'a Frame, c: &Constants<Interval>, base: Axis, delta: f64) -> Option<Self> {
+        let state = State::generic(c, base, &Interval::point(delta));
+        let reduced = Reduced::new(c, &state);
+        let is_maximum = reduced.linear_type() == Some(LinearType::Elliptic)
+            && reduced.index(state.hessian_trace(c).sign()) == Some(2);
+        if !is_maximum {
+            return None;
+        }
+        let farthest =
+            Axis::ALL.into_iter().min_by(|&i, &k| state.w[i].bounds()[1].total_cmp(&state.w[k].bounds()[1]))?;
+        let [b, d] = reduced.coefficients();
+        let form = NormalForm::with_quartic(&reduced_hamiltonian(c, &state, farthest), b, d, ())?;
+        let omega = state.s.middle().lo.sqrt();
+        let gamma = Axis::ALL.map(|k| state.w[k].middle().lo.sqrt().copysign(state.tau[k].middle().lo));
+        let matrix = whole::matrix(frame, gamma, omega);
+        let flow = Matrix::from_fn(|i, j| Complex::new(matrix[i][j], 0.0));
+        let top = Top { frame, gamma, omega, flow };
+        let frequencies = form.omega.map(|x| x.middle().lo * omega);
+        let spectrum = whole::spectrum(&matrix);
+        let is_there = |x: &f64| spectrum.iter().any(|y| (y.im - x).abs() < 1e-6 * x);
+        assert!(frequencies.iter().all(is_there), "{frequencies:?} {spectrum:?}");
+        let modes = frequencies.map(|x| Top::eigenvector(&top.flow, x));
+        let duals = frequencies.map(|x| Top::eigenvector(&top.flow.transpose(), x));
+        let units = std::array::from_fn(|k| {
+            let real = modes[k].map(|x| Complex::new(x.re, 0.0));
+            (0.5 * top.energy(&real).abs() / frequencies[k]).sqrt()
+        });
+        Some(Self { top, form, frequencies, modes, duals, units })
+    }
+
+    /// K₁₁, K₁₂ twice and K₂₂ from tori of three sizes, each half the one before.
+    fn twist_of_tori(&self, largest: f64) -> [f64; 4] {
+        let found = [1.0, 0.5, 0.25].map(|share| {
+            let size = share * largest;
+            // Actions in ratios 1 : 1/4 and 1/4 : 1.
+            let orbit = |first: f64, second: f64| {
+                let amounts = [first / self.units[0], second / self.units[1]];
+                let mut mean = [0.0; 2];
+                for signs in [[1.0, 1.0], [-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0]] {
+                    let x = self.modes[0].map(|x| x * (signs[0] * amounts[0]))
+                        + self.modes[1].map(|x| x * (signs[1] * amounts[1]));
+                    let frequencies = self.top.frequencies(&x, &self.duals, self.frequencies);
+                    (0..2).for_each(|k| mean[k] += frequencies[k] / 4.0);
+                }
+                mean
+            };
+            let still = orbit(1e-3 * size, 1e-3 * size);
+            let (one, other) = (orbit(size, 0.5 * size), orbit(0.5 * size, size));
+            let unit = size * size;
+            // dθ₁/dt = ω₁ + 2K₁₁I₁ + K₁₂I₂ and −dθ₂/dt = ω₂ − K₁₂I₁ − 2K₂₂I₂.
+            let shift = |of: [f64; 2]| [(of[0] - still[0]) / unit, (still[1] - of[1]) / unit];
+            let (p, q) = (shift(one), shift(other));
+            let solve = |p: f64, q: f64| [(4.0 * p - q) * 4.0 / 15.0, (4.0 * q - p) * 4.0 / 15.0];
+            let (first, second) = (solve(p[0], q[0]), solve(p[1], q[1]));
+            [first[0] / 2.0, first[1], second[0], second[1] / 2.0]
+        });
+        // The error is a series in the square of the amplitude.
+        std::array::from_fn(|k| {
+            let once = |n: usize| found[n + 1][k] + (found[n + 1][k] - found[n][k]) / 3.0;
+            once(1) + (once(1) - once(0)) / 15.0
+        })
+    }
+
+    /// How far the twist of tori is from the normal form's, over its largest coefficient.
+    fn difference(&self, largest: f64) -> f64 {
+        let [k11, k12, k22] = self.form.twist.map(|k| k.middle().lo);
+        let scale = [k11, k12, k22].into_iter().fold(0.0_f64, |size, k| size.max(k.abs()));
+        let pairs = self.twist_of_tori(largest).into_iter().zip([k11, k12, k12, k22]);
+        pairs.fold(0.0, |far: f64, (found, known)| far.max((found - known).abs() / scale))
+    }
+
+    /// −d(1/I₁)/dt, on average from I₁ = 2·10⁻⁴ to 10⁻³, of an orbit that begins with I₂ = 3I₁ = 3·10⁻⁵ and this phase of the second
+    /// mode; `None` if it does not get there in time.
+    fn rate_of_leaving(&self, phase: f64) -> Option<f64> {
+        const STEPS: u32 = 3_000_000;
+        let start = [(1e-5_f64, 0.0), (3e-5, phase)];
+        let mut disturbance = Vector::zeros();
+        for (k, (action, angle)) in start.into_iter().enumerate() {
+            let amplitude = Complex::from_polar(action.sqrt() / self.units[k], angle);
+            disturbance += self.modes[k].map(|x| Complex::new((x * amplitude).re, 0.0));
+        }
+        let scale: Complex<f64> =
+            (0..6).fold(Complex::new(0.0, 0.0), |sum, k| sum + self.duals[0][k] * self.modes[0][k]);
+        let (mut y, rest) = (self.top.disturbed(&disturbance), self.top.rest());
+        let time = 0.04 / self.frequencies[0].max(1.0);
+        let mut began = None;
+        for n in 1..STEPS {
+            y = self.top.step(y, time);
+            let share = (0..6).fold(Complex::new(0.0, 0.0), |sum, k| sum + self.duals[0][k] * (y[k] - rest[k]));
+            let action = (share * 2.0 / scale).norm_sqr() * self.units[0] * self.units[0];
+            let now = time * f64::from(n);
+            if action > 2e-4 && began.is_none() {
+                began = Some(now);
+            }
+            if action > 1e-3 {
+                return began.map(|began| (1.0 / 2e-4 - 1.0 / 1e-3) / (now - began));
+            }
+        }
+        None
+    }
+
+    /// ω₁/ω₂.
+    fn ratio(&self) -> f64 {
+        self.frequencies[0] / self.frequencies[1]
+    }
+}
+
 #[test]
 fn the_twist_is_that_of_integrated_tori() {
     let mut compared = 0;
     for (a, r) in [(["2", "1.1", "1"], ["0.9", "0.2", "0.6"]), (["3", "2", "1.5"], ["0.3", "1", "-0.7"])] {
-        let body = Body::parse(&a, &r).expect("a body");
-        let frame = body.frame();
+        let frame = Body::parse(&a, &r).expect("a body").frame();
         let c = Constants::rounded(&frame);
         for (base, delta) in [(0, -0.1), (0, 0.05), (0, 0.1), (0, -0.3)] {
-            let state = State::generic(&c, Axis::ALL[base], &Interval::point(delta));
-            let reduced = Reduced::new(&c, &state);
-            let kind = LinearType::Elliptic;
-            if reduced.linear_type() != Some(kind) || reduced.index(state.hessian_trace(&c).sign()) != Some(2) {
-                continue;
-            }
-            let setting = Setting { index: 2, minimum: None, integral: false };
-            let form =
-                Question { c: &c, state: &state, reduced: &reduced, kind, setting }.normal_form().expect("a form");
-            let known = form.twist.map(|k| k.middle().lo);
-            let omega = state.s.middle().lo.sqrt();
-            let gamma = Axis::ALL.map(|k| state.w[k].middle().lo.sqrt().copysign(state.tau[k].middle().lo));
-            let matrix = whole::matrix(&frame, gamma, omega);
-            let flow = Matrix::from_fn(|i, j| Complex::new(matrix[i][j], 0.0));
-            let top = Top { frame: &frame, gamma, omega, flow };
-            let near = form.omega.map(|x| x.middle().lo * omega);
-            let spectrum = whole::spectrum(&matrix);
-            assert!(near.iter().all(|x| spectrum.iter().any(|y| (y.im - x).abs() < 1e-6 * x)), "{near:?} {spectrum:?}");
-            let modes = near.map(|x| Top::eigenvector(&top.flow, x));
-            let duals = near.map(|x| Top::eigenvector(&top.flow.transpose(), x));
-            // Amplitudes whose actions are a² and a²/4, and the other way round.
-            let units: [f64; 2] = std::array::from_fn(|k| {
-                let real = modes[k].map(|x| Complex::new(x.re, 0.0));
-                (0.5 * top.energy(&real).abs() / near[k]).sqrt()
-            });
-            let mut found = Vec::new();
-            for size in [0.024, 0.012, 0.006] {
-                let orbit = |first: f64, second: f64| {
-                    let amounts = [first / units[0], second / units[1]];
-                    let mut mean = [0.0; 2];
-                    for signs in [[1.0, 1.0], [-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0]] {
-                        let x = modes[0].map(|x| x * (signs[0] * amounts[0]))
-                            + modes[1].map(|x| x * (signs[1] * amounts[1]));
-                        let frequencies = top.frequencies(&x, &duals, near);
-                        (0..2).for_each(|k| mean[k] += frequencies[k] / 4.0);
-                    }
-                    mean
-                };
-                let still = orbit(1e-3 * size, 1e-3 * size);
-                let (one, other) = (orbit(size, 0.5 * size), orbit(0.5 * size, size));
-                let unit = size * size;
-                // dθ₁/dt = ω₁ + 2K₁₁I₁ + K₁₂I₂ and −dθ₂/dt = ω₂ − K₁₂I₁ − 2K₂₂I₂.
-                let shift = |of: [f64; 2]| [(of[0] - still[0]) / unit, (still[1] - of[1]) / unit];
-                let (p, q) = (shift(one), shift(other));
-                let solve = |p: f64, q: f64| [(4.0 * p - q) * 4.0 / 15.0, (4.0 * q - p) * 4.0 / 15.0];
-                let (first, second) = (solve(p[0], q[0]), solve(p[1], q[1]));
-                found.push([first[0] / 2.0, first[1], second[0], second[1] / 2.0]);
-            }
-            let scale = known.iter().fold(0.0_f64, |size, k| size.max(k.abs()));
-            // The error is a series in the square of the amplitude.
-            let at_zero: [f64; 4] = std::array::from_fn(|k| {
-                let once = |n: usize| found[n + 1][k] + (found[n + 1][k] - found[n][k]) / 3.0;
-                once(1) + (once(1) - once(0)) / 15.0
-            });
-            for (value, known) in at_zero.into_iter().zip([known[0], known[1], known[1], known[2]]) {
-                assert!((value - known).abs() < 3e-6 * scale, "{a:?} {delta}: {known:?} {at_zero:?} {found:?}");
-            }
+            let Some(maximum) = Maximum::new(&frame, &c, Axis::ALL[base], delta) else { continue };
+            let far = maximum.difference(0.024);
+            assert!(far < 3e-6, "{a:?} {delta}: {far}");
             compared += 1;
         }
     }
     assert!(compared >= 3, "{compared}");
+}
+
+/// At 200 maxima of random bodies whose frequencies are apart from the low resonances, where tori have other forms. Near those
+/// the series have small denominators, so that the tori are to be small; of three sizes the best counts.
+#[test]
+#[ignore = "a campaign of ten minutes: cargo test --release -p bifdiag-equilibria --test twist -- --ignored --nocapture"]
+fn the_twist_is_that_of_integrated_tori_at_two_hundred_equilibria() {
+    let mut rng = SplitMix64::new(39);
+    let mut worst: Vec<f64> = Vec::new();
+    while worst.len() < 200 {
+        let a: [String; 3] = std::array::from_fn(|_| format!("{:.3}", 0.6 + 1.4 * rng.unit()));
+        let r: [String; 3] = std::array::from_fn(|_| format!("{:.3}", 0.1 + 0.9 * rng.unit()));
+        let Ok(body) = Body::parse(&a, &r) else { continue };
+        let frame = body.frame();
+        let c = Constants::rounded(&frame);
+        let Some(maximum) = (0..40).find_map(|_| {
+            let (base, delta) = (Axis::ALL[0], 4.0 * rng.unit() - 3.0);
+            let found = Maximum::new(&frame, &c, base, delta)?;
+            let resonances = [1.0, 1.5, 2.0, 3.0, 4.0, 5.0];
+            let is_apart = resonances.iter().all(|x| (found.ratio() - x).abs() > 0.1) && found.ratio() < 6.0;
+            is_apart.then_some(found)
+        }) else {
+            continue;
+        };
+        let far = [0.024, 0.012, 0.006].map(|size| maximum.difference(size)).into_iter().fold(f64::INFINITY, f64::min);
+        println!("{a:?} {r:?} ratio {:.4}: {far:.1e}", maximum.ratio());
+        worst.push(far);
+    }
+    worst.sort_by(f64::total_cmp);
+    println!("median {:.1e}, 190th {:.1e}, worst {:.1e}", worst[100], worst[189], worst[199]);
+    assert!(worst[199] < 1e-6, "{worst:?}");
+}
+
+/// At ω₁ = 3ω₂ on the energy level of the equilibrium H₄ = (K₁₁ + 3K₁₂ + 9K₂₂ + 3√3 B cos ψ) I₁² is constant. Where it can be 0
+/// orbits leave, and more and more precisely d(1/I₁)/dt = −√(27B² − (K₁₁ + 3K₁₂ + 9K₂₂)²).
+#[test]
+fn orbits_leave_an_unstable_resonance_as_fast_as_the_normal_form_says() {
+    let mut compared = 0;
+    for (a, r) in [
+        (["2", "1.1", "1"], ["0.9", "0.2", "0.6"]),
+        (["1.2", "2.3", "1.3"], ["0.3", "0.6", "0.2"]),
+        (["3", "2", "1.5"], ["0.3", "1", "-0.7"]),
+    ] {
+        let frame = Body::parse(&a, &r).expect("a body").frame();
+        let c = Constants::rounded(&frame);
+        for (base, n) in Axis::ALL.into_iter().flat_map(|base| (-60..60).map(move |n| (base, n))) {
+            let at = |delta: f64| Maximum::new(&frame, &c, base, delta);
+            let [mut lo, mut hi] = [n, n + 1].map(|n| 0.05 * f64::from(n) + 0.0123);
+            let ratios = [at(lo), at(hi)].map(|found| found.map(|found| found.ratio() - 3.0));
+            let [Some(first), Some(last)] = ratios else { continue };
+            if (first > 0.0) == (last > 0.0) || first.abs() > 0.5 || last.abs() > 0.5 {
+                continue;
+            }
+            for _ in 0..60 {
+                let middle = 0.5 * (lo + hi);
+                let Some(found) = at(middle) else { break };
+                if (found.ratio() > 3.0) == (first > 0.0) { lo = middle } else { hi = middle }
+            }
+            let maximum = at(lo).expect("between two of them");
+            let [k11, k12, k22] = maximum.form.twist.map(|k| k.middle().lo);
+            let along = k11 + 3.0 * k12 + 9.0 * k22;
+            let room = 27.0 * maximum.form.quartic.expect("asked for").middle().lo - along * along;
+            if room <= 0.0 {
+                continue;
+            }
+            let ratios: Vec<f64> = [0.0, 0.25, 0.5, 0.75]
+                .into_iter()
+                .filter_map(|turn| Some(maximum.rate_of_leaving(std::f64::consts::TAU * turn)? / room.sqrt()))
+                .collect();
+            println!("{a:?} {base:?} {lo}: {:.4} {ratios:?}", room.sqrt());
+            assert!(!ratios.is_empty() && ratios.iter().all(|ratio| (ratio - 1.0).abs() < 0.1), "{ratios:?}");
+            compared += 1;
+        }
+    }
+    assert!(compared >= 2, "{compared}");
 }

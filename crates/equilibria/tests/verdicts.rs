@@ -66,13 +66,7 @@ fn the_papers_body_has_these_changes() {
             NonlinearVerdict::Unstable,
             Reason::Resonance12,
         ),
-        (
-            2.327_799_984_629_819,
-            3.401_836_073_571_975,
-            Failing::Determinant,
-            NonlinearVerdict::Open,
-            Reason::Degenerate,
-        ),
+        (2.327_799_984_629_819, 3.401_836_073_571_975, Failing::Determinant, NonlinearVerdict::Stable, Reason::Arnold),
         (
             3.030_861_364_678_378_4,
             5.255_603_779_766_969,
@@ -257,7 +251,7 @@ fn motions_at_the_resonances_1_2_and_1_3_do_as_said() {
     }
     let paper = Preset::find("paper").unwrap().body();
     for (kind, verdict) in
-        [(Failing::Resonance13, NonlinearVerdict::Stable), (Failing::Determinant, NonlinearVerdict::Open)]
+        [(Failing::Resonance13, NonlinearVerdict::Stable), (Failing::Determinant, NonlinearVerdict::Stable)]
     {
         let point = at_change(&paper, kind, verdict);
         let [soon, late] = [5_000, 500_000].map(|steps| departure(&paper, &point, 0.005, steps, 1.0));

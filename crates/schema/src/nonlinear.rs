@@ -26,7 +26,8 @@ term! {
         Energy = "energy",
         /// A further integral, as at the sleeping top.
         Integral = "integral",
-        /// Arnold's theorem: no resonance ω₁ = ω₂, 2ω₂ or 3ω₂, and D₄ is not 0.
+        /// Arnold's theorem: no resonance ω₁ = ω₂, 2ω₂ or 3ω₂, and D₄ is not 0; or D₄ = 0, no resonance k₁ω₁ = k₂ω₂ with
+        /// k₁ + k₂ ≤ 6, and D₆ is not 0.
         Arnold = "arnold",
         /// An eigenvalue with positive real part.
         Spectrum = "spectrum",
@@ -36,7 +37,7 @@ term! {
         Resonance13 = "resonance 1:3",
         /// ω₁ = ω₂.
         Resonance11 = "resonance 1:1",
-        /// An eigenvalue zero, or D₄ = 0.
+        /// An eigenvalue zero, or D₄ = 0 where D₆ does not decide.
         Degenerate = "degenerate",
     }
 }

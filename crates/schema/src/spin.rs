@@ -375,7 +375,8 @@ pub struct StateDocument {
     pub spin: SpinDocument,
     /// The energy, in the units of the body.
     pub h: f64,
-    /// The vertical angular momentum, in the units of the body.
+    /// The vertical angular momentum, about the upward vertical (elsewhere l is about γ, which points down; the diagram is the
+    /// same for l and −l), in the units of the body.
     pub l: f64,
     /// The steady rotation that the state is; `null` for another motion.
     pub steady: Option<SteadyDocument>,

@@ -442,9 +442,10 @@ class VerdictChange:
         Some motions that start as near as one likes leave it. ``"open"``: No theorem that the program knows decides.
     why : str
         Why. ``"energy"``: A strict minimum of U_l (Lagrange–Dirichlet). ``"integral"``: A further integral, as at the
-        sleeping top. ``"arnold"``: Arnold's theorem: no resonance ω₁ = ω₂, 2ω₂ or 3ω₂, and D₄ is not 0. ``"spectrum"``: An
-        eigenvalue with positive real part. ``"resonance 1:2"``: ω₁ = 2ω₂. ``"resonance 1:3"``: ω₁ = 3ω₂. ``"resonance
-        1:1"``: ω₁ = ω₂. ``"degenerate"``: An eigenvalue zero, or D₄ = 0.
+        sleeping top. ``"arnold"``: Arnold's theorem: no resonance ω₁ = ω₂, 2ω₂ or 3ω₂, and D₄ is not 0; or D₄ = 0, no
+        resonance k₁ω₁ = k₂ω₂ with k₁ + k₂ ≤ 6, and D₆ is not 0. ``"spectrum"``: An eigenvalue with positive real part.
+        ``"resonance 1:2"``: ω₁ = 2ω₂. ``"resonance 1:3"``: ω₁ = 3ω₂. ``"resonance 1:1"``: ω₁ = ω₂. ``"degenerate"``: An
+        eigenvalue zero, or D₄ = 0 where D₆ does not decide.
     changes : bool
         The verdicts before and after differ.
     error_bound : float
@@ -516,9 +517,10 @@ class Nonlinear:
         motions that start as near as one likes leave it. ``"open"``: No theorem that the program knows decides.
     why : str
         Why. ``"energy"``: A strict minimum of U_l (Lagrange–Dirichlet). ``"integral"``: A further integral, as at the
-        sleeping top. ``"arnold"``: Arnold's theorem: no resonance ω₁ = ω₂, 2ω₂ or 3ω₂, and D₄ is not 0. ``"spectrum"``: An
-        eigenvalue with positive real part. ``"resonance 1:2"``: ω₁ = 2ω₂. ``"resonance 1:3"``: ω₁ = 3ω₂. ``"resonance
-        1:1"``: ω₁ = ω₂. ``"degenerate"``: An eigenvalue zero, or D₄ = 0.
+        sleeping top. ``"arnold"``: Arnold's theorem: no resonance ω₁ = ω₂, 2ω₂ or 3ω₂, and D₄ is not 0; or D₄ = 0, no
+        resonance k₁ω₁ = k₂ω₂ with k₁ + k₂ ≤ 6, and D₆ is not 0. ``"spectrum"``: An eigenvalue with positive real part.
+        ``"resonance 1:2"``: ω₁ = 2ω₂. ``"resonance 1:3"``: ω₁ = 3ω₂. ``"resonance 1:1"``: ω₁ = ω₂. ``"degenerate"``: An
+        eigenvalue zero, or D₄ = 0 where D₆ does not decide.
     D4_over_s : float or None
         Arnold's determinant D₄ = K₁₁ω₂² + K₁₂ω₁ω₂ + K₂₂ω₁² over Ω², where H = ω₁I₁ − ω₂I₂ + K₁₁I₁² + K₁₂I₁I₂ + K₂₂I₂² + …
         with the pair of positive Krein sign first; None but at index 2 with two distinct imaginary pairs, and along a

@@ -6,7 +6,7 @@ use bifdiag_documents::Subject;
 use bifdiag_documents::words::counted;
 use bifdiag_schema::{
     AtlasDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument, EventKind, RegionDocument,
-    StabilityChangeDocument,
+    SampleDocument, StabilityChangeDocument,
 };
 
 use crate::cli::input::{head, integrable};
@@ -27,7 +27,7 @@ pub fn text(subject: &Subject, document: &AtlasDocument, written: &[PathBuf]) ->
     if document.regions.is_empty() && document.summary.undecided.is_empty() {
         report.line("no point of the window is accessible: all of it lies below the lowest curve; there is no picture");
     } else {
-        report.line(region_table(document));
+        report.line(region_table(subject, document));
     }
     report.line("");
     if let Some(table) = event_table(&document.events) {
@@ -76,18 +76,36 @@ pub fn text(subject: &Subject, document: &AtlasDocument, written: &[PathBuf]) ->
 }
 
 /// The table of regions, with as many digits as fit.
-fn region_table(document: &AtlasDocument) -> String {
+fn region_table(subject: &Subject, document: &AtlasDocument) -> String {
     let width = |region: &RegionDocument| document.h_width(&region.id);
-    table_of(&document.regions, &width)
+    let least_moment = subject.body.moments_f64().into_iter().fold(f64::INFINITY, f64::min);
+    table_of(&document.regions, least_moment, &width)
 }
 
-fn table_of(regions: &[RegionDocument], width: &dyn Fn(&RegionDocument) -> Option<f64>) -> String {
-    let tables = [6, 5, 4, 3, 2].map(|digits| region_rows(regions, width, digits));
+fn table_of(regions: &[RegionDocument], least_moment: f64, width: &dyn Fn(&RegionDocument) -> Option<f64>) -> String {
+    let tables = [6, 5, 4, 3, 2].map(|digits| region_rows(regions, least_moment, width, digits));
     let [.., narrowest] = &tables;
     tables.iter().find(|table| table.width() <= TABLE_WIDTH).unwrap_or(narrowest).text()
 }
 
-fn region_rows(regions: &[RegionDocument], width: &dyn Fn(&RegionDocument) -> Option<f64>, digits: usize) -> Table {
+/// A sample with this many digits, or with as many as leave it in its region: the slope of curves is l/J ≤ l/min A.
+fn sample(SampleDocument { h, l, margin }: &SampleDocument, least_moment: f64, digits: usize) -> String {
+    let written = |digits: usize| [h, l].map(|x| significant(*x, digits));
+    let is_inside = |digits: &usize| {
+        let [h_error, l_error] = [(h, 0), (l, 1)]
+            .map(|(x, k)| written(*digits)[k].parse::<f64>().map_or(f64::INFINITY, |rounded| (rounded - x).abs()));
+        h_error + l_error * (l.abs() + l_error) / least_moment < margin.h
+    };
+    let [h, l] = written((digits..17).find(is_inside).unwrap_or(17));
+    format!("({h}, {l})")
+}
+
+fn region_rows(
+    regions: &[RegionDocument],
+    least_moment: f64,
+    width: &dyn Fn(&RegionDocument) -> Option<f64>,
+    digits: usize,
+) -> Table {
     let mut table = Table::new(&["id", "signature", "U", "E", "P", "genus", "sample (h, l)", "width", "l-range"]);
     for region in regions {
         let column = |cell: &dyn Fn(&ComponentDocument) -> String| {
@@ -102,7 +120,7 @@ fn region_rows(regions: &[RegionDocument], width: &dyn Fn(&RegionDocument) -> Op
             column(&|component| component.energy_surface.clone()),
             column(&|component| component.section.clone().unwrap_or_else(|| "-".to_owned())),
             column(&|component| component.genus.map_or_else(|| "-".to_owned(), |genus| genus.to_string())),
-            format!("({}, {})", significant(region.sample.h, digits), significant(region.sample.l, digits)),
+            sample(&region.sample, least_moment, digits),
             number(width(region), "inf"),
             format!("{}..{}", number(from, "?"), number(to, "inf")),
         ]);
@@ -162,7 +180,7 @@ fn stability_table(changes: &[StabilityChangeDocument]) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use bifdiag_diagram::topology::{Component, Poles, signature};
-    use bifdiag_schema::{MarginDocument, SampleDocument};
+    use bifdiag_schema::MarginDocument;
 
     use super::*;
 
@@ -193,7 +211,7 @@ mod tests {
             region("R3", &[component(3, poles(true, false)), component(1, poles(false, true))], [-1e-7 / 3.0, 0.1]),
             region("R4", &[component(2, None)], [1.0, 2.0]),
         ];
-        let text = table_of(&regions, &|region| Some(region.sample.h / 7.0));
+        let text = table_of(&regions, 1.0, &|region| Some(region.sample.h / 7.0));
         assert!(text.lines().all(|line| line.chars().count() <= TABLE_WIDTH), "{text}");
         for name in ["S2+S2+S2+S2+", "(S1xS2)#(S1xS2)", "M3", "RP3"] {
             assert!(text.contains(name), "{name} is missing in\n{text}");

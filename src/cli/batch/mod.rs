@@ -185,10 +185,8 @@ impl Batch<'_> {
             tracing::warn!("these keys mean nothing here and were ignored (on so many lines): {}", keys.join(", "));
         }
         let of_batch = |what: &str, count: usize| {
-            format!(
-                "{what} are {count} of {} of the batch; see the lines with \"error\"",
-                counted(lines, "line", "lines")
-            )
+            let (lines, verb) = (counted(lines, "line", "lines"), if count == 1 { "is" } else { "are" });
+            format!("{count} of {lines} of the batch {verb} {what}; see those with \"error\"")
         };
         if bad > 0 && self.strict {
             return Err(Failure::input(format!("--strict: {}", of_batch("wrong", bad))));

@@ -20,7 +20,7 @@ use super::failure::{Failure, failed};
 use super::input::{BodyArguments, Numbers};
 use super::terminal::{Timings, print, significant};
 use spins::{Output, Spins, spin_at};
-use table::NOT_FOUND;
+use table::{NOT_FOUND, not_found};
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -125,7 +125,7 @@ pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Res
                 let prepared = RelativeEquilibria::new(&subject.body)?;
                 if *method == Method::Newton { prepared.continued(l) } else { prepared.at(l) }
             });
-            let document = bifdiag_documents::critical(&subject, l, &found.map_err(failed(NOT_FOUND))?);
+            let document = bifdiag_documents::critical(&subject, l, &found.map_err(not_found)?);
             answer(*json, &document, || report::text(&subject, &document))
         }
         (Some(Numbers::Range { from, to, count }), None) if *json => {

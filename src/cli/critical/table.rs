@@ -4,7 +4,7 @@ use bifdiag_body::part::Spin;
 use bifdiag_body::{Body, Number};
 use bifdiag_documents::Subject;
 use bifdiag_documents::codes::{self, Branches, MULTIPLICITIES, place};
-use bifdiag_equilibria::critical::{Equilibria, RelativeEquilibria};
+use bifdiag_equilibria::critical::{CriticalError, Equilibria, RelativeEquilibria};
 use bifdiag_equilibria::permanent::angle_between;
 use bifdiag_schema::{
     Multiplicity, NonlinearVerdict, Reason, SCHEMA_VERSION, SpinDocument, Stability, SteadyAxesDocument, Verdict,
@@ -18,6 +18,14 @@ use crate::cli::input::Numbers;
 
 /// What is said where there is no answer.
 pub const NOT_FOUND: &str = "the relative equilibria could not be found";
+
+/// An l beyond f64 is wrong input.
+pub fn not_found(error: CriticalError) -> Failure {
+    match error {
+        CriticalError::Momentum(error) => Failure::input(format!("--l: {error}")),
+        error => failed(NOT_FOUND)(error),
+    }
+}
 
 /// What the codes in the columns mean.
 #[derive(Serialize)]
@@ -71,7 +79,7 @@ pub fn at_momenta(body: &Body, [from, to]: [&Number; 2], count: u32) -> Result<C
     let mut rows = Rows::default();
     for k in 0..count {
         let l = Numbers::at([from, to], count, k);
-        rows.extend(&prepared.at(&l).map_err(failed(NOT_FOUND))?, k, Some(l.to_f64()));
+        rows.extend(&prepared.at(&l).map_err(not_found)?, k, Some(l.to_f64()));
     }
     let numbers = ("l_index", Values::Int32(std::mem::take(&mut rows.index_of_l)));
     Ok(rows.columns(body, Some((from.text(), to.text(), count)), None, [numbers], [])?)

@@ -322,6 +322,14 @@ impl PartArguments {
                 _ => "compare them with those that your program prints, or look up its convention",
             };
             let [tensor, integral] = [Products::Tensor, Products::Integral].map(|products| moments(list, products));
+            let product_count = list[3..].iter().filter(|product| !product.value.is_zero()).count();
+            if product_count == 1 {
+                return Err(Failure::input(format!(
+                    "--products is missing: a product of inertia in {option} is not 0, and programs differ in its sign. The \
+                     principal moments are {tensor} with either sign, the principal axes are not; look the convention up: \
+                     --products tensor (Ixy = -∫ x y dm) or integral (Ixy = +∫ x y dm)"
+                )));
+            }
             return Err(Failure::input(format!(
                 "--products is missing: a product of inertia in {option} is not 0, and programs differ in its sign. The \
                  principal moments would be {tensor} with --products tensor (Ixy = -∫ x y dm), {integral} with --products \

@@ -67,8 +67,11 @@ fn add_border(report: &mut Report, border: &FoundBorderDocument, vary: &[Paramet
         report.line("the border is not known to 1e-10: f64 alone does not decide the bodies between these two");
     }
     for (end, class) in border.classes.iter().enumerate() {
-        let body =
-            border.at.iter().zip(vary).map(|(value, range)| format!("{} = {}", range.parameter, value.enclosure[end]));
+        let body = border
+            .at
+            .iter()
+            .zip(vary)
+            .map(|(value, range)| format!("{} = {}", range.parameter, shortest(value.enclosure[end])));
         report.line(format!("class {class} at {}", body.collect::<Vec<_>>().join(", ")));
     }
     let event = &border.event;
@@ -79,10 +82,24 @@ fn add_border(report: &mut Report, border: &FoundBorderDocument, vary: &[Paramet
     }
     for (class, labels) in border.classes.iter().zip([&event.vanish, &event.appear]) {
         if !labels.is_empty() {
-            report.line(format!("  only in {class}: {}", labels.join("; ")));
+            report.line(format!("  only in {class}: {}", each_once(labels).join("; ")));
         }
     }
     report.line("one border between the two ends; others were not searched for");
+}
+
+/// All digits, with a power of ten where many zeros would lead.
+fn shortest(x: f64) -> String {
+    if x != 0.0 && x.abs() < 1e-4 { format!("{x:e}") } else { x.to_string() }
+}
+
+/// Equal labels, which follow one another, as one.
+fn each_once(labels: &[String]) -> Vec<String> {
+    let once = |same: &[String]| match same.len() {
+        1 => same[0].clone(),
+        count => format!("{} ({count} times)", same[0]),
+    };
+    labels.chunk_by(|p, q| p == q).map(once).collect()
 }
 
 /// An error with one digit, rounded up.

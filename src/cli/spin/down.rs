@@ -87,7 +87,7 @@ pub fn run(arguments: &SpinDownArguments, timings: &Timings) -> Result<(), Failu
         Some(directory) => drawn(arguments, &subject, &atlas, &document, directory, timings)?,
         None => Vec::new(),
     };
-    answer(arguments.json, &document, || text(&subject, &document, &written))
+    answer(arguments.json, &document, || text(&subject, &id, &document, &written))
 }
 
 /// How far the picture shows more than the way, in parts of it.
@@ -127,7 +127,7 @@ fn drawn(
     files.write()
 }
 
-fn text(subject: &Subject, document: &SpinDownDocument, written: &[PathBuf]) -> String {
+fn text(subject: &Subject, from: &str, document: &SpinDownDocument, written: &[PathBuf]) -> String {
     let mut report = Report::default();
     head(subject, &mut report);
     report.line("");
@@ -149,6 +149,13 @@ fn text(subject: &Subject, document: &SpinDownDocument, written: &[PathBuf]) -> 
     }
     report.line(table.text());
     report.line("");
+    if let Some(first) = document.path.first().filter(|first| first.curve != from) {
+        report.line(format!(
+            "{from} ends at l = {} in a pitchfork, from which {} goes on",
+            significant(first.l[0], DIGITS),
+            first.curve
+        ));
+    }
     report.line("regions: just below and just above in h");
     report.line("in the limit in which l is lost much more slowly than all that is not steady is damped");
     report.written(written);

@@ -209,7 +209,11 @@ fn text(subject: &Subject, document: &StateDocument) -> String {
     head(subject, &mut report);
     let spin = &document.spin;
     report.line(format!("spin {} rpm = {} rad/s", significant(spin.rpm, 8), significant(spin.rad_per_s, 8)));
-    report.line(format!("h = {}, l = {}", significant(document.h, 10), significant(document.l, 10)));
+    report.line(format!(
+        "h = {}, l = {} about the upward vertical",
+        significant(document.h, 10),
+        significant(document.l, 10)
+    ));
     report.line("");
     match &document.steady {
         Some(steady) => {

@@ -79,7 +79,7 @@ pub enum CriticalError {
     Momentum(#[from] MomentumError),
     /// At a spin l leaves the range of `f64`.
     #[error(
-        "the spin {spin:e} is too {} for this body in f64; |spin| between {smallest:e} and {largest:e}, or 0, is possible",
+        "the spin {spin:e} is too {} for this body in f64; |spin| between {smallest:.1e} and {largest:.1e}, or 0, is possible",
         if *.spin < *.smallest { "slow" } else { "fast" }
     )]
     Spin {

@@ -8,7 +8,7 @@ use thiserror::Error;
 
 /// An angular momentum at which `f64` cannot compute.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[error("l = {l:e} is too {} for this body in f64; |l| between {smallest:e} and {largest:e}, or 0, is possible", if *.l < *.smallest { "small" } else { "large" })]
+#[error("l = {l:e} is too {} for this body in f64; |l| between {smallest:.1e} and {largest:.1e}, or 0, is possible", if *.l < *.smallest { "small" } else { "large" })]
 pub struct MomentumError {
     /// |l| as asked for.
     pub l: f64,

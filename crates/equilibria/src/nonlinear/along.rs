@@ -253,7 +253,13 @@ impl OnFamily<'_> {
     /// The point at a zero of the determinant.
     fn zero(&self, range: &[RBig; 2]) -> VerdictChange {
         let (c, state) = self.over(range);
-        let verdict = (NonlinearVerdict::Open, Reason::Degenerate);
+        let reduced = Reduced::new(&c, &state);
+        let (kind, setting) = (LinearType::Elliptic, MAXIMUM);
+        let sixth = Question { c: &c, state: &state, reduced: &reduced, kind, setting }.sixth();
+        let verdict = match sixth.and_then(|value| value.strict_sign()) {
+            Some(_) => (NonlinearVerdict::Stable, Reason::Arnold),
+            None => (NonlinearVerdict::Open, Reason::Degenerate),
+        };
         self.change(state.place(&c, &self.set.frame), Failing::Determinant, verdict, (false, true))
     }
 }

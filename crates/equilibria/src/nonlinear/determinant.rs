@@ -50,7 +50,7 @@ pub fn arnold_numerator<E: Enclosure>(hamiltonian: &Series<E>, b: &E, c: &E, pre
 }
 
 /// H″ at the origin.
-pub(super) fn hessian<E: Enclosure>(hamiltonian: &Series<E>, precision: E::Precision) -> Matrix<E> {
+pub(super) fn hessian<E: Enclosure, const D: usize>(hamiltonian: &Series<E, D>, precision: E::Precision) -> Matrix<E> {
     std::array::from_fn(|a| {
         std::array::from_fn(|b| {
             let mut powers = [0; VARIABLES];

@@ -8,6 +8,7 @@ use super::determinant::arnold_numerator;
 use super::normal_form::NormalForm;
 use super::reduced_hamiltonian::{farthest, reduced_hamiltonian};
 use super::series::Series;
+use super::sixth::sixth;
 use super::verdict::{Determinant, Nonlinear, Setting};
 use crate::stability::{Constants, LinearType, RESONANCES, Reduced, State};
 use bifdiag_schema::{NonlinearVerdict, Reason};
@@ -101,6 +102,14 @@ impl<E: Enclosure> Question<'_, E> {
     #[must_use]
     pub fn normal_form(&self) -> Option<NormalForm<E>> {
         self.form(NormalForm::new)
+    }
+
+    /// D₆/s, which decides where D₄ = 0; `None` where the enclosures do not tell that no resonance of order up to six holds.
+    #[must_use]
+    pub fn sixth(&self) -> Option<E> {
+        let series = reduced_hamiltonian(self.c, self.state, farthest(self.state));
+        let [b, c] = self.reduced.coefficients();
+        sixth(&series, b, c, self.c.precision)
     }
 
     fn form<T>(&self, of: impl FnOnce(&Series<E>, &E, &E, E::Precision) -> T) -> T {

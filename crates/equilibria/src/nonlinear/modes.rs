@@ -1,9 +1,11 @@
 //! The coordinates z_j = X_j + iY_j of the two modes of the linearised flow, x = Σ (z_j v_j + z̄_j v̄_j), and coefficients in them.
 
+use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
 
 use super::complex::Complex;
-use super::series::{DEGREE, Exponents, Homogeneous, VARIABLES, of_degree, place_in_degree};
+use super::determinant::hessian;
+use super::series::{Exponents, HIGHEST, Homogeneous, Series, VARIABLES, of_degree, place_in_degree};
 
 /// z₁, z₂, z̄₁, z̄₂ of a mode and its conjugate.
 pub(super) const CONJUGATE: usize = 2;
@@ -58,6 +60,61 @@ impl<E: Enclosure> Mode<E> {
     }
 }
 
+/// Both modes, that of the larger frequency first.
+pub(super) struct ModePair<E> {
+    /// ω₁, ω₂ and their squares.
+    pub(super) omega: [E; 2],
+    pub(super) squares: [E; 2],
+    pub(super) modes: [Mode<E>; 2],
+    /// Of their energies.
+    pub(super) signs: [Sign; 2],
+}
+
+impl<E: Enclosure> ModePair<E> {
+    /// From a Hamiltonian and the coefficients of its λ⁴ + bλ² + c; `None` where the enclosures do not tell that the pairs are
+    /// imaginary, distinct, and of certain energies.
+    pub(super) fn new<const D: usize>(
+        hamiltonian: &Series<E, D>,
+        b: &E,
+        c: &E,
+        precision: E::Precision,
+    ) -> Option<Self> {
+        let discriminant = b.square() - E::small(4, precision) * c.clone();
+        if [b, c, &discriminant].into_iter().any(|value| value.sign() != Some(Sign::Positive)) {
+            return None;
+        }
+        let larger = (b.clone() + discriminant.sqrt()) / E::small(2, precision);
+        let squares = [larger.clone(), c.clone() / larger];
+        let omega = squares.each_ref().map(E::sqrt);
+        let hessian = hessian(hamiltonian, precision);
+        let mode = |j: usize| Mode::new(&hessian, &omega[j], &squares[1 - j], precision);
+        let modes = [mode(0)?, mode(1)?];
+        let signs = [modes[0].energy.strict_sign()?, modes[1].energy.strict_sign()?];
+        Some(Self { omega, squares, modes, signs })
+    }
+
+    /// ⟨ω, a − b⟩ of the monomial z^a z̄^b.
+    pub(super) fn frequency(&self, powers: &Exponents, precision: E::Precision) -> E {
+        (0..CONJUGATE).fold(E::small(0, precision), |sum, j| {
+            let winding = i32::from(powers[j]) - i32::from(powers[j + CONJUGATE]);
+            sum + E::small(winding, precision) * self.omega[j].clone()
+        })
+    }
+
+    /// 2ω_j n_j, of which {z_j, z̄_j} is i times the inverse.
+    pub(super) fn bracket(&self, j: usize, precision: E::Precision) -> E {
+        E::small(2, precision) * self.omega[j].clone() * self.modes[j].energy.clone()
+    }
+
+    /// 2ω_j |n_j|: the actions over |z_j|².
+    pub(super) fn actions(&self, precision: E::Precision) -> [E; 2] {
+        [0, 1].map(|j| match self.signs[j] {
+            Sign::Negative => -self.bracket(j, precision),
+            _ => self.bracket(j, precision),
+        })
+    }
+}
+
 /// x in the real coordinates X₁, X₂, Y₁, Y₂ of z_j = X_j + iY_j: z v + z̄ v̄ = 2X re v − 2Y im v.
 pub(super) fn linear_forms<E: Enclosure>(modes: &[Mode<E>; 2], precision: E::Precision) -> [[E; VARIABLES]; VARIABLES] {
     std::array::from_fn(|a| {
@@ -69,15 +126,19 @@ pub(super) fn linear_forms<E: Enclosure>(modes: &[Mode<E>; 2], precision: E::Pre
     })
 }
 
-/// The coefficients of all monomials of degree three in z₁, z₂, z̄₁, z̄₂. That of a conjugate is the conjugate: the same
+/// The coefficients of all monomials of one degree in z₁, z₂, z̄₁, z̄₂. That of a conjugate is the conjugate: the same
 /// operations with other signs.
-pub(super) fn cubic_in_modes<E: Enclosure>(real: Option<&Homogeneous<E>>, precision: E::Precision) -> Vec<Complex<E>> {
-    let mut cubic: Vec<Complex<E>> = Vec::with_capacity(of_degree(3).len());
-    for [a, b, c, d] in of_degree(3) {
-        let known = place_in_degree(&[c, d, a, b]).and_then(|place| cubic.get(place)).map(Complex::conjugate);
-        cubic.push(known.unwrap_or_else(|| coefficient_in_modes(real, [a, b, c, d], precision)));
+pub(super) fn in_modes<E: Enclosure>(
+    real: Option<&Homogeneous<E>>,
+    degree: usize,
+    precision: E::Precision,
+) -> Vec<Complex<E>> {
+    let mut found: Vec<Complex<E>> = Vec::with_capacity(of_degree(degree).len());
+    for [a, b, c, d] in of_degree(degree) {
+        let known = place_in_degree(&[c, d, a, b]).and_then(|place| found.get(place)).map(Complex::conjugate);
+        found.push(known.unwrap_or_else(|| coefficient_in_modes(real, [a, b, c, d], precision)));
     }
-    cubic
+    found
 }
 
 /// The coefficient of a monomial in z₁, z₂, z̄₁, z̄₂, from X = (z + z̄)/2 and Y = (z − z̄)/(2i).
@@ -115,10 +176,10 @@ pub(super) fn coefficient_in_modes<E: Enclosure>(
 }
 
 /// The coefficient of z̄^k in (z + z̄)^(n−y) (z − z̄)^y, by n, y and k.
-const KRAWTCHOUK: [[[i32; DEGREE + 1]; DEGREE + 1]; DEGREE + 1] = {
-    let mut table = [[[0; DEGREE + 1]; DEGREE + 1]; DEGREE + 1];
+const KRAWTCHOUK: [[[i32; HIGHEST + 1]; HIGHEST + 1]; HIGHEST + 1] = {
+    let mut table = [[[0; HIGHEST + 1]; HIGHEST + 1]; HIGHEST + 1];
     let mut n = 0;
-    while n <= DEGREE {
+    while n <= HIGHEST {
         let mut y = 0;
         while y <= n {
             table[n][y][0] = 1;

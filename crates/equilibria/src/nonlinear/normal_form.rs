@@ -11,8 +11,7 @@ use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
 
 use super::complex::Complex;
-use super::determinant::hessian;
-use super::modes::{CONJUGATE, Mode, coefficient_in_modes, cubic_in_modes, linear_forms};
+use super::modes::{CONJUGATE, Mode, ModePair, coefficient_in_modes, in_modes, linear_forms};
 use super::series::{Exponents, Homogeneous, Series, VARIABLES, of_degree, place_in_degree};
 
 /// H = ±ω₁I₁ ± ω₂I₂ + K₁₁I₁² + K₁₂I₁I₂ + K₂₂I₂² + …, with ω₁ > ω₂ > 0.
@@ -53,7 +52,7 @@ impl<E: Enclosure> NormalForm<E> {
         let form = Form::new(hamiltonian, b, c, precision, Quartic::whole)?;
         // 2|c| |z₁| |z₂|ⁿ with |z_j|² = I_j/(2ω_j|n_j|).
         let size = form.squared_size(&form.rest([1, 0, 0, 3], true));
-        let [first, second] = form.actions();
+        let [first, second] = form.pair.actions(precision);
         let quartic = size / (first * second.square() * second);
         Some(Self { quartic: Some(quartic), ..form.normal() })
     }
@@ -61,11 +60,7 @@ impl<E: Enclosure> NormalForm<E> {
 
 /// A Hamiltonian in the coordinates of its modes.
 struct Form<E: Enclosure> {
-    /// ω₁, ω₂ and their squares.
-    omega: [E; 2],
-    squares: [E; 2],
-    modes: [Mode<E>; 2],
-    signs: [Sign; 2],
+    pair: ModePair<E>,
     /// H₃ by monomials of z₁, z₂, z̄₁, z̄₂.
     cubic: Vec<Complex<E>>,
     /// iG₃ likewise. A term that is known to vanish has no share in it, resonant or not.
@@ -82,31 +77,15 @@ impl<E: Enclosure> Form<E> {
         precision: E::Precision,
         quartic: impl FnOnce(&Series<E>, &[Mode<E>; 2], E::Precision) -> Quartic<E>,
     ) -> Option<Self> {
-        let small = |value| E::small(value, precision);
-        let discriminant = b.square() - small(4) * c.clone();
-        if [b, c, &discriminant].into_iter().any(|value| value.sign() != Some(Sign::Positive)) {
-            return None;
-        }
-        let larger = (b.clone() + discriminant.sqrt()) / small(2);
-        let squares = [larger.clone(), c.clone() / larger];
-        let omega = squares.each_ref().map(E::sqrt);
-        let hessian = hessian(hamiltonian, precision);
-        let mode = |j: usize| Mode::new(&hessian, &omega[j], &squares[1 - j], precision);
-        let modes = [mode(0)?, mode(1)?];
-        let signs = [modes[0].energy.strict_sign()?, modes[1].energy.strict_sign()?];
-
-        let forms = linear_forms(&modes, precision);
-        let cubic = cubic_in_modes(Homogeneous::composed(hamiltonian, 3, &forms, |_| true).as_ref(), precision);
-        let quartic = quartic(hamiltonian, &modes, precision);
+        let pair = ModePair::new(hamiltonian, b, c, precision)?;
+        let forms = linear_forms(&pair.modes, precision);
+        let cubic = in_modes(Homogeneous::composed(hamiltonian, 3, &forms, |_| true).as_ref(), 3, precision);
+        let quartic = quartic(hamiltonian, &pair.modes, precision);
         let over_frequency = |(powers, value): (Exponents, &Complex<E>)| {
-            let frequency = (0..2).fold(small(0), |sum, j| {
-                let winding = i32::from(powers[j]) - i32::from(powers[j + CONJUGATE]);
-                sum + small(winding) * omega[j].clone()
-            });
-            (!value.is_zero()).then(|| value.scaled(&(small(1) / frequency)))
+            (!value.is_zero()).then(|| value.scaled(&(E::small(1, precision) / pair.frequency(&powers, precision))))
         };
         let generator = of_degree(3).zip(&cubic).map(over_frequency).collect();
-        Some(Self { omega, squares, modes, signs, cubic, generator, quartic, precision })
+        Some(Self { pair, cubic, generator, quartic, precision })
     }
 
     fn small(&self, value: i32) -> E {
@@ -116,8 +95,7 @@ impl<E: Enclosure> Form<E> {
     /// The coefficient of a monomial of degree four in H₄ + ½{H₃, G₃}; its imaginary part only if that `is_complex`.
     fn rest(&self, wanted: Exponents, is_complex: bool) -> Complex<E> {
         // ½ · 1/(2ω_j n_j)
-        let factor = |j: usize| self.small(1) / (self.small(4) * self.omega[j].clone() * self.modes[j].energy.clone());
-        let factors = [factor(0), factor(1)];
+        let factors = [0, 1].map(|j| self.small(1) / (self.small(2) * self.pair.bracket(j, self.precision)));
         let mut sum = self.quartic.coefficient(wanted, self.precision);
         for (powers, value) in of_degree(3).zip(&self.cubic) {
             // The partner in the bracket of each mode.
@@ -143,14 +121,6 @@ impl<E: Enclosure> Form<E> {
         sum
     }
 
-    /// 2ω_j |n_j|.
-    fn actions(&self) -> [E; 2] {
-        [0, 1].map(|j| {
-            let size = self.small(2) * self.omega[j].clone() * self.modes[j].energy.clone();
-            if self.signs[j] == Sign::Negative { -size } else { size }
-        })
-    }
-
     /// 4|c|².
     fn squared_size(&self, value: &Complex<E>) -> E {
         self.small(4) * (value.re.square() + value.im.square())
@@ -159,13 +129,13 @@ impl<E: Enclosure> Form<E> {
     /// All but the resonant term of degree four.
     fn normal(self) -> NormalForm<E> {
         let [k11, k12, k22] = TWIST.map(|powers| self.rest(powers, false).re);
-        let [first, second] = self.actions();
+        let [first, second] = self.pair.actions(self.precision);
         let twist = [k11 / first.square(), k12 / (first.clone() * second.clone()), k22 / second.square()];
         // 2|c| |z₁| |z₂|ⁿ with |z_j|² = I_j/(2ω_j|n_j|).
         let resonant = of_degree(3).zip(&self.cubic).find(|(powers, _)| *powers == [1, 0, 0, 2]);
         let cubic = resonant.map_or_else(|| self.small(0), |(_, value)| self.squared_size(value));
         let cubic = cubic / (first * second.square());
-        let Self { omega, squares, signs, .. } = self;
+        let ModePair { omega, squares, signs, .. } = self.pair;
         let mixed = twist[1].clone() * omega[0].clone() * omega[1].clone();
         let mixed = if signs[0] == signs[1] { -mixed } else { mixed };
         let arnold = twist[0].clone() * squares[1].clone() + mixed + twist[2].clone() * squares[0].clone();
@@ -243,7 +213,7 @@ fn divided(product: Exponents, powers: Exponents) -> Option<Exponents> {
 }
 
 /// The factor of the product of two monomials in the bracket of mode j.
-fn bracket(left: Exponents, right: Exponents, j: usize) -> i32 {
+pub(super) fn bracket(left: Exponents, right: Exponents, j: usize) -> i32 {
     let power = |powers: Exponents, k: usize| i32::from(powers[k]);
     power(left, j) * power(right, j + CONJUGATE) - power(left, j + CONJUGATE) * power(right, j)
 }

@@ -13,7 +13,7 @@
 use bifdiag_body::Axis;
 use bifdiag_numbers::enclosure::Enclosure;
 
-use super::series::{DEGREE, Series};
+use super::series::Series;
 use crate::stability::{Constants, State};
 
 /// The variables of the series, in order.
@@ -26,9 +26,13 @@ pub(super) fn farthest<E: Enclosure>(state: &State<E>) -> Axis {
     Axis::ALL.into_iter().min_by(|&i, &k| size(i).total_cmp(&size(k))).unwrap_or(Axis::ALL[2])
 }
 
-/// H/s about the equilibrium in (ϑ, φ, p_ϑ, p_φ), up to degree four, with the angles about an axis with γ ≠ ±e_axis.
+/// H/s about the equilibrium in (ϑ, φ, p_ϑ, p_φ), up to degree D, with the angles about an axis with γ ≠ ±e_axis.
 #[must_use]
-pub fn reduced_hamiltonian<E: Enclosure>(c: &Constants<E>, state: &State<E>, axis: Axis) -> Series<E> {
+pub fn reduced_hamiltonian<E: Enclosure, const D: usize>(
+    c: &Constants<E>,
+    state: &State<E>,
+    axis: Axis,
+) -> Series<E, D> {
     let precision = c.precision;
     let small = |value| E::small(value, precision);
     let axes = [axis.next(), axis.next().next(), axis];
@@ -39,9 +43,9 @@ pub fn reduced_hamiltonian<E: Enclosure>(c: &Constants<E>, state: &State<E>, axi
 
     let [theta, phi] = ANGLES;
     let circle = |variable: usize, sine: &E, cosine: &E| {
-        let halves = [small(1), small(1), small(2), small(6), small(24)];
-        let taylor = |values: [E; 4]| -> [E; DEGREE + 1] {
-            std::array::from_fn(|power| values[power % 4].clone() / halves[power].clone())
+        let taylor = |values: [E; 4]| {
+            let factorial = |power: i32| small((1..=power).product());
+            values.into_iter().cycle().zip(0..).take(D + 1).map(move |(value, power)| value / factorial(power))
         };
         let (s, c) = (sine.clone(), cosine.clone());
         [
@@ -60,11 +64,13 @@ pub fn reduced_hamiltonian<E: Enclosure>(c: &Constants<E>, state: &State<E>, axi
     // 1/x at x = ϱ: the powers of −1/ϱ.
     let inverse = one.clone() / rho;
     let mut power = inverse.clone();
-    let reciprocal: [E; DEGREE + 1] = std::array::from_fn(|_| {
-        let value = power.clone();
-        power = -(power.clone() * inverse.clone());
-        value
-    });
+    let reciprocal: Vec<E> = (0..=D)
+        .map(|_| {
+            let value = power.clone();
+            power = -(power.clone() * inverse.clone());
+            value
+        })
+        .collect();
     let minus = small(-1);
     let horizontal = Series::constant(state.j.clone())
         .plus(p_phi.times(&cos_theta).scaled(&minus))

@@ -1,54 +1,54 @@
-//! Power series in four variables up to degree four.
+//! Power series in four variables up to degree four or six.
 
 use std::ops::{Add, Mul};
 use std::sync::OnceLock;
 
 /// Variables.
 pub(super) const VARIABLES: usize = 4;
-/// The degree above which terms are dropped.
+/// The degree above which terms are dropped, unless a type says otherwise.
 pub(super) const DEGREE: usize = 4;
-/// Monomials of degree at most four in four variables: C(8, 4).
-const MONOMIALS: usize = 70;
+/// The highest degree of any series.
+pub const HIGHEST: usize = 6;
 
 /// The powers of the variables in a monomial.
 pub(super) type Exponents = [u8; VARIABLES];
 
 /// How many monomials have a lower degree: C(d + 3, 4).
-const BELOW: [usize; DEGREE + 2] = [0, 1, 5, 15, 35, MONOMIALS];
+const BELOW: [usize; HIGHEST + 2] = [0, 1, 5, 15, 35, 70, 126, 210];
 
 /// The monomials by rising degree.
 struct Monomials {
     exponents: Vec<Exponents>,
-    /// For each the places of its products with those, the first ones, with which it makes at most degree four.
+    /// For each the places of its products with those, the first ones, with which it makes at most degree six.
     products: Vec<Vec<usize>>,
     /// The place of each, by its powers as digits.
     places: Vec<usize>,
 }
 
-/// Powers as one number with digits from 0 to 4.
+/// Powers as one number with digits from 0 to 6.
 fn code(powers: &Exponents) -> usize {
-    powers.iter().fold(0, |code, &power| 5 * code + usize::from(power))
+    powers.iter().fold(0, |code, &power| (HIGHEST + 1) * code + usize::from(power))
 }
 
 impl Monomials {
     fn get() -> &'static Self {
         static MONOMIALS: OnceLock<Monomials> = OnceLock::new();
         MONOMIALS.get_or_init(|| {
-            let powers = 0..=4_u8;
+            let powers = 0..=6_u8;
             let mut exponents: Vec<Exponents> = powers
                 .clone()
                 .flat_map(|i| powers.clone().map(move |j| (i, j)))
                 .flat_map(|(i, j)| powers.clone().map(move |k| (i, j, k)))
                 .flat_map(|(i, j, k)| powers.clone().map(move |m| [i, j, k, m]))
-                .filter(|powers| degree(powers) <= DEGREE)
+                .filter(|powers| degree(powers) <= HIGHEST)
                 .collect();
             exponents.sort_by_key(degree);
-            let mut places = vec![usize::MAX; 5_usize.pow(4)];
+            let mut places = vec![usize::MAX; (HIGHEST + 1).pow(4)];
             for (place, powers) in exponents.iter().enumerate() {
                 places[code(powers)] = place;
             }
             let times = |first: &Exponents| {
-                let partners = &exponents[..BELOW[DEGREE - degree(first) + 1]];
+                let partners = &exponents[..BELOW[HIGHEST - degree(first) + 1]];
                 let product = |second: &Exponents| std::array::from_fn(|k| first[k] + second[k]);
                 partners.iter().map(|second| places[code(&product(second))]).collect()
             };
@@ -57,7 +57,7 @@ impl Monomials {
         })
     }
 
-    /// The place of a monomial of degree at most four.
+    /// The place of a monomial of degree at most six.
     fn place(&self, powers: &Exponents) -> Option<usize> {
         self.places.get(code(powers)).copied().filter(|&place| place != usize::MAX)
     }
@@ -81,15 +81,15 @@ pub(super) fn add<T: Add<Output = T>>(sum: &mut Option<T>, value: T) {
     });
 }
 
-/// A power series without its terms above degree four. A coefficient that is known to vanish is `None`.
+/// A power series without its terms above degree D. A coefficient that is known to vanish is `None`.
 #[derive(Clone, Debug)]
-pub struct Series<T> {
+pub struct Series<T, const D: usize = DEGREE> {
     coefficients: Vec<Option<T>>,
 }
 
-impl<T: Clone + Add<Output = T> + Mul<Output = T>> Series<T> {
+impl<T: Clone + Add<Output = T> + Mul<Output = T>, const D: usize> Series<T, D> {
     fn zero() -> Self {
-        Self { coefficients: std::iter::repeat_with(|| None).take(MONOMIALS).collect() }
+        Self { coefficients: std::iter::repeat_with(|| None).take(BELOW[D + 1]).collect() }
     }
 
     /// A constant.
@@ -110,7 +110,7 @@ impl<T: Clone + Add<Output = T> + Mul<Output = T>> Series<T> {
     pub(super) fn of(terms: impl IntoIterator<Item = (Exponents, T)>) -> Self {
         let mut series = Self::zero();
         for (powers, value) in terms {
-            if let Some(place) = Monomials::get().place(&powers) {
+            if let Some(place) = Monomials::get().place(&powers).filter(|place| *place < BELOW[D + 1]) {
                 series.add_at(place, value);
             }
         }
@@ -118,7 +118,7 @@ impl<T: Clone + Add<Output = T> + Mul<Output = T>> Series<T> {
     }
 
     /// A function of one variable, from its Taylor coefficients.
-    pub(super) fn univariate(number: usize, taylor: [T; DEGREE + 1]) -> Self {
+    pub(super) fn univariate(number: usize, taylor: impl IntoIterator<Item = T>) -> Self {
         Self::of(taylor.into_iter().zip(0..).map(|(value, power)| {
             let mut powers = [0; VARIABLES];
             powers[number] = power;
@@ -133,8 +133,7 @@ impl<T: Clone + Add<Output = T> + Mul<Output = T>> Series<T> {
     /// The coefficient of a monomial; `None` if it is known to vanish.
     #[must_use]
     pub fn coefficient(&self, powers: Exponents) -> Option<&T> {
-        let place = Monomials::get().place(&powers)?;
-        self.coefficients[place].as_ref()
+        self.coefficients.get(Monomials::get().place(&powers)?)?.as_ref()
     }
 
     /// The terms of one degree.
@@ -160,11 +159,13 @@ impl<T: Clone + Add<Output = T> + Mul<Output = T>> Series<T> {
         let mut product = Self::zero();
         let known = || other.coefficients.iter().enumerate().filter_map(|(j, value)| Some((j, value.as_ref()?)));
         let others: Vec<(usize, &T)> = known().collect();
-        for (left, places) in self.coefficients.iter().zip(&Monomials::get().products) {
+        let monomials = Monomials::get();
+        for (place, left) in self.coefficients.iter().enumerate() {
             let Some(left) = left else { continue };
-            for &(j, right) in &others {
-                let Some(&place) = places.get(j) else { break };
-                product.add_at(place, left.clone() * right.clone());
+            let partners = BELOW[D - degree(&monomials.exponents[place]) + 1];
+            let products = &monomials.products[place];
+            for &(j, right) in others.iter().take_while(|(j, _)| *j < partners) {
+                product.add_at(products[j], left.clone() * right.clone());
             }
         }
         product
@@ -181,7 +182,7 @@ impl<T: Clone + Add<Output = T> + Mul<Output = T>> Series<T> {
 
     /// The derivative by a variable; `whole` makes numbers of powers.
     pub(super) fn derivative(&self, number: usize, whole: impl Fn(u8) -> T) -> Self {
-        let terms = (1..=DEGREE).flat_map(|degree| self.terms(degree));
+        let terms = (1..=D).flat_map(|degree| self.terms(degree));
         Self::of(terms.filter(|(powers, _)| powers[number] > 0).map(|(mut powers, value)| {
             let factor = whole(powers[number]);
             powers[number] -= 1;
@@ -191,13 +192,13 @@ impl<T: Clone + Add<Output = T> + Mul<Output = T>> Series<T> {
 
     /// Σ cᵢ (f − f(0))ⁱ: a function of f, from its Taylor coefficients at f(0).
     #[must_use]
-    pub fn composed(&self, taylor: [T; DEGREE + 1]) -> Self {
+    pub fn composed(&self, taylor: impl IntoIterator<Item = T>) -> Self {
         let mut change = self.clone();
         change.coefficients[0] = None;
-        let [first, rest @ ..] = taylor;
-        let mut sum = Self::constant(first);
+        let mut taylor = taylor.into_iter();
+        let mut sum = taylor.next().map_or_else(Self::zero, Self::constant);
         let mut power: Option<Self> = None;
-        for value in rest {
+        for value in taylor.take(D) {
             let next = power.map_or_else(|| change.clone(), |power| power.times(&change));
             sum = sum.plus(next.clone().scaled(&value));
             power = Some(next);
@@ -206,7 +207,7 @@ impl<T: Clone + Add<Output = T> + Mul<Output = T>> Series<T> {
     }
 }
 
-/// A polynomial in four variables all terms of which have one degree, at most four.
+/// A polynomial in four variables all terms of which have one degree, at most six.
 #[derive(Clone, Debug)]
 pub(super) struct Homogeneous<T> {
     degree: usize,
@@ -221,8 +222,8 @@ impl<T: Clone + Add<Output = T> + Mul<Output = T>> Homogeneous<T> {
 
     /// The terms of one degree of a series, with linear forms for its variables (by rising number of their own ones). Only the
     /// coefficients of monomials that are `wanted` are made.
-    pub(super) fn composed(
-        series: &Series<T>,
+    pub(super) fn composed<const D: usize>(
+        series: &Series<T, D>,
         degree: usize,
         forms: &[[T; VARIABLES]; VARIABLES],
         wanted: impl Fn(&Exponents) -> bool,
@@ -233,8 +234,8 @@ impl<T: Clone + Add<Output = T> + Mul<Output = T>> Homogeneous<T> {
 
     /// Of the terms that a monomial divides, the quotients in variables up to one, composed: these are again divided by their
     /// last variable, and so on.
-    fn divided(
-        series: &Series<T>,
+    fn divided<const D: usize>(
+        series: &Series<T, D>,
         degree: usize,
         (divisor, variables): (Exponents, usize),
         forms: &[[T; VARIABLES]; VARIABLES],

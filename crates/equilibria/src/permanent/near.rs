@@ -71,6 +71,9 @@ const CUTS: [u32; 3] = [1, 2, 5];
 /// Parts that are tried for their classes, the nominal one first.
 const MEASURED_SAMPLES: u64 = 81;
 
+/// What bounds may be wide by without a tolerance, over their size.
+const ROUNDING: f64 = 1e-12;
+
 /// The types of a measured part's steady rotations near the axis that points up along `up` in the part's frame. With each
 /// range the number that alone leaves the largest part of it unsettled, and half of that.
 #[must_use]
@@ -95,7 +98,9 @@ pub fn settled_types_of_part(part: &Part, measured: &MeasuredPart, up: [f64; 3],
             let common = found.ranges.iter().map(|other| (other.omega[1].min(to) - other.omega[0].max(from)).max(0.0));
             0.5 * common.sum::<f64>()
         };
-        let moved = alone.iter().map(|(input, found)| (*input, unsettled(found))).filter(|(_, moved)| *moved > 0.0);
+        // Less is rounding: the bounds of a part without tolerances have some width too.
+        let least = ROUNDING * to.abs();
+        let moved = alone.iter().map(|(input, found)| (*input, unsettled(found))).filter(|(_, moved)| *moved > least);
         // Of equals the first.
         let most = moved.max_by(|p, q| p.1.total_cmp(&q.1).then(q.0.cmp(&p.0)));
         range.most = most.map(|(input, moved)| (INPUT_NAMES[input], moved));

@@ -4,8 +4,9 @@
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use super::amplitudes::{NormalForm, Rotation};
+use super::amplitudes::NormalForm;
 use super::flow::Flow;
+use super::modes::Rotation;
 use crate::equilibria::pieces::Branch;
 use crate::equilibria::spaces::Spaces;
 use crate::numbers::fixed::Fixed;

@@ -110,9 +110,25 @@ impl Stretch {
         if zeros.iter().any(|zero| others.iter().any(|range| meets(zero, range))) {
             return Ok(None);
         }
-        let (kind, verdict, why) = (Failing::Determinant, NonlinearVerdict::Open, Reason::Degenerate);
-        points.extend(zeros.into_iter().map(|range| Exception { kind, range, verdict, why, changes: false }));
+        let sharper = || determinant.zeros(bits / 2);
+        for (n, range) in zeros.into_iter().enumerate() {
+            let is_decided = |range: &[RBig; 2]| self.has_sixth_degree(spaces, range, bits);
+            let decided = is_decided(&range) || sharper().is_some_and(|zeros| zeros.get(n).is_some_and(is_decided));
+            let (verdict, why) = match decided {
+                true => (NonlinearVerdict::Stable, Reason::Arnold),
+                false if bits < BITS[1] => return Ok(None),
+                false => (NonlinearVerdict::Open, Reason::Degenerate),
+            };
+            points.push(Exception { kind: Failing::Determinant, range, verdict, why, changes: false });
+        }
         Ok(Some(points))
+    }
+
+    /// D₆ is other than 0 where D₄ = 0.
+    fn has_sixth_degree(&self, spaces: &Spaces, [lo, hi]: &[RBig; 2], bits: usize) -> bool {
+        let t = Fixed::of(lo, bits).hull(&Fixed::of(hi, bits));
+        let sixth = rotation(spaces, self.branch, &t, bits).and_then(|at| NormalForm::sixth(&at));
+        sixth.is_some_and(|value| value.strict_sign().is_some())
     }
 
     /// At ω₁ = 3ω₂: |K₁₁ + 3K₁₂ + 9K₂₂| against 3√3|B|.

@@ -5,13 +5,16 @@
 
 mod amplitudes;
 mod determinant;
+mod expansion;
 mod flow;
 mod hypotheses;
+mod modes;
 mod range;
 mod verdicts;
 
 use bifdiag_schema::{
-    AtlasDocument, CurveDocument, Stability, StabilityChangeDocument, StabilityChangeKind, VerdictChangeDocument,
+    AtlasDocument, CurveDocument, Failing, NonlinearVerdict, Reason, Stability, StabilityChangeDocument,
+    StabilityChangeKind, VerdictChangeDocument,
 };
 use dashu_ratio::RBig;
 
@@ -309,10 +312,12 @@ impl Change {
 }
 
 impl Exception {
-    /// The document says the same of this point.
+    /// The document says the same of this point; where the determinant is 0 it may leave the verdict open, which claims nothing.
     fn is_listed(&self, claim: &VerdictChangeDocument) -> bool {
-        (claim.kind, claim.verdict, claim.why) == (self.kind, self.verdict, self.why)
-            && (claim.changes, claim.proved) == (self.changes, true)
+        let open = (NonlinearVerdict::Open, Reason::Degenerate);
+        let told = (claim.verdict, claim.why);
+        let is_told = told == (self.verdict, self.why) || (self.kind == Failing::Determinant && told == open);
+        is_told && (claim.kind, claim.changes, claim.proved) == (self.kind, self.changes, true)
     }
 }
 

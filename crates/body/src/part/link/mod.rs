@@ -35,7 +35,7 @@ pub enum LinkError {
         known: Vec<String>,
     },
     /// No such link.
-    #[error("--link {name}: no link of that name has an inertial block; there are {}", known.join(", "))]
+    #[error("--link {name}: no link of that name has an inertial block; those that have one: {}", known.join(", "))]
     Unknown {
         /// What was asked for.
         name: String,

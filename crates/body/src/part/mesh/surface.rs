@@ -72,7 +72,7 @@ pub enum MeshError {
     },
     /// Edges with one triangle only.
     #[error(
-        "the mesh is open: of one triangle only are {}, such as that from {from:?} to {to:?}; export a closed \
+        "the mesh is open: {} with one triangle only, such as that from {from:?} to {to:?}; export a closed \
          solid (watertight, all faces, fine enough that corners of neighbours agree)",
         counted(*edges, "edge", "edges")
     )]

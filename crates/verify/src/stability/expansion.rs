@@ -1,0 +1,164 @@
+//! Motion near a relative equilibrium by the amplitudes ζ of its modes: the equations of Euler and Poisson, which are quadratic,
+//! are solved by x = Σ x_a ζᵃ with ζ̇_j = i(ω_j + σ_j)ζ_j, where σ_j is a series in |ζ₁|², |ζ₂|². Order by order
+//!
+//! (i⟨ω, a⟩ − L) x_a = Σ ½Q(x_b, x_{a−b}) − Σ i⟨σ_s, a⟩ x_{a−s},
+//!
+//! and no x_a beyond the first order has a share in the mode of its own frequency.
+
+use std::collections::BTreeMap;
+
+use super::modes::{Complex, Modes, Vector, combined, mapped, nothing, zero};
+use crate::numbers::fixed::Fixed;
+
+/// The powers of ζ₁, ζ₂ and of their conjugates.
+pub(super) type Powers = [u8; 4];
+
+/// The coefficients, each made when it is needed.
+pub(super) struct Expansion<'a> {
+    modes: &'a Modes<'a>,
+    known: BTreeMap<Powers, Vector>,
+    shifts: BTreeMap<(usize, [u8; 2]), Fixed>,
+}
+
+/// How often each phase is in a monomial.
+fn windings([a, b, c, d]: Powers) -> [i32; 2] {
+    [i32::from(a) - i32::from(c), i32::from(b) - i32::from(d)]
+}
+
+fn order(powers: Powers) -> u8 {
+    powers.iter().sum()
+}
+
+/// Both factors of a monomial, in all ways, each once.
+fn splits(powers: Powers) -> Vec<[Powers; 2]> {
+    let [a, b, c, d] = powers;
+    let all =
+        (0..=a).flat_map(|i| (0..=b).flat_map(move |j| (0..=c).flat_map(move |k| (0..=d).map(move |m| [i, j, k, m]))));
+    let other = |first: Powers| -> Powers { std::array::from_fn(|k| powers[k] - first[k]) };
+    all.map(|first| [first, other(first)])
+        .filter(|[first, second]| order(*first) > 0 && order(*second) > 0 && first <= second)
+        .collect()
+}
+
+impl<'a> Expansion<'a> {
+    pub fn new(modes: &'a Modes<'a>) -> Self {
+        let unit = |n: usize| std::array::from_fn(|k| u8::from(k == n));
+        let known = (0..4).map(|n| (unit(n), modes.modes[n].clone())).collect();
+        Self { modes, known, shifts: BTreeMap::new() }
+    }
+
+    /// The coefficient of |ζ₁|^2s₁ |ζ₂|^2s₂ in σ of a mode.
+    pub fn shift(&mut self, mode: usize, s: [u8; 2]) -> Option<Fixed> {
+        if let Some(shift) = self.shifts.get(&(mode, s)) {
+            return Some(shift.clone());
+        }
+        let mut powers = [s[0], s[1], s[0], s[1]];
+        powers[mode] += 1;
+        let forced = self.forced(powers)?;
+        let shift = self.modes.share(mode, &forced).im;
+        self.shifts.insert((mode, s), shift.clone());
+        Some(shift)
+    }
+
+    /// The coefficient of a monomial of at least second order; `None` at a resonance.
+    pub fn coefficient(&mut self, powers: Powers) -> Option<Vector> {
+        if let Some(known) = self.known.get(&powers) {
+            return Some(known.clone());
+        }
+        let [a, b, c, d] = powers;
+        if let Some(conjugate) = self.known.get(&[c, d, a, b]) {
+            return Some(mapped(conjugate, Complex::conjugate));
+        }
+        let forced = self.forced(powers)?;
+        let shares = [0, 1, 2, 3].map(|n| self.modes.share(n, &forced));
+        let own = (0..4).find(|&n| windings(powers) == windings(std::array::from_fn(|k| u8::from(k == n))));
+        let rates = &self.modes.rates;
+        let over = |rate: &Fixed| Fixed::whole(1).over(rate);
+        let found = if windings(powers) == [0, 0] {
+            let mut terms = self.at_rest(powers)?;
+            for (n, share) in shares.iter().enumerate() {
+                terms.push((share.turned(&over(&-&rates[n])?), &self.modes.modes[n]));
+            }
+            combined(&nothing(), &terms)
+        } else {
+            // What has no share in a mode grows by 1/(iω), the others by 1/(i(ω − ω_n)).
+            let rate = windings(powers)
+                .into_iter()
+                .zip(rates)
+                .fold(Fixed::whole(0), |sum, (winding, rate)| &sum + &(&Fixed::whole(winding) * rate));
+            let plain = over(&rate)?;
+            let mut terms = Vec::new();
+            for (n, share) in shares.iter().enumerate() {
+                let whole = if own == Some(n) { Fixed::whole(0) } else { over(&(&rate - &rates[n]))? };
+                terms.push((share.turned(&(&whole - &plain)), &self.modes.modes[n]));
+            }
+            combined(&mapped(&forced, |x| x.turned(&plain)), &terms)
+        };
+        self.known.insert(powers, found.clone());
+        Some(found)
+    }
+
+    /// What drives a coefficient: products of others, and slower phases of those before it. At a monomial whose frequency is a
+    /// mode's, without the last shift.
+    pub fn forced(&mut self, powers: Powers) -> Option<Vector> {
+        let mut sum = nothing();
+        for [first, second] in splits(powers) {
+            let product = self.modes.quadratic(&self.coefficient(first)?, &self.coefficient(second)?);
+            let weight = if first == second { Fixed::whole(1).half() } else { Fixed::whole(1) };
+            sum = combined(&sum, &[(Complex::real(weight), &product)]);
+        }
+        for s in slower(powers) {
+            let mut before = powers;
+            (0..4).for_each(|k| before[k] -= s[k % 2]);
+            let mut rate = Fixed::whole(0);
+            for (mode, winding) in windings(powers).into_iter().enumerate().filter(|(_, winding)| *winding != 0) {
+                rate = &rate + &(&Fixed::whole(winding) * &self.shift(mode, s)?);
+            }
+            let earlier = self.coefficient(before)?;
+            sum = combined(&sum, &[(Complex { re: Fixed::whole(0), im: -&rate }, &earlier)]);
+        }
+        Some(sum)
+    }
+
+    /// What |γ| and ⟨γ, 𝐥⟩ demand at a monomial in |ζ₁|², |ζ₂|² to keep their values.
+    fn at_rest(&mut self, powers: Powers) -> Option<Vec<(Complex, &'a Vector)>> {
+        let (mut length, mut moment) = (zero(), zero());
+        for [first, second] in splits(powers) {
+            let [[p, g], [q, h]] = [self.coefficient(first)?, self.coefficient(second)?];
+            let of = |f: &dyn Fn(usize) -> Complex| (0..3).fold(zero(), |sum, k| &sum - &f(k));
+            let longer = of(&|k| &g[k] * &h[k]);
+            let more = of(&|k| (&(&g[k] * &q[k]) + &(&h[k] * &p[k])).times(&self.modes.at.a[k]));
+            let weight = if first == second { Fixed::whole(1).half() } else { Fixed::whole(1) };
+            (length, moment) = (&length + &longer.times(&weight), &moment + &more.times(&weight));
+        }
+        let moment = moment.over(&self.modes.j)?;
+        let [longer, faster] = &self.modes.beside;
+        Some(vec![(&moment - &length, faster), (length, longer)])
+    }
+
+    /// The coefficient of |ζ₁|^2s₁ |ζ₂|^2s₂ in the energy ½⟨ω, 𝐥⟩ − ⟨γ, r⟩.
+    pub fn energy(&mut self, s: [u8; 2]) -> Option<Fixed> {
+        let powers = [s[0], s[1], s[0], s[1]];
+        let at = self.modes.at;
+        let mut sum = Fixed::whole(0);
+        let [omega, gamma] = self.coefficient(powers)?;
+        for k in 0..3 {
+            let turning = &(&at.a[k] * &at.gamma[k]) * &omega[k].re;
+            sum = &sum + &(&turning - &(&(&at.tau[k] * &at.gamma[k]) * &gamma[k].re));
+        }
+        for [first, second] in splits(powers) {
+            let [[p, _], [q, _]] = [self.coefficient(first)?, self.coefficient(second)?];
+            let product = (0..3).fold(Fixed::whole(0), |sum, k| &sum + &(&at.a[k] * &(&p[k] * &q[k]).re));
+            sum = &sum + &(if first == second { product.half() } else { product });
+        }
+        Some(sum)
+    }
+}
+
+/// Powers of |ζ₁|², |ζ₂|² that slow the phases of what is left of a monomial, which is none of a mode.
+fn slower(powers: Powers) -> Vec<[u8; 2]> {
+    let most = [0, 1].map(|j| powers[j].min(powers[j + 2]));
+    let all = (0..=most[0]).flat_map(|i| (0..=most[1]).map(move |j| [i, j]));
+    let left = |s: &[u8; 2]| order(powers) - 2 * (s[0] + s[1]);
+    all.filter(|s| *s != [0, 0] && left(s) > 1).collect()
+}
