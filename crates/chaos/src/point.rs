@@ -58,7 +58,7 @@ pub fn point_shares(
 ) -> Result<PointShares, PointError> {
     let found = solver.classify(h, l)?;
     let components = match &found.answer {
-        Answer::Regular(components) => components.to_vec(),
+        Answer::Regular(components) => components.clone(),
         Answer::Forbidden | Answer::Critical(_) => {
             return Err(PointError::Nowhere(nowhere(solver.body(), h, l, &found)));
         }

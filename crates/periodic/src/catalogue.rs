@@ -3,7 +3,7 @@
 use bifdiag_body::{Body, Number};
 use bifdiag_dynamics::field::HeavyTop;
 use bifdiag_equilibria::critical::{CriticalError, Equilibrium, RelativeEquilibria};
-use bifdiag_equilibria::curves::{CriticalSet, CurveName, EquilibriaError};
+use bifdiag_equilibria::curves::{CriticalSet, Curve, CurveName, EquilibriaError};
 use bifdiag_equilibria::stability::LinearTypes;
 use bifdiag_schema::OrbitStability;
 use thiserror::Error;
@@ -79,7 +79,7 @@ impl<'a> Catalogue<'a> {
     #[must_use]
     pub fn momenta(&self) -> Vec<Number> {
         let unit = self.set.frame.momentum_unit;
-        let ends = self.set.curves.iter().filter(|curve| curve.is_critical()).flat_map(|curve| curve.x());
+        let ends = self.set.curves.iter().filter(|curve| curve.is_critical()).flat_map(Curve::x);
         let ends = ends.map(|x| (2.0 * x).sqrt() * unit);
         let changes = LinearTypes::new(self.body, &self.set).changes();
         let mut at: Vec<f64> = ends.chain(changes.iter().map(|change| change.l)).collect();

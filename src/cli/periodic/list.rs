@@ -244,7 +244,9 @@ impl Work<'_> {
             progress.add(1);
         }
         progress.finish();
-        if interruptible.over() {
+        let is_whole = interruptible.over();
+        drop(interruptible);
+        if is_whole {
             return Ok(());
         }
         Err(Failure::work(kept.journal.as_ref().map_or_else(
