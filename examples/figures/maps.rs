@@ -106,14 +106,14 @@ fn number_as_katok(map: &mut Map) {
     let known: BTreeMap<String, &str> =
         known_classes().into_iter().map(|(class, preset)| (class.to_string(), preset.name())).collect();
     for entry in &mut map.entries {
-        let Some(preset) = known.get(&entry.name) else { continue };
+        let Some(preset) = known.get(&entry.key) else { continue };
         let Some(number) = preset.strip_prefix("katok:").and_then(|number| number.parse::<usize>().ok()) else {
             continue;
         };
         entry.mark = number.to_string();
-        entry.color = number.saturating_sub(1);
+        entry.color = Some(number.saturating_sub(1));
         entry.note = entry.note.split(';').next().unwrap_or_default().to_owned();
-        entry.name = format!("{preset}  {}", entry.name);
+        entry.name = format!("{preset}, {}", entry.name);
     }
     let mut order: Vec<usize> = (0..map.entries.len()).collect();
     order.sort_by(|&p, &q| map.entries[p].name.cmp(&map.entries[q].name));
@@ -130,6 +130,9 @@ fn reorder(map: &mut Map, order: &[usize]) {
 /// The range of η of the map from Lagrange to Kovalevskaya.
 const ETA: [f64; 2] = [0.8, 2.2];
 
+/// From here on bodies exist: 2 ≤ η + 1.
+const LEAST: f64 = 1.0;
+
 /// Its range of l.
 const L: [f64; 2] = [1.3, 3.3];
 
@@ -143,6 +146,7 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Box<dyn Error>> {
     let mut map = map(&seen, axes, Shown::Class);
     let borders = borders(&found);
     map.bodies = strips(&map, &found, &borders);
+    map.impossible = vec![vec![[ETA[0], L[0]], [LEAST, L[0]], [LEAST, L[1]], [ETA[0], L[1]]]];
     number_as_katok(&mut map);
     map.title = String::from("From Lagrange (η = 1) to Kovalevskaya (η = 2)");
     map.subtitle = String::from("A = (2, η, 1), r = (1, 0, 0); colours: class; lines: the momenta l of all events");
@@ -161,24 +165,29 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Box<dyn Error>> {
         map.lines.push(MapLine {
             points: dense(&[[eta, L[0]], [eta, L[1]]]),
             dashed: true,
-            text: format!("η = {eta:.4}: {event}").replace('-', "−"),
+            text: format!("η = {}: {event}", short(eta)).replace('-', "−"),
             ..MapLine::default()
         });
-        map.notes.push(MapNote { at: [eta, L[1] - 0.08], text: format!("{eta:.4}"), hue: 0, ring: false });
+        map.notes.push(MapNote { at: [eta, L[1] - 0.08], text: short(eta), hue: 0, ring: false });
     }
     Ok(map)
 }
 
+/// With four decimals as far as they are needed: 3/2 is no measured number.
+fn short(eta: f64) -> String {
+    format!("{eta:.4}").trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
 /// The classes over η between their borders, over all of l, which is no parameter of the body.
 fn strips(map: &Map, found: &[ScanRow], borders: &[(f64, BorderEventKind)]) -> MapBodies {
-    let mut ends = vec![ETA[0]];
-    ends.extend(borders.iter().map(|(eta, _)| *eta));
+    let mut ends = vec![LEAST];
+    ends.extend(borders.iter().map(|(eta, _)| *eta).filter(|eta| *eta > LEAST));
     ends.push(ETA[1]);
     let strip = |pair: &[f64]| {
         let (from, to) = (pair[0], pair[1]);
         let inside = found.iter().find(|row| (from..to).contains(&row.values[0][1]));
         let class = inside.and_then(|row| row.class.as_ref()).map(ToString::to_string);
-        let entry = map.entries.iter().position(|entry| Some(&entry.name) == class.as_ref());
+        let entry = map.entries.iter().position(|entry| Some(&entry.key) == class.as_ref());
         (entry, vec![[from, L[0]], [to, L[0]], [to, L[1]], [from, L[1]]])
     };
     MapBodies::Areas {

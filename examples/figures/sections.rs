@@ -6,10 +6,9 @@ use bifdiag_body::{Body, Preset};
 use bifdiag_dynamics::field::State;
 use bifdiag_dynamics::section::chaos::{ChaosOptions, OrbitVerdict, chaos_measures};
 use bifdiag_dynamics::section::{
-    FAMILIES, Monitor, OrbitSection, Portrait, PortraitOptions, SectionCondition, SectionError, SweepOptions,
-    TorusPoint, families, sweep,
+    Monitor, OrbitSection, Portrait, PortraitOptions, SectionCondition, SectionError, SweepOptions, TorusPoint, sweep,
 };
-use bifdiag_plot::{OrbitFamilies, Picture, Projection, SectionOptions, SectionScene, draw_section_rows};
+use bifdiag_plot::{OrbitColors, OrbitFamilies, Picture, Projection, SectionOptions, SectionScene, draw_section_rows};
 
 use crate::figure::{Figure, THEME};
 use crate::typical::{orbit, typical_orbits};
@@ -131,12 +130,17 @@ fn draw(sections: &Sections) -> Result<Picture, Box<dyn Error>> {
     for row in sections.rows {
         let portrait = Portrait::new(&body, row.h, row.l, &options)?;
         let orbits = orbits(&portrait, row)?;
-        let families = families(&body, row.h, row.l, &orbits);
+        let verdicts = if orbits.is_empty() { Vec::new() } else { verdicts(&portrait, &orbits)? };
         let caption = match row.orbits {
-            Orbits::Judged => format!("{};  {}", row.caption, counted(&verdicts(&portrait, &orbits)?)),
+            Orbits::Judged => format!("{};  {}", row.caption, counted(&verdicts)),
             Orbits::None | Orbits::Typical | Orbits::Through(..) => row.caption.to_owned(),
         };
-        parts.push((portrait, orbits, families, caption));
+        let place = |verdict: &OrbitVerdict| match verdict {
+            OrbitVerdict::Regular => 0,
+            OrbitVerdict::Chaotic => 1,
+            OrbitVerdict::Open(_) => 2,
+        };
+        parts.push((portrait, orbits, verdicts.iter().map(place).collect::<Vec<usize>>(), caption));
     }
     let scenes: Vec<SectionScene<'_>> = parts
         .iter()
@@ -144,7 +148,7 @@ fn draw(sections: &Sections) -> Result<Picture, Box<dyn Error>> {
             portrait,
             orbits,
             values: None,
-            families: Some(OrbitFamilies { of, names: &FAMILIES }),
+            families: Some(OrbitFamilies { of, names: &VERDICTS, colors: OrbitColors::Verdicts }),
             caption,
         })
         .collect();
@@ -167,6 +171,9 @@ fn orbits(portrait: &Portrait, row: &Row) -> Result<Vec<OrbitSection>, SectionEr
         }
     }
 }
+
+/// What verdicts are called.
+const VERDICTS: [&str; 3] = ["regular", "chaotic", "undecided"];
 
 /// Crossings after which orbits are judged: more than are drawn, since those near a separatrix turn slowly.
 const JUDGED: usize = 6000;

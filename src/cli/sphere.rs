@@ -10,7 +10,7 @@ use bifdiag_documents::{Subject, component};
 use bifdiag_dynamics::field::dot;
 use bifdiag_equilibria::critical::critical;
 use bifdiag_exact::{Accuracy, AnswerError, classify};
-use bifdiag_plot::{Picture, SphereScene, body_line, draw_sphere};
+use bifdiag_plot::{Picture, SphereScene, body_line, draw_sphere, told};
 use bifdiag_schema::ComponentDocument;
 use clap::Args;
 
@@ -145,7 +145,8 @@ fn caption(site: &Site, answer: &Answer) -> String {
         Answer::Undecided(_) => ",  not decided",
         Answer::Regular(_) | Answer::Forbidden => "",
     };
-    format!("U(γ) ≤ h on the Poisson sphere:  h = {},  l = {}{region}{special}", site.h.text(), site.l.text())
+    let [h, l] = [("h", site.h.text()), ("l", site.l.text())].map(|(name, text)| told(name, text, 6));
+    format!("U(γ) ≤ h on the Poisson sphere:  {h},  {l}{region}{special}")
 }
 
 /// Hands over what is to be drawn of U; without components (on a curve) all of it has one tint.
@@ -162,7 +163,10 @@ fn scene<P>(
     let (moments, center) = (body.moments_f64(), body.center_f64());
     let potential_above = |gamma: [f64; 3]| {
         let j = dot(gamma, [0, 1, 2].map(|k| moments[k] * gamma[k]));
-        l * l / (2.0 * j) - dot(gamma, center) - h
+        let terms = [l * l / (2.0 * j), -dot(gamma, center), -h];
+        let [size, sum] = [terms.map(f64::abs), terms].map(|terms| terms.iter().sum::<f64>());
+        // Where U is h everywhere, rounding would draw a pattern of its own.
+        if sum.abs() <= 4.0 * f64::EPSILON * size { 0.0 } else { sum }
     };
     let r = dot(center, center).sqrt();
     let r_hat = (r > 0.0).then(|| center.map(|c| c / r));

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use bifdiag_body::Preset;
+use bifdiag_diagram::class::ClassName;
 use bifdiag_documents::words::counted;
 use bifdiag_numbers::decimal::significant;
 use bifdiag_plot::{Map, MapAxis, MapBodies, MapEntry};
@@ -9,38 +11,50 @@ use bifdiag_schema::BodyParameter;
 use bifdiag_survey::scan::known_classes;
 use bifdiag_survey::subdivision::{Subdivision, divide};
 
+use super::existence::{Existence, exists};
 use super::shown::{Bodies, Seen, Shown, Shows, shared};
+
+/// More classes than these share an entry: they could not be told apart.
+const ENTRIES: usize = 30;
+
+/// What is shown, on which part of the area of the map or by which part of the bodies, with how many regions, and where.
+struct Counted<'a> {
+    shows: &'a Shows,
+    part: f64,
+    /// 0 where they were not counted.
+    regions: u32,
+    at: Option<[f64; 2]>,
+}
 
 /// The map of some bodies, the most frequent class first.
 #[must_use]
 pub fn map(bodies: &[Seen], axes: [BodyParameter; 2], show: Shown) -> Map {
+    let existence = Existence::over(bodies, axes);
+    let has_impossible = bodies.iter().any(exists);
+    let possible: Vec<&Seen> = bodies.iter().filter(|body| !has_impossible || exists(body)).collect();
     let grid = Grid::of(bodies);
-    let subdivision = grid.as_ref().and_then(|grid| grid.divided(bodies, axes, show));
-    // What lies only between the bodies is listed too.
-    let between =
-        subdivision.iter().flat_map(|subdivision| &subdivision.pieces).filter_map(|(shown, _)| shown.as_ref());
-    let mut counts: BTreeMap<&Shows, (usize, u32)> = between.map(|shown| (shown, (0, 0))).collect();
-    for body in bodies {
-        if let Some(shown) = &body.shows {
-            let count = counts.entry(shown).or_default();
-            *count = (count.0 + 1, body.regions);
+    let subdivision = grid.as_ref().and_then(|grid| grid.divided(bodies, axes, show)).map(|mut subdivision| {
+        for (_, corners) in &mut subdivision.pieces {
+            *corners = existence.possible(corners);
         }
-    }
-    let mut order: Vec<(&Shows, usize, u32)> =
-        counts.iter().map(|(name, (n, regions))| (*name, *n, *regions)).collect();
-    if show == Shown::Class {
-        order.sort_by(|p, q| q.1.cmp(&p.1).then_with(|| p.0.cmp(q.0)));
-    }
-    let number: BTreeMap<&Shows, usize> = order.iter().enumerate().map(|(k, (name, _, _))| (*name, k)).collect();
+        subdivision.pieces.retain(|(_, corners)| corners.len() > 2);
+        subdivision.seen.retain(|(_, at)| existence.holds(*at));
+        subdivision
+    });
+    let order = counted_by(&possible, subdivision.as_ref(), show);
+    let last = if show == Shown::Class && order.len() > ENTRIES { ENTRIES } else { usize::MAX };
+    let number: BTreeMap<&Shows, usize> =
+        order.iter().enumerate().map(|(k, counted)| (counted.shows, k.min(last))).collect();
     let entry = |shown: &Option<Shows>| shown.as_ref().and_then(|shown| number.get(shown).copied());
+    let is_whole = possible.len() == bodies.len();
     let (bodies_drawn, ranges) = match (&grid, &subdivision) {
         (Some(grid), Some(subdivision)) => (areas(subdivision, entry, show), grid.ends(0.0)),
-        (Some(grid), None) => {
+        (Some(grid), None) if is_whole => {
             let entries = grid.cells.iter().map(|&body| entry(&bodies[body].shows)).collect();
             (MapBodies::Grid { columns: grid.axes[0].len(), entries }, grid.ends(0.5))
         }
-        (None, _) => {
-            let points = bodies.iter().map(|body| (body.at, entry(&body.shows))).collect();
+        _ => {
+            let points = possible.iter().map(|body| (body.at, entry(&body.shows))).collect();
             (MapBodies::Points(points), [0, 1].map(|axis| margins(&values(bodies, axis))))
         }
     };
@@ -55,18 +69,66 @@ pub fn map(bodies: &[Seen], axes: [BodyParameter; 2], show: Shown) -> Map {
         Shown::CriticalPoints => "Relative equilibria",
     };
     let [x, y] = axes.map(|parameter| parameter.name().to_owned());
+    let how_many = match bodies.len() - possible.len() {
+        0 => counted(bodies.len(), "body", "bodies"),
+        others => format!("{} that can exist ({others} cannot)", counted(possible.len(), "body", "bodies")),
+    };
+    let of = if subdivision.is_some() { "area" } else { "bodies" };
     Map {
         title: format!("{shown} over {x} and {y}"),
-        subtitle: format!("{}, {what}{}", counted(bodies.len(), "body", "bodies"), fixed(bodies, axes)),
+        subtitle: format!("{how_many}, {what}, with shares of the {of}{}", fixed(bodies, axes)),
         x: MapAxis { name: x, range: ranges[0] },
         y: MapAxis { name: y, range: ranges[1] },
-        entries: entries(&order, bodies.len()),
+        entries: entries(&order, last),
         ordered: show != Shown::Class,
         unknown: "undecided or failed".to_owned(),
         bodies: bodies_drawn,
+        impossible: existence.impossible(ranges),
         lines: Vec::new(),
         notes: Vec::new(),
+        key: if show == Shown::Class { key(&order, of, axes) } else { Vec::new() },
     }
+}
+
+/// What the bodies show, and what lies between them; classes by their parts, the largest first.
+fn counted_by<'a>(
+    bodies: &[&'a Seen],
+    subdivision: Option<&'a Subdivision<Option<Shows>>>,
+    show: Shown,
+) -> Vec<Counted<'a>> {
+    let mut parts: BTreeMap<&Shows, (f64, u32, Option<[f64; 2]>)> = BTreeMap::new();
+    for body in bodies {
+        if let Some(shown) = &body.shows {
+            let part = parts.entry(shown).or_default();
+            let own = if subdivision.is_some() { 0.0 } else { 1.0 / bodies.len() as f64 };
+            *part = (part.0 + own, body.regions, part.2.or(Some(body.at)));
+        }
+    }
+    if let Some(subdivision) = subdivision {
+        let all: f64 = subdivision.pieces.iter().map(|(_, corners)| area(corners)).sum();
+        for (shown, corners) in &subdivision.pieces {
+            if let Some(shown) = shown {
+                parts.entry(shown).or_default().0 += area(corners) / all;
+            }
+        }
+        for (shown, at) in &subdivision.seen {
+            if let Some(part) = shown.as_ref().and_then(|shown| parts.get_mut(shown)) {
+                part.2 = part.2.or(Some(*at));
+            }
+        }
+    }
+    let counted = |(shows, (part, regions, at))| Counted { shows, part, regions, at };
+    let mut order: Vec<Counted<'_>> = parts.into_iter().map(counted).collect();
+    if show == Shown::Class {
+        order.sort_by(|p, q| q.part.total_cmp(&p.part).then_with(|| p.shows.cmp(q.shows)));
+    }
+    order
+}
+
+/// The area of a polygon.
+fn area(corners: &[[f64; 2]]) -> f64 {
+    let next = corners.iter().cycle().skip(1);
+    0.5 * corners.iter().zip(next).map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f64>().abs()
 }
 
 /// The parameters that are the same for all bodies, in words; empty where there are none.
@@ -78,33 +140,75 @@ fn fixed(bodies: &[Seen], axes: [BodyParameter; 2]) -> String {
     if shown.is_empty() { String::new() } else { format!("; {}", shown.join(", ")) }
 }
 
-/// The legend: what is shown, by how many of the bodies, with how many regions.
-fn entries(order: &[(&Shows, usize, u32)], bodies: usize) -> Vec<MapEntry> {
-    let share = |n: usize| match 100.0 * n as f64 / bodies as f64 {
+/// A part of the area or of the bodies; what lies on lines or at points alone has no area.
+fn share(part: f64) -> String {
+    match 100.0 * part {
         percent if percent < 0.05 => "below 0.1%".to_owned(),
         percent => format!("{percent:.1}%"),
-    };
-    // The regions of a class that none of the bodies has were not counted.
-    let regions_of = |regions: u32| {
-        if regions == 0 { String::new() } else { format!("{}, ", counted(regions, "region", "regions")) }
-    };
-    let has_classes = order.iter().any(|(shown, _, _)| matches!(shown, Shows::Class(_)));
-    let known = if has_classes { known_classes() } else { BTreeMap::new() };
-    let entry = |(number, (shown, bodies, regions)): (usize, &(&Shows, usize, u32))| match shown {
+    }
+}
+
+/// The regions of a class; those of one that none of the bodies has were not counted.
+fn regions_of(regions: u32) -> String {
+    if regions == 0 { String::new() } else { counted(regions, "region", "regions") }
+}
+
+/// The legend: what is shown, by how many of the bodies, with how many regions; from `last` on in one entry. Classes have
+/// numbers, and named bodies name theirs.
+fn entries(order: &[Counted<'_>], last: usize) -> Vec<MapEntry> {
+    let known = known(order);
+    let entry = |(number, counted): (usize, &Counted<'_>)| match counted.shows {
         Shows::Class(class) => MapEntry {
-            name: class.to_string(),
+            name: regions_of(counted.regions),
             note: match known.get(class) {
-                Some(preset) => format!("{}{}; {}", regions_of(*regions), share(*bodies), preset.name()),
-                None => format!("{}{}", regions_of(*regions), share(*bodies)),
+                Some(preset) => format!("{}; {}", share(counted.part), preset.name()),
+                None => share(counted.part),
             },
             mark: (number + 1).to_string(),
-            color: number,
+            key: class.to_string(),
+            color: Some(number),
         },
-        Shows::Count(count) => {
-            MapEntry { name: count.to_string(), note: share(*bodies), mark: count.to_string(), color: number }
-        }
+        Shows::Count(count) => MapEntry {
+            name: count.to_string(),
+            note: share(counted.part),
+            mark: count.to_string(),
+            key: String::new(),
+            color: Some(number),
+        },
     };
-    order.iter().enumerate().map(entry).collect()
+    let mut entries: Vec<MapEntry> = order.iter().enumerate().take(last).map(entry).collect();
+    if let Some(others) = order.get(last..) {
+        entries.push(MapEntry {
+            name: counted(others.len(), "smaller class", "smaller classes"),
+            note: share(others.iter().map(|other| other.part).sum()),
+            ..MapEntry::default()
+        });
+    }
+    entries
+}
+
+/// The named body of each class that has one, where there are classes.
+fn known(order: &[Counted<'_>]) -> BTreeMap<ClassName, &'static Preset> {
+    let has_classes = order.iter().any(|counted| matches!(counted.shows, Shows::Class(_)));
+    if has_classes { known_classes() } else { BTreeMap::new() }
+}
+
+/// All classes by their numbers in the map, under a heading; shares are of the area or of the bodies.
+fn key(order: &[Counted<'_>], of: &str, axes: [BodyParameter; 2]) -> Vec<Vec<String>> {
+    let known = known(order);
+    let [x, y] = axes.map(BodyParameter::name);
+    let share_of = format!("share of the {of}");
+    let heading = ["number", "class", "regions", &share_of, x, y, "named body"].map(str::to_owned).to_vec();
+    let row = |(number, counted): (usize, &Counted<'_>)| {
+        let preset = match counted.shows {
+            Shows::Class(class) => known.get(class).map_or("", |preset| preset.name()),
+            Shows::Count(_) => "",
+        };
+        let regions = if counted.regions == 0 { String::new() } else { counted.regions.to_string() };
+        let [x, y] = counted.at.map_or_else(Default::default, |at| at.map(|value| significant(value, 6)));
+        vec![(number + 1).to_string(), counted.shows.to_string(), regions, share(counted.part), x, y, preset.to_owned()]
+    };
+    [heading].into_iter().chain(order.iter().enumerate().map(row)).collect()
 }
 
 /// The values of a parameter, each once, by size.

@@ -1,6 +1,8 @@
 //! What pictures need of several layers at once; `plot` knows finished documents alone.
 
 #[cfg(feature = "parallel")]
+mod existence;
+#[cfg(feature = "parallel")]
 mod map;
 #[cfg(feature = "parallel")]
 mod shown;

@@ -42,7 +42,7 @@ fn what_leaves_a_diagram_is_in_its_caption() {
     assert!(read("file/diagram.legend.tikz").contains("dashed: unstable"));
     assert!(!place.path().join("none/diagram.legend.svg").exists());
     // Each row of the table, in the picture or in the caption.
-    let heading = "small motions there";
+    let heading = "small motions 2 % inside";
     assert!(read("below/diagram.svg").contains(heading) && !read("below/diagram.caption.txt").contains(heading));
     assert!(!read("file/diagram.svg").contains(heading) && read("file/diagram.caption.txt").contains(heading));
     let count = |text: &str| text.matches("between axis 3 and axis 1 ").count();

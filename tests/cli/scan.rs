@@ -71,9 +71,46 @@ fn katok_bodies_of_a_grid_have_seven_classes() {
     bifdiag("scan map katok.parquet --x A2 --y A3 --out maps --format svg,png").inside(place.path()).succeeds();
     let svg = fs::read_to_string(place.path().join("maps/map.svg")).unwrap();
     assert!(svg.contains("7 classes") && svg.contains("katok:5"));
+    // Numbers in place of names, which the caption has; bodies that cannot exist are hatched and not counted.
+    let class = summary["classes"][0]["class"].as_str().unwrap();
+    assert!(!svg.contains(&format!(">{class}<")) && svg.contains("id=\"impossible\""), "{class}");
+    assert!(svg.contains("that can exist (") && svg.contains("no body exists: a moment exceeds"));
+    let key = fs::read_to_string(place.path().join("maps/map.caption.txt")).unwrap();
+    assert_eq!(key.lines().filter(|line| line.contains("katok:")).count(), 7, "{key}");
     for show in ["regions", "critical-points"] {
         bifdiag(&format!("scan map katok.parquet --x A2 --y A3 --show {show}")).inside(place.path()).succeeds();
     }
+}
+
+#[test]
+fn a_map_of_many_classes_shows_the_largest_and_lists_all() {
+    let place = tempdir().unwrap();
+    let scan = "scan --body paper --vary A2=0.72:1.2:16,r3=0.02:0.14:16 --out near.parquet";
+    bifdiag(scan).inside(place.path()).succeeds();
+    bifdiag("scan map near.parquet --x A2 --y r3 --out maps").inside(place.path()).succeeds();
+    let svg = fs::read_to_string(place.path().join("maps/map.svg")).unwrap();
+    let key = fs::read_to_string(place.path().join("maps/map.caption.txt")).unwrap();
+    let classes = key.lines().count() - 2;
+    assert!(classes > 30, "{classes} classes");
+    assert!(svg.contains(&format!("{} smaller class", classes - 30)), "of {classes}");
+    assert!(
+        svg.contains(&format!("{classes} classes"))
+            && svg.contains("id=\"area-30\"")
+            && !svg.contains("id=\"area-31\"")
+    );
+}
+
+/// What the bodies of a scan show on the edge of a map has no area there, and what lies between them has.
+#[test]
+fn shares_of_a_map_are_those_of_the_area_that_is_painted() {
+    let place = tempdir().unwrap();
+    bifdiag("scan --body paper --vary A2=1:1.9:4,r2=0:0.5:3 --out few.csv").inside(place.path()).succeeds();
+    bifdiag("scan map few.csv --x A2 --y r2 --out maps").inside(place.path()).succeeds();
+    let key = fs::read_to_string(place.path().join("maps/map.caption.txt")).unwrap();
+    assert!(key.lines().nth(1).is_some_and(|heading| heading.contains("share of the area")), "{key}");
+    let share = |class: &str| key.lines().find(|line| line.contains(class)).map(|row| row.contains("below 0.1%"));
+    // None of the bodies has the first, a fourth of them the second.
+    assert_eq!([share("4ba1a9867682"), share("bddb4c712713")], [Some(false), Some(true)], "{key}");
 }
 
 /// Of 102 damaged files five were drawn: none of them may be.

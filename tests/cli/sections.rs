@@ -235,3 +235,25 @@ fn a_journal_cut_anywhere(line: &str, place: &tempfile::TempDir) {
     assert_eq!(fs::read(file("s.npz.partial")).unwrap(), journal);
     fs::remove_file(file("s.npz.partial")).unwrap();
 }
+
+#[test]
+fn sections_are_coloured_by_verdict_unless_there_is_none() {
+    let place = tempfile::tempdir().unwrap();
+    let svg = |options: &str| {
+        let line = format!("section --body paper --h 5.3 --l 3.25 --orbits 8 --crossings 600 --out s {options}");
+        bifdiag(&line).inside(place.path()).succeeds();
+        fs::read_to_string(place.path().join("s/section.svg")).unwrap()
+    };
+    let sides = |svg: &str| svg.contains("on both sides: orbits") || svg.contains("on the side of");
+    let judged = svg("");
+    let is_judged = ["regular orbits", "chaotic orbits", "undecided orbits"];
+    assert!(is_judged.iter().any(|text| judged.contains(text)) && !sides(&judged));
+    assert_eq!(judged, svg("--color verdict --verdict only"));
+    let side = svg("--color side");
+    assert!(sides(&side) && !side.contains("told apart by shades"));
+    let plain = svg("--verdict none");
+    assert!(sides(&plain) && plain.contains("told apart by shades"));
+    bifdiag("section --body paper --h 5.3 --l 3.25 --verdict none --color verdict")
+        .refused()
+        .telling("--verdict none and --color verdict contradict each other");
+}

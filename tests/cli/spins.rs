@@ -248,6 +248,16 @@ fn tolerances_off_the_principal_axes_have_bounds() {
         .printing("give one share for all");
 }
 
+/// By how many degrees a path of an SVG turns at most, written as a place and relative steps in tenths of a pixel; those that
+/// are hardly longer than what they are rounded to have no direction.
+fn sharpest(path: &str) -> f64 {
+    let steps = path.split(['l', '"']).nth(1).unwrap_or("").replace('-', " -");
+    let numbers: Vec<f64> = steps.split_whitespace().map(|number| number.parse().unwrap()).collect();
+    let steps = numbers.chunks(2).filter(|step| step[0].abs() + step[1].abs() > 6.0);
+    let directions: Vec<f64> = steps.map(|step| step[1].atan2(step[0]).to_degrees()).collect();
+    directions.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max)
+}
+
 /// At a range of spins: a table with the angle from the centre of mass, a line of JSON for each spin, and a picture.
 #[test]
 fn steady_axes_over_the_spin_are_a_table_and_a_picture() {
@@ -280,6 +290,10 @@ fn steady_axes_over_the_spin_are_a_table_and_a_picture() {
     ] {
         assert!(picture.contains(text), "{text}");
     }
+    // Also where axes appear, and their lines are vertical, pieces turn little: they turned by forty degrees there.
+    let sharpest = picture.split("<path d=\"M").skip(1).filter(|path| path.contains("stroke-width=\"2")).map(sharpest);
+    let sharpest = sharpest.fold(0.0, f64::max);
+    assert!(sharpest > 0.0 && sharpest < 25.0, "{sharpest} degrees");
     bifdiag("critical --body paper --out axes.svg --spin").and("2 rpm").refused().telling("a picture needs a range");
     bifdiag("critical --body euler --out axes.svg --spin").and("0:2:3 rpm").refused().telling("without weight");
     bifdiag("critical --body paper --spin").and("5:2:3 rpm").refused().telling("write a smaller spin first");
@@ -484,6 +498,20 @@ fn on_a_pole_line_the_section_changes() {
     // A pole line that is a critical curve, and a critical curve alone.
     sphere("--A 2,2,1 --r 0,0,1 --h 1.5 --l 1").printing("U changes here");
     sphere("--A 2,1,1 --r 0,0,0 --h 0.25 --l 1").printing("U changes here");
+}
+
+/// Without weight U is the same everywhere at these moments: rounding drew thousands of patches.
+#[test]
+fn a_sphere_on_which_u_is_constant_has_no_pattern() {
+    let directory = tempfile::tempdir().unwrap();
+    let sphere = |line: &str| bifdiag(&format!("sphere {line}")).inside(directory.path()).succeeds();
+    sphere("--A 1,1,1 --r 0,0,0 --h 0.5 --l 1 --out s");
+    let svg = std::fs::read_to_string(directory.path().join("s/sphere.svg")).unwrap();
+    assert!(svg.len() < 300_000 && svg.matches("\"#222222\">1<").count() == 1, "{} bytes", svg.len());
+    // Rounded numbers are told to be, with a minus sign.
+    sphere("--A 2,2,1 --r 0,0,1 --h=-0.2600090312791064 --l 1.1 --out s");
+    let svg = std::fs::read_to_string(directory.path().join("s/sphere.svg")).unwrap();
+    assert!(svg.contains("h ≈ −0.260009") && !svg.contains("-0.2600090312791064"));
 }
 
 /// `show` and `critical` say the same of a curve.

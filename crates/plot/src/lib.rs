@@ -25,11 +25,11 @@ pub use diagram::{
     StraightStretch, chosen_view, draw, draw_codes, draw_figure, straight_diagram,
 };
 pub use map::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote, draw_map};
-pub use page::{Caption, Figure, Picture, PlotError, Theme, Width, body_line, section_type};
+pub use page::{Caption, Figure, Picture, PlotError, Theme, Width, body_line, section_type, told};
 pub use part::{PartScene, draw_part};
 pub use periods::draw_periods;
 pub use section::{
-    OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene, draw_section, draw_section_rows,
+    OrbitColors, OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene, draw_section, draw_section_rows,
 };
 pub use sphere::{SphereScene, draw_sphere};
 pub use steady::{Steadiness, SteadyCurve, SteadyScene, draw_steady};

@@ -19,7 +19,8 @@ fn map(entries: usize, bodies: MapBodies) -> Map {
         name: format!("{:012x}", 0x1234_5678_9abc_u64 + 0x1_1111 * number as u64),
         note: format!("{} regions, below 0.1%", 9 + number % 16),
         mark: (number + 1).to_string(),
-        color: number,
+        key: String::new(),
+        color: Some(number),
     };
     let axis = |name: &str| MapAxis { name: name.to_owned(), range: [0.5, 1.5] };
     Map {
@@ -31,8 +32,10 @@ fn map(entries: usize, bodies: MapBodies) -> Map {
         ordered: false,
         unknown: String::new(),
         bodies,
+        impossible: Vec::new(),
         lines: Vec::new(),
         notes: Vec::new(),
+        key: Vec::new(),
     }
 }
 

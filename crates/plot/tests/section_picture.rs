@@ -109,18 +109,32 @@ fn both_sheets_have_axes_names_and_a_legend() {
     assert!(!has(&texts, "S⁻"));
 }
 
+/// What a panel shows of the torus: all of it, or what is accessible with a twentieth more on each side if that is small.
+fn window(portrait: &Portrait) -> [[f64; 2]; 2] {
+    let points: Vec<[f64; 2]> = portrait.accessible(SectionChart::Torus).loops.iter().flatten().copied().collect();
+    let cropped = [0, 1].map(|k| {
+        let from = points.iter().map(|point| point[k]).fold(f64::INFINITY, f64::min);
+        let to = points.iter().map(|point| point[k]).fold(f64::NEG_INFINITY, f64::max);
+        [(from - 0.05 * (to - from)).max(0.0), (to + 0.05 * (to - from)).min([TAU, PI][k])]
+    });
+    let share: f64 = cropped.iter().map(|[from, to]| to - from).product::<f64>() / (TAU * PI);
+    if share < 0.6 { cropped } else { [[0.0, TAU], [0.0, PI]] }
+}
+
 #[test]
 fn the_ground_is_shaded_as_the_equations_say() {
     for (h, l) in [(2.6, 3.25), (4.675, 3.25), (5.3, 3.25), (3.1486, 2.72)] {
         let portrait = portrait(h, l, SectionCondition::Height);
         let picture = drawn("ground", &scene(&portrait, &[]), &SectionOptions::default());
         let pixels = pixels(&picture);
+        let window = window(&portrait);
         let mut seen = [0_usize; 3];
         for (sheet, [left, top, width, height]) in PANELS.into_iter().enumerate() {
             for k in 0..60 * 40 {
                 let at = [(f64::from(k % 60) + 0.5) / 60.0 * width, (f64::from(k / 60) + 0.5) / 40.0 * height];
                 let kind = |dx: f64, dy: f64| {
-                    let place = [(at[0] + dx) / width * TAU, (at[1] + dy) / height * PI];
+                    let share = [(at[0] + dx) / width, (at[1] + dy) / height];
+                    let place = [0, 1].map(|k| window[k][0] + share[k] * (window[k][1] - window[k][0]));
                     portrait.rates(SectionChart::Torus, place).map(|rates| rates[sheet] < 0.0)
                 };
                 // Lines are up to three pixels wide.

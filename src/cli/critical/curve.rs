@@ -54,16 +54,23 @@ fn scene(subject: &Subject, ends: [&Spin; 2], count: u32) -> Result<SteadyScene,
         place.map(at_start).or(family.slow.map(|gamma| (0.0, angle(gamma)))).into_iter().collect()
     };
     let mut points: Vec<Vec<(f64, f64)>> = families.iter().map(start).collect();
-    for k in 0..count {
-        let spin = spin_at(ends, count, k);
-        let omega: RBig = spin.exact_rad_per_s() * subject.unit_of_time();
-        if omega.is_zero() {
-            continue;
-        }
+    let even = (0..count).map(|k| spin_at(ends, count, k));
+    let mut spins: Vec<(f64, RBig)> =
+        even.map(|spin| (spin.in_rpm(), spin.exact_rad_per_s() * subject.unit_of_time())).collect();
+    // Where axes appear, they move like the root of what the spin exceeds that place by.
+    let step = (to - from) / f64::from(count.max(2) - 1) / rpm(1.0);
+    let starts = families.iter().flat_map(|family| &family.stretches).filter_map(|stretch| stretch.from);
+    spins.extend(
+        starts
+            .flat_map(|place| close_to(place.omega, step))
+            .filter(|omega| (from..=to).contains(&rpm(*omega)))
+            .filter_map(|omega| Some((rpm(omega), RBig::try_from(omega).ok()?))),
+    );
+    for (spin, omega) in spins.into_iter().filter(|(_, omega)| !omega.is_zero()) {
         let found = prepared.at_spin(&omega).map_err(failed(NOT_FOUND))?;
         for (family, points) in families.iter().zip(&mut points) {
             if let Some(axis) = found.list.iter().find(|axis| family.holds(body, axis)) {
-                points.push((spin.in_rpm(), angle(axis.gamma)));
+                points.push((spin, angle(axis.gamma)));
             }
         }
     }
@@ -76,6 +83,16 @@ fn scene(subject: &Subject, ends: [&Spin; 2], count: u32) -> Result<SteadyScene,
         SteadyCurve { name: family.branch.to_string(), runs: runs(family, &points, rpm, are_known) }
     });
     Ok(SteadyScene { range: [from, to], curves: curves.collect() })
+}
+
+/// Values on both sides of a place, to the distance of a step, so that their roots are even.
+fn close_to(place: f64, step: f64) -> impl Iterator<Item = f64> {
+    const PARTS: i32 = 10;
+    let away = move |k: i32| {
+        let share = f64::from(k) / f64::from(PARTS);
+        place + step * share * share.abs()
+    };
+    (-PARTS..=PARTS).filter(|k| *k != 0).map(away)
 }
 
 /// The points of each range of one verdict, the ends of it in both neighbours.

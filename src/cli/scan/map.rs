@@ -1,7 +1,7 @@
 //! `bifdiag scan map`: the class of each body over two parameters.
 
 use bifdiag_documents::scan::ReadScanError;
-use bifdiag_plot::{Picture, draw_map};
+use bifdiag_plot::{Figure, Picture, draw_map};
 use bifdiag_schema::BodyParameter;
 
 use super::arguments::MapArguments;
@@ -59,6 +59,6 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
     }
     let mut files = FileSet::new(&arguments.out);
     files.remove_pictures("map");
-    files.pictures("map", &picture, &arguments.picture, timings)?;
+    files.figure("map", Figure { picture, legend: None, caption: map.caption() }, &arguments.picture, timings)?;
     print(Report::of_written(&files.write()?).text())
 }

@@ -52,6 +52,10 @@ const PROJECTIONS: [Named<Projection>; 3] = [
 /// What the colour of a point shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum ColorArgument {
+    /// Whether its orbit is regular, chaotic, or open
+    Verdict,
+    /// The side of the section, that of +r or of -r
+    Side,
     /// Its orbit
     Orbit,
     /// The Lyapunov exponent of its orbit
@@ -122,9 +126,9 @@ pub struct SectionArguments {
     /// Where the picture shows the section
     #[arg(long, value_parser = values::named(&PROJECTIONS), default_value = "torus", help_heading = "Output", hide_short_help = true)]
     pub projection: Projection,
-    /// Colour the points by this
-    #[arg(long, value_enum, default_value = "orbit", help_heading = "Output", hide_short_help = true)]
-    pub color: ColorArgument,
+    /// Colour the points by this (default: verdict where verdicts are found, else orbit)
+    #[arg(long, value_enum, help_heading = "Output", hide_short_help = true)]
+    pub color: Option<ColorArgument>,
     #[command(flatten)]
     pub picture: PictureArguments,
     #[command(flatten)]

@@ -5,8 +5,10 @@ use std::path::{Path, PathBuf};
 
 use bifdiag_dynamics::poincare::PoincareError;
 use bifdiag_dynamics::section::{FAMILIES, Portrait, PortraitOptions, families};
-use bifdiag_plot::{OrbitFamilies, OrbitValues, Picture, SectionOptions, SectionScene, draw_section, section_type};
-use bifdiag_schema::{ConditionName, SectionDocument};
+use bifdiag_plot::{
+    OrbitColors, OrbitFamilies, OrbitValues, Picture, SectionOptions, SectionScene, draw_section, section_type,
+};
+use bifdiag_schema::{ConditionName, OrbitDocument, SectionDocument, VerdictName, VerdictsName};
 
 use super::arguments::ColorArgument;
 use super::plan::{Plan, stem};
@@ -101,13 +103,22 @@ fn draw(plan: &Plan<'_>, section: &Done) -> Result<Picture, Failure> {
     if !portrait.report().is_complete() {
         tracing::warn!("the boundary or the line of tangency of this section may be incomplete in the picture");
     }
-    let values = values(arguments.color, document);
-    let of = families(body, section.h, section.l, &section.orbits);
+    let color = arguments.color.unwrap_or_else(|| {
+        let is_judged = document.verdicts != VerdictsName::None;
+        if is_judged { ColorArgument::Verdict } else { ColorArgument::Orbit }
+    });
+    let values = values(color, document);
+    let sides = || families(body, section.h, section.l, &section.orbits);
+    let (of, names, colors) = match color {
+        ColorArgument::Verdict => (verdicts(document), &VERDICTS[..], OrbitColors::Verdicts),
+        ColorArgument::Side => (sides(), &FAMILIES[..], OrbitColors::Families),
+        _ => (sides(), &FAMILIES[..], OrbitColors::Orbits),
+    };
     let scene = SectionScene {
         portrait: &portrait,
         orbits: &section.orbits,
         values: values.as_ref().map(|(label, values)| OrbitValues { label, values }),
-        families: Some(OrbitFamilies { of: &of, names: &FAMILIES }),
+        families: Some(OrbitFamilies { of: &of, names, colors }),
         caption: &caption(document),
     };
     let (projection, theme, width) = (arguments.projection, arguments.picture.theme, arguments.width.width);
@@ -124,13 +135,26 @@ fn caption(document: &SectionDocument) -> String {
     parts.into_iter().flatten().collect::<Vec<_>>().join(",  ")
 }
 
+/// What verdicts are called.
+const VERDICTS: [&str; 3] = ["regular", "chaotic", "undecided"];
+
+/// The verdict of each orbit, a place in [`VERDICTS`].
+fn verdicts(document: &SectionDocument) -> Vec<usize> {
+    let verdict = |orbit: &OrbitDocument| match orbit.verdict {
+        VerdictName::Regular => 0,
+        VerdictName::Chaotic => 1,
+        VerdictName::Open => 2,
+    };
+    document.orbits.iter().map(verdict).collect()
+}
+
 /// The numbers that colour the orbits, and what they are.
 fn values(color: ColorArgument, document: &SectionDocument) -> Option<(&'static str, Vec<f64>)> {
     let (label, value): (_, fn(&_) -> Option<f64>) = match color {
-        ColorArgument::Orbit => return None,
+        ColorArgument::Orbit | ColorArgument::Side | ColorArgument::Verdict => return None,
         ColorArgument::Lyapunov => ("Lyapunov exponent", table::lyapunov),
         ColorArgument::Rotation => ("rotation number", table::rotation),
     };
-    let of = |orbit: &bifdiag_schema::OrbitDocument| orbit.chaos.as_ref().and_then(value).unwrap_or(f64::NAN);
+    let of = |orbit: &OrbitDocument| orbit.chaos.as_ref().and_then(value).unwrap_or(f64::NAN);
     Some((label, document.orbits.iter().map(of).collect()))
 }

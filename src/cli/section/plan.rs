@@ -107,9 +107,11 @@ pub fn stem(region: Option<&str>) -> String {
 /// Who wants nothing but data wants them fast.
 fn verdict(arguments: &SectionArguments) -> Result<VerdictsName, Failure> {
     let color = match arguments.color {
-        ColorArgument::Orbit => None,
-        ColorArgument::Lyapunov => Some("lyapunov"),
-        ColorArgument::Rotation => Some("rotation"),
+        None | Some(ColorArgument::Orbit | ColorArgument::Side) => None,
+        Some(ColorArgument::Verdict) if arguments.verdict != Some(VerdictsName::None) => None,
+        Some(ColorArgument::Verdict) => Some("verdict"),
+        Some(ColorArgument::Lyapunov) => Some("lyapunov"),
+        Some(ColorArgument::Rotation) => Some("rotation"),
     };
     let data_alone = arguments.data.is_some() && arguments.no_plot && !arguments.json;
     match (arguments.verdict, color) {

@@ -5,7 +5,7 @@ use super::plan::{BETWEEN, LEFT, Plan, RIGHT};
 use super::windows::{area, contains};
 use crate::page::{Point, Rect};
 
-/// Space for the axis on the left, for the axis below and at the right edge of the page.
+/// Space for the axis below.
 pub(super) const BELOW: f64 = 46.0;
 /// Space above an inset for its letter.
 const INSET_TOP: f64 = 34.0;

@@ -32,6 +32,8 @@ use crate::page::{FAINT_INK, Figure, INK, PAPER, Picture, PlotError, png};
 use bifdiag_schema::AtlasDocument;
 use page::Page;
 use palette::tint;
+#[cfg(test)]
+pub(crate) use palette::tints;
 use plan::Plan;
 
 /// A plane with more insets than these is better straightened.

@@ -134,7 +134,8 @@ pub(super) fn motions(scene: &Scene<'_>, strokes: &[Stroke], panels: &[Panel]) -
 /// What stands above these rows.
 pub(super) fn columns(atlas: &AtlasDocument) -> Vec<String> {
     let unit = atlas.body.part.as_ref().map_or_else(String::new, |part| format!(" in {}", part.time_unit()));
-    let motions = format!("small motions there: period, or time of growth by the factor e{unit}");
+    let percent = 100.0 * INSIDE;
+    let motions = format!("small motions {percent} % inside: period, or time of growth by the factor e{unit}");
     vec!["curve".to_owned(), format!("from {L} to {L}"), "linear type".to_owned(), "stability".to_owned(), motions]
 }
 

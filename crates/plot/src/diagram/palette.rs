@@ -19,72 +19,59 @@ const YELLOW: RGBColor = rgb(0xd2_b4_00);
 /// Branches beyond the paper's four.
 const FURTHER: [RGBColor; 4] = rgbs([0xa0_40_f0, 0x00_b4_f0, 0x3a_1c_10, 0xe8_3c_b4]);
 
-/// The tints of components: S² or D², T², then with rising genus or number of circles; the last is that of the whole sphere,
-/// over which P is a torus too.
-const TINTS: [RGBColor; 7] = rgbs([0xd4_de_f8, 0xdd_f3_e0, 0xf9_f0_b8, 0xf6_cf_ba, 0xd9_c2_f2, 0xf4_b7_c9, 0xae_e4_96]);
-/// The place of the whole sphere.
-const SPHERE: usize = TINTS.len() - 1;
+/// The types of components of U with what lies above them, as boundary circles of U and genus of P, and the tint of each.
+const TINTS: [((u32, u32), RGBColor); 11] = [
+    ((0, 1), rgb(0xd5_eb_b4)),
+    ((1, 0), rgb(0xe5_f5_ff)),
+    ((1, 1), rgb(0xc7_f6_d9)),
+    ((2, 1), rgb(0xb8_d7_c6)),
+    ((1, 2), rgb(0xff_fd_bd)),
+    ((2, 2), rgb(0xe8_c1_dd)),
+    ((2, 3), rgb(0xcf_d2_ad)),
+    ((3, 3), rgb(0xf1_d9_f9)),
+    ((3, 4), rgb(0xd1_bf_fd)),
+    ((4, 4), rgb(0x9d_f0_07)),
+    ((4, 5), rgb(0xcb_d2_fb)),
+];
 /// Ground of a region of which nothing is known.
 const UNKNOWN: RGBColor = rgb(0xe3_e3_e3);
 
-/// What a region consists of, as far as its ground tells it.
-#[derive(Clone, Debug, PartialEq, Eq)]
-struct Parts {
-    /// The places of the components in [`TINTS`].
-    tints: Vec<usize>,
-    /// Boundary circles of U.
-    circles: u32,
+/// The tint of a type; of those beyond the known ones that of the last.
+fn of_type(circles: u32, genus: u32) -> RGBColor {
+    let known = TINTS.iter().find(|(own, _)| *own == (circles, genus));
+    known.map_or(TINTS[TINTS.len() - 1].1, |(_, tint)| *tint)
 }
 
-impl Parts {
-    fn of(region: &RegionDocument) -> Self {
-        let circles = region.components.iter().map(|part| part.boundary_circles).sum();
-        Self { tints: tints(region.signature.as_deref(), &region.components), circles }
-    }
+/// The tint of a component; where its section is not known that of a component with so many circles and no pole.
+fn of_component(part: &ComponentDocument) -> RGBColor {
+    let genus = part.genus.unwrap_or_else(|| part.boundary_circles.saturating_sub(1));
+    of_type(part.boundary_circles, if part.boundary_circles == 0 { 1 } else { genus })
 }
 
-/// The tints of components: by their sections or, where there are none, by their boundary circles. The whole sphere is always
-/// one component.
-fn tints(signature: Option<&str>, components: &[ComponentDocument]) -> Vec<usize> {
-    let by_circles = |part: &ComponentDocument| match part.boundary_circles {
-        0 | 1 => 0,
-        many => usize::try_from(many).unwrap_or(SPHERE).min(SPHERE - 1),
+/// The tint of a section of which the part of the sphere below it is not known: that over the fewest circles, none apart.
+fn of_section(name: &str) -> Option<RGBColor> {
+    let genus = match name {
+        "S2" => 0,
+        "T2" => 1,
+        name => name.strip_prefix('M')?.parse().ok()?,
     };
-    match (components, signature) {
-        ([whole], _) if whole.boundary_circles == 0 => vec![SPHERE],
-        (_, Some(signature)) => signature.split('+').filter_map(section_tint).collect(),
-        (parts, None) => parts.iter().map(by_circles).collect(),
-    }
+    let with_boundary = TINTS.iter().filter(|((circles, own), _)| *own == genus && *circles > 0);
+    Some(with_boundary.min_by_key(|((circles, _), _)| *circles).map_or(TINTS[TINTS.len() - 1].1, |(_, tint)| *tint))
 }
 
-/// The tint of a section over a part of the sphere.
-fn section_tint(name: &str) -> Option<usize> {
-    match name {
-        "S2" => Some(0),
-        "T2" => Some(1),
-        name => name.strip_prefix('M')?.parse().ok().map(|genus: usize| genus.min(SPHERE - 1)),
-    }
-}
-
-/// The ground of a region of the diagram.
+/// The ground of a region of the diagram: one colour, or those of its stripes.
 pub(super) fn ground_of(region: &RegionDocument) -> Vec<RGBColor> {
-    ground(&Parts::of(region))
+    ground(region.components.iter().map(of_component))
 }
 
-/// The ground of a region: one colour, or those of its stripes. Regions with sections of one type and different U differ a
-/// little, and so do components of one type.
-fn ground(parts: &Parts) -> Vec<RGBColor> {
+/// The ground of some components; those of one type differ a little.
+fn ground(tints: impl IntoIterator<Item = RGBColor>) -> Vec<RGBColor> {
     // In parts of 32, so that bytes suffice.
-    let shade = |color: RGBColor, shade: u16| {
-        let darker = |byte: u8| u8::try_from(u16::from(byte) * shade / 32).unwrap_or(byte);
-        RGBColor(darker(color.0), darker(color.1), darker(color.2))
-    };
-    let by_circles = [32, 30, 31][(parts.circles % 3) as usize];
+    let darker = |byte: u8| u8::try_from(u16::from(byte) * 29 / 32).unwrap_or(byte);
     let mut colors: Vec<RGBColor> = Vec::new();
-    for tint in &parts.tints {
-        let mut color = shade(TINTS[*tint], by_circles);
+    for mut color in tints {
         while colors.contains(&color) {
-            color = shade(color, 30);
+            color = RGBColor(darker(color.0), darker(color.1), darker(color.2));
         }
         colors.push(color);
     }
@@ -93,8 +80,7 @@ fn ground(parts: &Parts) -> Vec<RGBColor> {
 
 /// One colour for the sections of a signature, such as `S2+T2`: the mean of its ground.
 pub(crate) fn tint(signature: &str) -> RGBColor {
-    let tints = signature.split('+').filter_map(section_tint).collect();
-    let colors = ground(&Parts { tints, circles: 0 });
+    let colors = ground(signature.split('+').filter_map(of_section));
     let mean = |channel: fn(&RGBColor) -> u8| {
         let sum: usize = colors.iter().map(|color| usize::from(channel(color))).sum();
         u8::try_from(sum / colors.len()).unwrap_or(u8::MAX)
@@ -153,6 +139,12 @@ pub(super) fn branch_styles(atlas: &AtlasDocument) -> BTreeMap<&str, BranchStyle
     styles
 }
 
+/// The tints of all types.
+#[cfg(test)]
+pub(crate) fn tints() -> Vec<RGBColor> {
+    TINTS.iter().map(|(_, tint)| *tint).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -166,12 +158,24 @@ mod tests {
         assert_apart(&colors, 18.0);
     }
 
+    /// The type by its circles and poles.
+    fn component(boundary_circles: u32, poles: u32) -> ComponentDocument {
+        ComponentDocument {
+            boundary_circles,
+            poles: None,
+            accessible_region: String::new(),
+            energy_surface: String::new(),
+            section: None,
+            genus: Some(if boundary_circles == 0 { 1 } else { boundary_circles + poles - 1 }),
+        }
+    }
+
     #[test]
-    fn grounds_are_told_apart_by_every_reader() {
-        for (theme, least) in [(Theme::Light, 6.0), (Theme::Dark, 7.0), (Theme::Print, 4.0)] {
+    fn types_are_told_apart_by_every_reader() {
+        for (theme, least) in [(Theme::Light, 6.1), (Theme::Dark, 7.1), (Theme::Print, 4.05)] {
             // Two to three times what is just seen on large areas; the ground of the page is one of them.
-            let shown: Vec<RGBColor> = TINTS.into_iter().chain([PAPER]).map(|color| theme.ground(color)).collect();
-            assert_apart(&shown, least);
+            let shown = TINTS.iter().map(|(_, tint)| *tint).chain([PAPER, UNKNOWN]).map(|color| theme.ground(color));
+            assert_apart(&shown.collect::<Vec<_>>(), least);
         }
     }
 
@@ -179,18 +183,17 @@ mod tests {
     fn tori_over_the_whole_sphere_and_over_a_disc_are_far_apart() {
         // Half again as far as grounds are at least.
         for (theme, least) in [(Theme::Light, 10.0), (Theme::Dark, 11.0), (Theme::Print, 6.0)] {
-            assert_apart(&[TINTS[SPHERE], TINTS[1]].map(|color| theme.ground(color)), least);
+            assert_apart(&[of_type(0, 1), of_type(1, 1)].map(|color| theme.ground(color)), least);
         }
-        let over = |boundary_circles| ComponentDocument {
-            boundary_circles,
-            poles: None,
-            accessible_region: String::new(),
-            energy_surface: String::new(),
-            section: Some("T2".to_owned()),
-            genus: Some(1),
-        };
-        let tint = |boundary_circles| tints(Some("T2"), &[over(boundary_circles)]);
-        assert_eq!([tint(0), tint(1), tint(2)], [[SPHERE], [1], [1]]);
+    }
+
+    #[test]
+    fn each_type_that_occurs_has_a_tint_of_its_own() {
+        let occur = [(0, 2), (1, 0), (1, 1), (1, 2), (2, 0), (2, 1), (2, 2), (3, 1), (3, 2), (4, 1), (4, 2)];
+        let tints = occur.map(|(circles, poles)| of_component(&component(circles, poles)));
+        let all: std::collections::BTreeSet<[u8; 3]> = tints.into_iter().map(|tint| [tint.0, tint.1, tint.2]).collect();
+        assert_eq!(all.len(), occur.len());
+        assert_eq!(tint("T2"), of_component(&component(1, 1)));
     }
 
     #[test]
@@ -203,15 +206,15 @@ mod tests {
 
     #[test]
     fn lines_stand_out_from_grounds_in_every_theme() {
-        let shades = |tint: usize| (0..3).flat_map(move |circles| ground(&Parts { tints: vec![tint, tint], circles }));
+        let tints = || TINTS.iter().map(|(_, tint)| *tint);
         for theme in [Theme::Light, Theme::Dark, Theme::Print] {
-            for ground in (0..TINTS.len()).flat_map(shades).chain([PAPER]) {
-                let against = |color: RGBColor| contrast(theme.color(color), theme.ground(ground));
-                let [text, line] =
-                    if [&TINTS[..], &[PAPER]].concat().contains(&ground) { [7.0, 1.8] } else { [5.5, 1.4] };
-                assert!(against(INK) > text, "text in {theme:?} on {ground:?}: {}", against(INK));
+            for shade in tints().flat_map(|tint| ground([tint, tint])).chain([PAPER]) {
+                let against = |color: RGBColor| contrast(theme.color(color), theme.ground(shade));
+                let is_pure = tints().chain([PAPER]).any(|tint| tint == shade);
+                let [text, line] = if is_pure { [7.0, 1.8] } else { [5.5, 1.4] };
+                assert!(against(INK) > text, "text in {theme:?} on {shade:?}: {}", against(INK));
                 for color in [RED, BLUE, GREEN, POLE, POLE_MINUS] {
-                    assert!(against(color) > line, "{color:?} in {theme:?} on {ground:?}: {}", against(color));
+                    assert!(against(color) > line, "{color:?} in {theme:?} on {shade:?}: {}", against(color));
                 }
             }
         }
@@ -219,10 +222,7 @@ mod tests {
 
     #[test]
     fn components_show_in_the_ground() {
-        let of = |signature: &str| {
-            let tints = signature.split('+').filter_map(section_tint).collect();
-            ground(&Parts { tints, circles: 1 })
-        };
+        let of = |signature: &str| ground(signature.split('+').filter_map(of_section));
         assert_eq!(of("S2+T2").len(), 2);
         assert_eq!(of("S2+S2+T2").len(), 3);
         let twins = of("T2+T2");

@@ -4,6 +4,8 @@ use super::model::Map;
 use crate::page::{INK, rgb, rgbs};
 use plotters::style::RGBColor;
 
+/// What has no colour of its own.
+const REST: RGBColor = rgb(0xe9_e9_e9);
 /// Where nothing is known.
 const UNKNOWN: RGBColor = rgb(0x9a_9a_9a);
 
@@ -29,7 +31,7 @@ pub(super) fn fill(map: &Map, entry: Option<usize>) -> RGBColor {
     match entry {
         None => UNKNOWN,
         Some(entry) if map.ordered => level(entry, map.entries.len()),
-        Some(entry) => color(map.entries.get(entry).map_or(entry, |entry| entry.color)),
+        Some(entry) => map.entries.get(entry).map_or(Some(entry), |entry| entry.color).map_or(REST, color),
     }
 }
 

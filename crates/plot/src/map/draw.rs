@@ -1,7 +1,7 @@
 //! The drawing.
 
 use super::colors::{fill, line as line_color};
-use super::legend::{BORDER, LINE, MapLegend, Places, line_pattern};
+use super::legend::{BORDER, LINE, MapLegend, NO_BODY, Places, line_pattern};
 use super::marks::{Mark, Marked, RING, marked, note_box};
 use super::model::{Map, MapBodies, MapLine, MapNote, SIZE, SMALL, View};
 use std::collections::BTreeSet;
@@ -53,6 +53,11 @@ pub fn draw_map(map: &Map, theme: Theme, width: Width) -> Result<Picture, PlotEr
     render([width, height.ceil()], map.title.as_str(), theme, |canvas| {
         heading.draw(canvas);
         bodies(canvas, map, &view);
+        let mut none = Path::default();
+        for corners in &map.impossible {
+            none.line(&corners.iter().map(|corner| view.at(*corner)).collect::<Vec<_>>(), true);
+        }
+        canvas.draw_titled(&none, &format!("id=\"impossible\" {}", canvas.fill_hatched()), NO_BODY);
         for line in &map.lines {
             draw_line(canvas, line, &view);
         }
@@ -123,7 +128,11 @@ fn bodies(canvas: &Canvas, map: &Map, view: &View) {
                     path.line(&corners.iter().map(|corner| view.at(*corner)).collect::<Vec<_>>(), true);
                 }
                 let (id, title) = match entry.and_then(|entry| map.entries.get(entry)) {
-                    Some(entry) => (format!("area-{}", entry.mark), format!("{} {}", entry.name, entry.note)),
+                    Some(entry) => {
+                        let id = if entry.mark.is_empty() { "rest" } else { &entry.mark };
+                        let texts = [&entry.key, &entry.name, &entry.note].map(String::as_str);
+                        (format!("area-{id}"), texts.join(" ").trim().to_owned())
+                    }
                     None => ("area-unknown".to_owned(), map.unknown.clone()),
                 };
                 canvas.draw_titled(&path, &format!("id=\"{id}\" {}", canvas.fill(fill(map, entry))), &title);

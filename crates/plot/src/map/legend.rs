@@ -4,9 +4,13 @@ use super::colors::{fill, line as line_color};
 use super::marks::Mark;
 use super::model::{Map, MapBodies, View};
 use super::spots::{short_place, spot};
-use crate::page::{Canvas, Dash, Legend, Point, Symbol, Table, pixel};
+use crate::page::{Canvas, Dash, FAINT_INK, Ink, Legend, Path, Point, Rect, Symbol, Table, pixel};
 use plotters::style::RGBColor;
 
+/// What is said of places without a body.
+pub(super) const NO_BODY: &str = "no body exists: a moment exceeds the sum of the others";
+/// The side of the swatch that says it.
+const HATCHED: f64 = 12.0;
 /// Widths of lines, and of borders between areas.
 pub(super) const LINE: f64 = 1.4;
 pub(super) const BORDER: f64 = 0.8;
@@ -55,7 +59,7 @@ impl MapLegend {
         let mut entries: Vec<Entry> = Vec::with_capacity(map.entries.len());
         for (number, entry) in map.entries.iter().enumerate() {
             let is_marked = marks.iter().any(|mark| mark.of == number);
-            let place = if is_marked { None } else { spot(&map.bodies, number, view) };
+            let place = if is_marked || entry.mark.is_empty() { None } else { spot(&map.bodies, number, view) };
             entries.push(Entry {
                 is_placed: place.is_some(),
                 fill: fill(map, Some(number)),
@@ -166,6 +170,16 @@ fn shorten(entries: &mut [Entry]) -> bool {
 /// What lines mean, each meaning once.
 fn strokes(map: &Map) -> Vec<(Symbol, String)> {
     let mut strokes = Vec::new();
+    if !map.impossible.is_empty() {
+        let hatched = |canvas: &Canvas, [x, y]: Point| {
+            let rect = Rect { x: x - HATCHED / 2.0, y: y - HATCHED / 2.0, width: HATCHED, height: HATCHED };
+            let mut path = Path::default();
+            path.line(&rect.corners(), true);
+            canvas.draw(&path, &canvas.fill_hatched());
+            canvas.outline(&rect.corners(), Ink { color: FAINT_INK, width: 0.6 });
+        };
+        strokes.push((Symbol::Mark("hatched", Box::new(hatched)), NO_BODY.to_owned()));
+    }
     if let MapBodies::Areas { borders, told, .. } = &map.bodies
         && !borders.is_empty()
     {

@@ -122,7 +122,7 @@ fn marks(map: &Map, view: &View, boxes: &[Rect], taken: &mut Taken) -> Vec<Mark>
     let mut marks: Vec<Mark> = Vec::new();
     for (patch, (&entry, depth)) in entries.iter().zip(patches.depths(entries.len())).enumerate() {
         let size = [text_width(&map.entries[entry].mark, SIZE) + 2.0, 2.0 * ROOM];
-        if depth < ROOM - NECK {
+        if depth < ROOM - NECK || map.entries[entry].mark.is_empty() {
             continue;
         }
         let others = Sums::new(&patches, |at| usize::try_from(patches.of[at]) != Ok(patch));
@@ -133,7 +133,7 @@ fn marks(map: &Map, view: &View, boxes: &[Rect], taken: &mut Taken) -> Vec<Mark>
     }
     let (seen, _) = map.bodies.seen(map.entries.len(), view);
     for (of, entry) in map.entries.iter().enumerate() {
-        if seen[of] && !marks.iter().any(|mark| mark.of == of) {
+        if seen[of] && !entry.mark.is_empty() && !marks.iter().any(|mark| mark.of == of) {
             let size = [text_width(&entry.mark, SMALL) + 4.0, SMALL + 3.0];
             marks.extend(beside(of, size, &shown.tips(of, taken), view, taken, |_| 0.0));
         }
@@ -266,7 +266,8 @@ mod tests {
             name: String::new(),
             note: String::new(),
             mark: number.to_string(),
-            color: number,
+            key: String::new(),
+            color: Some(number),
         };
         let axis = || MapAxis { name: String::new(), range: [0.0, 1.0] };
         Map {
@@ -278,8 +279,10 @@ mod tests {
             ordered: false,
             unknown: String::new(),
             bodies: MapBodies::Areas { pieces, seen: Vec::new(), borders: Vec::new(), told: String::new() },
+            impossible: Vec::new(),
             lines,
             notes: Vec::new(),
+            key: Vec::new(),
         }
     }
 
@@ -373,7 +376,9 @@ mod tests {
             bodies: MapBodies::Points(Vec::new()),
             // Between the first three there is no room for a name.
             lines: vec![line(0.1, "the lowest"), line(0.12, "between"), line(0.14, "the highest"), line(3.0, "unseen")],
+            impossible: Vec::new(),
             notes: Vec::new(),
+            key: Vec::new(),
         };
         let view = View { x: [0.0, 1.0], y: [0.0, 1.0], rect: Rect { x: 0.0, y: 0.0, width: 500.0, height: 500.0 } };
         let names = names(&map, &view, &mut Taken::default());

@@ -1,6 +1,6 @@
 //! What a map shows, and where on the page.
 
-use crate::page::{Point, Rect};
+use crate::page::{Caption, Point, Rect};
 
 /// One of the two parameters.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,16 +12,18 @@ pub struct MapAxis {
 }
 
 /// Something that bodies show.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct MapEntry {
     /// Its name in the legend.
     pub name: String,
     /// What is told of it there, in smaller letters.
     pub note: String,
-    /// What stands in the map where there is room.
+    /// What stands in the map where there is room; nothing for what is no single thing.
     pub mark: String,
-    /// Which of the colours it has where entries have no order.
-    pub color: usize,
+    /// Its full name, for tooltips; may be empty.
+    pub key: String,
+    /// Which of the colours it has where entries have no order; `None`: that of all the rest.
+    pub color: Option<usize>,
 }
 
 /// Where bodies lie; each shows the entry with its number, or nothing that is known.
@@ -130,10 +132,27 @@ pub struct Map {
     pub unknown: String,
     /// The bodies.
     pub bodies: MapBodies,
+    /// Where no body exists.
+    pub impossible: Vec<Vec<[f64; 2]>>,
     /// Lines.
     pub lines: Vec<MapLine>,
     /// Texts.
     pub notes: Vec<MapNote>,
+    /// A table of all that the entries stand for, its heading first; may be empty.
+    pub key: Vec<Vec<String>>,
+}
+
+impl Map {
+    /// What is said of the map beside it: its titles, and the table of all that its entries stand for.
+    #[must_use]
+    pub fn caption(&self) -> Caption {
+        let mut caption = Caption::default();
+        caption.paragraph(&format!("{}: {}.", self.title, self.subtitle));
+        if let [heading, rows @ ..] = &self.key[..] {
+            caption.table(heading, rows);
+        }
+        caption
+    }
 }
 
 /// Pixels that an area needs so that a mark points at it.

@@ -1,7 +1,7 @@
 //! Where an entry lies that the map has no room to mark.
 
 use super::model::{MapBodies, View};
-use crate::page::{Point, short_number};
+use crate::page::{Point, distance, short_number};
 
 /// The place of a body, and in both parameters how far from it another entry may lie.
 #[derive(Clone, Copy)]
@@ -21,6 +21,7 @@ pub(super) fn spot(bodies: &MapBodies, entry: usize, view: &View) -> Option<Spot
                     let [p, q] = [(p, room), (q, other)].map(|(at, room)| seclusion(view.at(*at), *room, view));
                     p[0].total_cmp(&q[0]).then(p[1].total_cmp(&q[1]))
                 })?;
+            let at = shortened(at, borders, view);
             let ranges = [(view.x, view.rect.width), (view.y, view.rect.height)];
             let room = [0, 1].map(|axis| {
                 let ([from, to], pixels) = ranges[axis];
@@ -39,6 +40,35 @@ pub(super) fn spot(bodies: &MapBodies, entry: usize, view: &View) -> Option<Spot
         }
         MapBodies::Points(_) => None,
     }
+}
+
+/// A place on a border with few digits in both coordinates, if it lies on that border too and no other is near.
+fn shortened(at: [f64; 2], borders: &[[[f64; 2]; 2]], view: &View) -> [f64; 2] {
+    /// On the page, by how much a place may be off a border on which it lies, and how far it may move along it.
+    const ON: f64 = 1e-10;
+    const MOVED: f64 = 0.05;
+    let off = |place: [f64; 2]| {
+        move |ends: &[[f64; 2]; 2]| {
+            let [from, to] = ends.map(|end| view.at(end));
+            from_segment(view.at(place), from, to)
+        }
+    };
+    let own: Vec<_> = borders.iter().filter(|ends| off(at)(ends) < ON).collect();
+    let others = borders.iter().map(off(at)).filter(|distance| *distance >= ON).fold(f64::INFINITY, f64::min);
+    let rounded = |digits: usize| at.map(|value| format!("{value:.*e}", digits - 1).parse().unwrap_or(value));
+    let is_as_good = |place: &[f64; 2]| {
+        own.iter().all(|ends| off(*place)(ends) < ON)
+            && distance(view.at(at), view.at(*place)) < MOVED.min(0.3 * others)
+    };
+    if own.is_empty() { at } else { (4..10).map(rounded).find(is_as_good).unwrap_or(at) }
+}
+
+/// How far a point is from a segment.
+fn from_segment(point: Point, from: Point, to: Point) -> f64 {
+    let [x, y] = [to[0] - from[0], to[1] - from[1]];
+    let along = ((point[0] - from[0]) * x + (point[1] - from[1]) * y) / (x * x + y * y);
+    let share = if along.is_finite() { along.clamp(0.0, 1.0) } else { 0.0 };
+    distance(point, [from[0] + share * x, from[1] + share * y])
 }
 
 /// How far on the page the next border is to the left or right of a point, and how far above or below; a border on which
@@ -109,6 +139,18 @@ mod tests {
         // Its height is free.
         let third = spot(&bodies, 1, &view()).map(short_place).unwrap();
         assert_eq!(third.strip_suffix(", 1.123").unwrap().parse(), Ok(1.0 / 3.0));
+    }
+
+    #[test]
+    fn a_place_on_a_slanted_border_is_told_in_few_digits_where_they_lie_on_it_too() {
+        let at = [1.370_108_695_652_174; 2];
+        let view = View { x: [0.0, 2.0], y: [0.0, 2.0], rect: Rect { x: 0.0, y: 0.0, width: 500.0, height: 500.0 } };
+        let diagonal = [[1.0, 1.0], [2.0, 2.0]];
+        assert_eq!(shortened(at, &[diagonal], &view), [1.37; 2]);
+        // Not off another one.
+        let steep = [[at[0], 0.0], [at[0], 2.0]];
+        assert_eq!(shortened(at, &[diagonal, steep], &view), at);
+        assert_eq!(shortened(at, &[], &view), at);
     }
 
     #[test]

@@ -10,7 +10,7 @@ use plotters::style::text_anchor::{HPos, VPos};
 use plotters::style::{Color, IntoFont, RGBColor, ShapeStyle, TextStyle};
 use plotters_backend::{BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind};
 
-use super::color::{Ink, PAPER, Theme};
+use super::color::{Ink, PAPER, Theme, rgb};
 use super::error::PlotError;
 use super::geometry::{Point, UNITS, length_units, to_pixels, to_units};
 use super::path::{Dash, Path, colors, intervals};
@@ -19,6 +19,9 @@ use super::text::{self, FAMILY};
 
 /// Width of a stripe in pixels.
 const STRIPE: f64 = 5.0;
+/// A hatch: one line in so many stripes, and how wide each is.
+const HATCH: [RGBColor; 5] = [PAPER, PAPER, PAPER, PAPER, rgb(0x9c_9c_9c)];
+const HATCH_LINE: f64 = 1.2;
 
 /// Which point of a text is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,8 +40,8 @@ pub struct Canvas {
     size: [f64; 2],
     theme: Theme,
     body: RefCell<String>,
-    /// Patterns that areas refer to, by their colours.
-    stripes: RefCell<Vec<Vec<RGBColor>>>,
+    /// Patterns that areas refer to: the colours of their stripes, and how wide each is.
+    stripes: RefCell<Vec<(Vec<RGBColor>, f64)>>,
     outcome: RefCell<Result<(), PlotError>>,
 }
 
@@ -58,7 +61,7 @@ pub fn render(
     paint(&canvas);
     canvas.outcome.replace(Ok(()))?;
     let patterns = canvas.stripes.borrow();
-    let patterns = patterns.iter().enumerate().map(|(number, colors)| canvas.pattern(number, colors));
+    let patterns = patterns.iter().enumerate().map(|(number, (colors, width))| canvas.pattern(number, colors, *width));
     let elements: String = patterns.chain([canvas.body.take()]).collect();
     Ok(Picture::new(&elements, size, &heading.into()))
 }
@@ -115,17 +118,26 @@ impl Canvas {
         if let [color] = colors {
             return self.fill(*color);
         }
+        self.pattern_of(colors, STRIPE)
+    }
+
+    /// The attributes of an area that is none of what is drawn: paper with thin lines.
+    pub(crate) fn fill_hatched(&self) -> String {
+        self.pattern_of(&HATCH, HATCH_LINE)
+    }
+
+    fn pattern_of(&self, colors: &[RGBColor], width: f64) -> String {
         let mut known = self.stripes.borrow_mut();
-        let number = known.iter().position(|other| other == colors).unwrap_or_else(|| {
-            known.push(colors.to_vec());
+        let number = known.iter().position(|other| other.0 == colors).unwrap_or_else(|| {
+            known.push((colors.to_vec(), width));
             known.len() - 1
         });
         format!("fill=\"url(#stripes-{number})\"")
     }
 
     /// The pattern of a striped area as an SVG element.
-    fn pattern(&self, number: usize, colors: &[RGBColor]) -> String {
-        let width = STRIPE * UNITS;
+    fn pattern(&self, number: usize, colors: &[RGBColor], width: f64) -> String {
+        let width = width * UNITS;
         let period = width * colors.len() as f64;
         let stripe = |(place, color): (usize, &RGBColor)| {
             let (x, fill) = (width * place as f64, self.fill(*color));

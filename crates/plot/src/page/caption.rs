@@ -32,25 +32,32 @@ pub struct Caption {
 }
 
 /// What colours are called.
-const NAMES: [(&str, RGBColor); 18] = [
+const NAMES: [(&str, RGBColor); 25] = [
     ("black", rgb(0x22_22_22)),
+    ("dark grey", rgb(0x46_46_46)),
     ("grey", rgb(0x80_80_80)),
     ("pale grey", rgb(0xe3_e3_e3)),
     ("red", rgb(0xb0_10_18)),
     ("blue", rgb(0x10_3a_9a)),
     ("sky blue", rgb(0x00_b4_f0)),
-    ("pale blue", rgb(0xcc_da_fa)),
+    ("light blue", rgb(0xcb_d2_fb)),
+    ("pale blue", rgb(0xe5_f5_ff)),
     ("green", rgb(0x00_80_5c)),
-    ("light green", rgb(0xae_e4_96)),
-    ("pale green", rgb(0xdd_f3_e0)),
+    ("light green", rgb(0xd5_eb_b4)),
+    ("mint", rgb(0xc7_f6_d9)),
+    ("sage", rgb(0xb8_d7_c6)),
+    ("lime", rgb(0x9d_f0_07)),
+    ("khaki", rgb(0xcf_d2_ad)),
     ("yellow", rgb(0xd8_b8_00)),
-    ("pale yellow", rgb(0xf9_f0_b8)),
+    ("pale yellow", rgb(0xff_fd_bd)),
     ("orange", rgb(0xdc_72_26)),
     ("pale orange", rgb(0xf6_cf_ba)),
     ("violet", rgb(0xa0_40_f0)),
-    ("pale violet", rgb(0xd9_c2_f2)),
-    ("plum", rgb(0x0078_3264)),
-    ("pink", rgb(0xf0_90_b8)),
+    ("lavender", rgb(0xd1_bf_fd)),
+    ("plum", rgb(0x78_32_64)),
+    ("magenta", rgb(0xe8_3c_b4)),
+    ("pink", rgb(0xe8_c1_dd)),
+    ("pale pink", rgb(0xf1_d9_f9)),
 ];
 
 /// The name of the nearest colour that has one.
@@ -119,6 +126,8 @@ impl Caption {
         let shown = |color: &RGBColor| self.theme.color(*color);
         match symbol {
             Symbol::None => String::new(),
+            // Paler in print, of the same name.
+            Symbol::Swatch(colors) if self.theme == Theme::Print => names(colors.iter().copied()),
             Symbol::Swatch(colors) => names(colors.iter().map(|color| self.theme.ground(*color))),
             Symbol::Line(pattern, _) => {
                 format!("{} line", names(pattern.iter().filter_map(|dash| dash.0.as_ref()).map(shown)))
@@ -171,15 +180,27 @@ impl Caption {
 mod tests {
     use super::*;
 
+    /// They were plum lines, and two grounds pale yellow.
+    #[test]
+    fn grey_lines_are_grey_and_grounds_have_names_of_their_own() {
+        assert_eq!(
+            [0x46_46_46, 0x59_59_59, 0x22_22_22].map(|grey| name(rgb(grey))),
+            ["dark grey", "dark grey", "black"]
+        );
+        let tints = crate::diagram::tints();
+        let words: std::collections::BTreeSet<&str> = tints.iter().map(|tint| name(*tint)).collect();
+        assert_eq!(words.len(), tints.len(), "{words:?}");
+    }
+
     #[test]
     fn symbols_have_words_and_are_drawn_in_tex() {
         let mut caption = Caption::default();
         let dashed = Symbol::Line(vec![(Some(rgb(0xa3_0d_18)), 5.0), (None, 3.0)], 1.5);
-        let ground = Symbol::Swatch(vec![rgb(0xd4_de_f8), rgb(0xdd_f3_e0)]);
+        let ground = Symbol::Swatch(vec![rgb(0xe5_f5_ff), rgb(0xc7_f6_d9)]);
         caption.entries([(&dashed, "G0".to_owned()), (&ground, "R1: T²+S²".to_owned())]);
-        assert_eq!(caption.text, "red line: G0\npale blue and pale green: R1: T²+S²\n");
+        assert_eq!(caption.text, "red line: G0\npale blue and mint: R1: T²+S²\n");
         assert_eq!(caption.tex.matches("\\rule[.5ex]").count(), 4, "{}", caption.tex);
-        assert!(caption.tex.contains("\\textcolor[HTML]{A30D18}") && caption.tex.contains("\\textcolor[HTML]{DDF3E0}"));
+        assert!(caption.tex.contains("\\textcolor[HTML]{A30D18}") && caption.tex.contains("\\textcolor[HTML]{C7F6D9}"));
         caption.table(&["curve".to_owned(), "l".to_owned()], &[vec!["G0.1".to_owned(), "0 … 1".to_owned()]]);
         assert!(caption.text.ends_with("curve  l\nG0.1   0 … 1\n"), "{}", caption.text);
         assert!(caption.tex.contains("curve & l \\\\\nG0.1 & 0 $\\ldots $ 1 \\\\\n"), "{}", caption.tex);

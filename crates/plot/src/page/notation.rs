@@ -61,6 +61,13 @@ pub fn body_line(moments: &[impl Display; 3], center: &[impl Display; 3], width:
     DIGITS.into_iter().map(rounded).find(fits).unwrap_or_else(|| rounded(1))
 }
 
+/// A quantity with its value: its text if that is short, else so many significant digits of it, told to be rounded.
+#[must_use]
+pub fn told(name: &str, text: &str, digits: usize) -> String {
+    let value = shortened(text, digits);
+    format!("{name} {} {value}", if value == number(text) { "=" } else { "≈" })
+}
+
 /// The text of a number if it is short, else so many significant digits of it.
 fn shortened(text: &str, digits: usize) -> String {
     if text.chars().count() <= digits + 2 {
@@ -120,6 +127,8 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
+        assert_eq!(told("h", "-0.2600090312791064", 6), "h ≈ −0.260009");
+        assert_eq!([told("l", "3.25", 6), told("l", "-1/3", 6)], ["l = 3.25", "l = −1/3"]);
         assert_eq!(superscript(-12), "⁻¹²");
         assert_eq!([1.0 / 3.0, 2e-9, 0.0, -1234.567].map(|x| short_number(x, 4)), ["0.3333", "2·10⁻⁹", "0", "−1235"]);
         assert_eq!([2.34, 142.4, 4.7e5].map(short), ["2.3", "142", "4.7·10⁵"]);

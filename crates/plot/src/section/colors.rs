@@ -2,7 +2,7 @@
 
 use plotters::style::RGBColor;
 
-use super::scene::SectionScene;
+use super::scene::{OrbitColors, SectionScene};
 use crate::page::{Anchor, Canvas, INK, Ink, Rect, rgb, rgbs, ticks};
 
 /// Shades of each hue, by which orbits of a family are told apart.
@@ -11,7 +11,7 @@ const SHADES: usize = 4;
 const FAMILIES: [[RGBColor; SHADES]; 5] = [
     rgbs([0x1f_6f_c2, 0x0b_3c_7d, 0x3f_96_e0, 0x08_20_4d]),
     rgbs([0xc8_50_00, 0x8a_35_00, 0xf0_8a_24, 0x5e_1f_00]),
-    rgbs([0x00_52_3c, 0x00_8f_66, 0x2a_b5_86, 0x00_30_1f]),
+    rgbs([0x00_7a_58, 0x2a_b5_86, 0x00_52_3c, 0x00_30_1f]),
     rgbs([0xc0_78_f0, 0x8f_3f_c7, 0x5a_16_87, 0x35_0a_52]),
     rgbs([0xb8_a0_18, 0x94_80_00, 0x5f_52_00, 0x3a_32_00]),
 ];
@@ -71,7 +71,8 @@ impl Coloring {
         }
         let own = family(scene, index);
         let before = (0..index).filter(|&other| family(scene, other) == own).count();
-        own % FAMILIES.len() * SHADES + before % SHADES
+        let places = places(scene, own);
+        places[before % places.len()]
     }
 }
 
@@ -80,9 +81,20 @@ pub(super) fn family(scene: &SectionScene<'_>, index: usize) -> usize {
     scene.families.and_then(|families| families.of.get(index).copied()).unwrap_or(0)
 }
 
-/// The shades of a family.
-pub(super) fn shades(family: usize) -> [RGBColor; SHADES] {
-    FAMILIES[family % FAMILIES.len()]
+/// The places in the palette of the colours of a family.
+fn places(scene: &SectionScene<'_>, family: usize) -> Vec<usize> {
+    let first = family % FAMILIES.len() * SHADES;
+    match (scene.families.map(|families| families.colors).unwrap_or_default(), family) {
+        (OrbitColors::Orbits, _) | (OrbitColors::Verdicts, 0) => (first..first + SHADES).collect(),
+        (OrbitColors::Verdicts, 2..) => vec![ORBITS],
+        (OrbitColors::Families | OrbitColors::Verdicts, _) => vec![first],
+    }
+}
+
+/// The colours of a family.
+pub(super) fn shades(scene: &SectionScene<'_>, family: usize) -> Vec<RGBColor> {
+    let color = |place: usize| FAMILIES.as_flattened().get(place).copied().unwrap_or(UNKNOWN);
+    places(scene, family).into_iter().map(color).collect()
 }
 
 /// Where no value is known.

@@ -7,7 +7,7 @@ use plotters::style::RGBColor;
 
 use super::colors::{family, shades, unknown};
 use super::layout::SheetPanel;
-use super::scene::{Projection, SectionScene};
+use super::scene::{OrbitColors, Projection, SectionScene};
 use crate::page::{Canvas, INK, Ink, Path, Point, Rect, Symbol, rgb, union};
 use bifdiag_dynamics::section::{Portrait, SectionChart, SectionCondition};
 
@@ -62,18 +62,10 @@ pub(super) fn outline(canvas: &Canvas, portrait: &Portrait, panel: &SheetPanel) 
     }
 }
 
-/// The frame of a panel with its ticks.
+/// The frame of a panel.
 fn frame(rect: &Rect) -> Path {
     let mut frame = Path::default();
     frame.line(&rect.corners(), true);
-    for k in 0..=4 {
-        let x = rect.x + 0.25 * f64::from(k) * rect.width;
-        frame.line(&[[x, rect.bottom()], [x, rect.bottom() + 4.0]], false);
-    }
-    for k in 0..=2 {
-        let y = rect.y + 0.5 * f64::from(k) * rect.height;
-        frame.line(&[[rect.x - 4.0, y], [rect.x, y]], false);
-    }
     frame
 }
 
@@ -125,10 +117,18 @@ fn meaning_of_colors(scenes: &[SectionScene<'_>]) -> Vec<(Symbol, String)> {
         return orbits().any(is_open).then_some(entry).into_iter().collect();
     }
     let families: BTreeSet<usize> = orbits().map(|(scene, index)| family(scene, index)).collect();
-    let names = scenes.iter().find_map(|scene| scene.families).map_or(&[][..], |families| families.names);
+    let of = scenes.iter().find_map(|scene| scene.families);
+    let names = of.map_or(&[][..], |families| families.names);
+    let has_verdicts = of.is_some_and(|families| families.colors == OrbitColors::Verdicts);
     let entry = |family: usize| {
-        let name = names.get(family).map_or_else(String::new, |name| format!("{name}: "));
-        (Symbol::Dots(shades(family).to_vec()), format!("{name}orbits, told apart by shades"))
+        let colors = shades(&scenes[0], family);
+        let apart = if colors.len() > 1 { ", told apart by shades" } else { "" };
+        let told = match names.get(family) {
+            Some(name) if has_verdicts => format!("{name} orbits"),
+            Some(name) => format!("{name}: orbits"),
+            None => "orbits".to_owned(),
+        };
+        (Symbol::Dots(colors), format!("{told}{apart}"))
     };
     families.into_iter().map(entry).collect()
 }

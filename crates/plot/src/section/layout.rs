@@ -3,9 +3,11 @@
 use std::f64::consts::{PI, TAU};
 
 use super::scene::{Projection, SectionScene};
-use crate::page::{Anchor, Canvas, HEIGHT, INK, Point, Rect, Width, number, short_number};
-use bifdiag_dynamics::section::SectionChart;
+use crate::page::{Anchor, Canvas, HEIGHT, INK, Ink, Path, Point, Rect, Width, number, short_number};
+use bifdiag_dynamics::section::{Portrait, SectionChart};
 
+/// How long the mark of a tick is.
+const MARK: f64 = 4.0;
 /// Plot area of a panel.
 const PANEL: [f64; 2] = [384.0, 240.0];
 /// Panels are so high at least, however many there are.
@@ -37,12 +39,16 @@ pub(super) struct SheetPanel {
     /// −1 or +1.
     pub sheet: i8,
     pub rect: Rect,
+    /// The ranges of x and y of the chart that are shown.
+    pub window: [[f64; 2]; 2],
 }
 
 impl SheetPanel {
     /// Position on the page of (x, y) of the chart: x to the right, y downwards.
     pub fn position(&self, [x, y]: [f64; 2]) -> Point {
-        [self.rect.x + x / TAU * self.rect.width, self.rect.y + y / PI * self.rect.height]
+        let share = |value: f64, [from, to]: [f64; 2]| (value - from) / (to - from);
+        let [across, down] = [share(x, self.window[0]), share(y, self.window[1])];
+        [self.rect.x + across * self.rect.width, self.rect.y + down * self.rect.height]
     }
 
     pub fn positions(&self, points: &[[f64; 2]]) -> Vec<Point> {
@@ -57,6 +63,32 @@ impl SheetPanel {
             (SectionChart::Sphere, true) => "S⁺",
         }
     }
+}
+
+/// The whole of a chart.
+const WHOLE: [[f64; 2]; 2] = [[0.0, TAU], [0.0, PI]];
+/// A chart is cropped where that leaves less than this part of it, with a margin round what is accessible.
+const CROPPED: f64 = 0.6;
+const MARGIN: f64 = 0.05;
+
+/// The part of a chart in which something is.
+fn window(portrait: &Portrait, chart: SectionChart) -> [[f64; 2]; 2] {
+    let area = portrait.accessible(chart);
+    let mut ranges = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+    for point in area.loops.iter().flatten() {
+        for (range, value) in ranges.iter_mut().zip(point) {
+            *range = [range[0].min(*value), range[1].max(*value)];
+        }
+    }
+    let mut cropped = WHOLE;
+    let mut share = 1.0;
+    for ([from, to], whole) in ranges.into_iter().zip(&mut cropped) {
+        let margin = MARGIN * (to - from);
+        let all = whole[1] - whole[0];
+        *whole = [(from - margin).max(whole[0]), (to + margin).min(whole[1])];
+        share *= (whole[1] - whole[0]) / all;
+    }
+    if share > 0.0 && share < CROPPED { cropped } else { WHOLE }
 }
 
 /// The page.
@@ -85,13 +117,14 @@ impl Layout {
         let height = (width * PANEL[1] / PANEL[0]).min(most[1]).min(room).round();
         let mut panels = Vec::new();
         let mut top = TITLE;
-        for scene in 0..scenes.len() {
+        for (scene, own) in scenes.iter().enumerate() {
             for &chart in charts {
+                let window = window(own.portrait, chart);
                 let below = ABOVE + height + BELOW;
                 let other = if paper.is_column() { [0.0, below] } else { [width + BETWEEN, 0.0] };
                 for (sheet, [right, down]) in [(-1, [0.0; 2]), (1, other)] {
                     let rect = Rect { x: LEFT + right, y: top + ABOVE + down, width, height };
-                    panels.push(SheetPanel { scene, chart, sheet, rect });
+                    panels.push(SheetPanel { scene, chart, sheet, rect, window });
                 }
                 top += other[1] + below;
             }
@@ -138,26 +171,71 @@ fn rounded(name: &str, value: f64) -> String {
     format!("{name} {} {short}", if short == full { "=" } else { "≈" })
 }
 
-/// Labels of the ticks below a panel, and beside it if it is the left one.
+/// Fractions of π in a range, so fine that there are at least three of them.
+fn ticks([from, to]: [f64; 2]) -> Vec<(f64, String)> {
+    let mut parts = 2_u32;
+    loop {
+        let step = PI / f64::from(parts);
+        let [first, last] = [(from / step - 1e-9).ceil(), (to / step + 1e-9).floor()];
+        if last - first >= 2.0 || parts > 1 << 16 {
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to twice the parts")]
+            let [first, last] = [first.max(0.0) as u32, last.max(0.0) as u32];
+            return (first..=last).map(|count| (f64::from(count) * step, fraction(count, parts))).collect();
+        }
+        parts *= 2;
+    }
+}
+
+/// So many parts of π; the parts are a power of two.
+fn fraction(count: u32, parts: u32) -> String {
+    let common = 1 << count.trailing_zeros().min(parts.trailing_zeros());
+    let over = |parts: u32| if parts == 1 { String::new() } else { format!("/{parts}") };
+    match count / common {
+        0 => "0".to_owned(),
+        1 => format!("π{}", over(parts / common)),
+        many => format!("{many}π{}", over(parts / common)),
+    }
+}
+
+/// The ticks below a panel and beside it with their labels; those of ϑ on the left one only.
 fn draw_ticks(canvas: &Canvas, panel: &SheetPanel) {
     let rect = panel.rect;
     let (psi, theta) = match panel.chart {
         SectionChart::Torus => ("ψ′", "ϑ′"),
         SectionChart::Sphere => ("ψ", "ϑ"),
     };
-    for (k, label) in ["0", "π/2", "π", "3π/2", "2π"].into_iter().enumerate() {
-        let at = [rect.x + 0.25 * k as f64 * rect.width, rect.bottom() + 17.0];
-        canvas.text(label, at, TICK_SIZE, INK, Anchor::Middle);
+    let is_left = rect.x <= LEFT;
+    let [corner_x, corner_y] = panel.window.map(|range| range[0]);
+    let mut marks = Path::default();
+    for (value, label) in ticks(panel.window[0]) {
+        let [x, _] = panel.position([value, corner_y]);
+        marks.line(&[[x, rect.bottom()], [x, rect.bottom() + MARK]], false);
+        canvas.text(&label, [x, rect.bottom() + 17.0], TICK_SIZE, INK, Anchor::Middle);
     }
-    let name = [rect.x + 0.5 * rect.width, rect.bottom() + 33.0];
-    canvas.text(psi, name, CAPTION_SIZE, INK, Anchor::Middle);
-    if rect.x > LEFT {
-        return;
+    for (value, label) in ticks(panel.window[1]) {
+        let [_, y] = panel.position([corner_x, value]);
+        marks.line(&[[rect.x - MARK, y], [rect.x, y]], false);
+        if is_left {
+            canvas.text(&label, [rect.x - 9.0, y + 0.36 * TICK_SIZE], TICK_SIZE, INK, Anchor::End);
+        }
     }
-    for (k, label) in ["0", "π/2", "π"].into_iter().enumerate() {
-        let at = [rect.x - 9.0, rect.y + 0.5 * k as f64 * rect.height + 0.36 * TICK_SIZE];
-        canvas.text(label, at, TICK_SIZE, INK, Anchor::End);
+    canvas.draw(&marks, &canvas.stroke(Ink { color: INK, width: 0.9 }));
+    canvas.text(psi, [rect.x + 0.5 * rect.width, rect.bottom() + 33.0], CAPTION_SIZE, INK, Anchor::Middle);
+    if is_left {
+        let name_at = rect.y + 0.5 * rect.height + 0.36 * CAPTION_SIZE;
+        canvas.text(theta, [rect.x - 36.0, name_at], CAPTION_SIZE, INK, Anchor::End);
     }
-    let name = [rect.x - 36.0, rect.y + 0.5 * rect.height + 0.36 * CAPTION_SIZE];
-    canvas.text(theta, name, CAPTION_SIZE, INK, Anchor::End);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_are_fractions_of_pi() {
+        let labels = |range| ticks(range).into_iter().map(|(_, label)| label).collect::<Vec<_>>();
+        assert_eq!(labels([0.0, TAU]), ["0", "π/2", "π", "3π/2", "2π"]);
+        assert_eq!(labels([0.0, PI]), ["0", "π/2", "π"]);
+        assert_eq!(labels([1.0, 1.9]), ["3π/8", "7π/16", "π/2", "9π/16"]);
+    }
 }

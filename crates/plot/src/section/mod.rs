@@ -10,7 +10,7 @@ mod layout;
 mod points;
 mod scene;
 
-pub use scene::{OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene};
+pub use scene::{OrbitColors, OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene};
 
 use crate::page::{Anchor, Heading, INK, Legend, Picture, PlotError, body_line, render, text_width, title_size};
 use bifdiag_dynamics::section::SectionCondition;

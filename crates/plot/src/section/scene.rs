@@ -12,13 +12,27 @@ pub struct OrbitValues<'a> {
     pub values: &'a [f64],
 }
 
-/// Families of orbits, each with a hue of its own; shades of it tell the orbits of a family apart.
+/// What the colours of orbits tell.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum OrbitColors {
+    /// The family by the hue, the orbits of a family by shades.
+    #[default]
+    Orbits,
+    /// The family alone.
+    Families,
+    /// The families are verdicts: regular (in shades, since tori are told apart), chaotic, open.
+    Verdicts,
+}
+
+/// Families of orbits, each with a hue of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OrbitFamilies<'a> {
     /// The family of each orbit of the scene, in the same order: a place in `names`.
     pub of: &'a [usize],
     /// What the legend says of each; the same for all scenes of a picture.
     pub names: &'a [&'a str],
+    /// What else the colours tell.
+    pub colors: OrbitColors,
 }
 
 /// A section and the orbits on it.

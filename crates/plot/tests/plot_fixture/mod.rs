@@ -394,14 +394,7 @@ fn region(id: &str, face: &[Key], bounds: &[f64], curves: &[Curve], signature: O
             l: sample[1],
             margin: MarginDocument { h: sample[2] / 2.0, nearest: boundary[0].clone(), error_bound: 1e-15 },
         },
-        components: vec![ComponentDocument {
-            boundary_circles: 1,
-            poles: None,
-            accessible_region: "D2".to_owned(),
-            energy_surface: "S3".to_owned(),
-            section: None,
-            genus: None,
-        }],
+        components: components(signature.as_deref()),
         signature,
         bounded: last.is_finite() && face.iter().all(|key| key.2.is_some()),
         l_range: [Some(first), end(last)],
@@ -537,4 +530,22 @@ fn window(events: &[EventDocument], curves: &[Vec<[f64; 2]>], last: f64) -> Wind
     let high = seen.fold((begin + 0.5 * (begin - low)).max(ends[ends.len() / 2]), f64::max);
     let margin = 0.05 * (high - low);
     WindowDocument { h: [low - margin, high + margin], l: [0.0, top] }
+}
+
+/// Discs with the sections of a signature; without one a disc of which no more is known.
+fn components(signature: Option<&str>) -> Vec<ComponentDocument> {
+    let names: Vec<Option<&str>> = signature.map_or_else(|| vec![None], |names| names.split('+').map(Some).collect());
+    let disc = |name: Option<&str>| ComponentDocument {
+        boundary_circles: 1,
+        poles: None,
+        accessible_region: "D2".to_owned(),
+        energy_surface: "S3".to_owned(),
+        section: name.map(str::to_owned),
+        genus: name.map(|name| match name {
+            "S2" => 0,
+            "T2" => 1,
+            more => more[1..].parse().expect("a genus"),
+        }),
+    };
+    names.into_iter().map(disc).collect()
 }
