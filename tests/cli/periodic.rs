@@ -63,6 +63,7 @@ fn families_are_drawn_and_told() {
         .printing("periodic.svg");
     let picture = std::fs::read_to_string(place.path().join("pictures/periodic.svg")).unwrap();
     assert!(picture.contains("G2.1") && picture.contains("period T"));
+    assert!(picture.contains("A = (2, 1.1, 1)") && picture.contains("l = 1.5") && picture.contains("equilibrium"));
 }
 
 /// Every family that `periodic family` follows is in the list, orbit by orbit, and filters leave out what they say.

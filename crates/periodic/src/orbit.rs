@@ -6,7 +6,7 @@ use bifdiag_schema::OrbitStability;
 use thiserror::Error;
 
 use crate::flow::{Phase, Space};
-use crate::reversor::{Reversor, reversors};
+use crate::reversor::{Reversor, all_are_symmetric, reversors};
 use crate::shooting::{Keep, Ring, ShootingError, Shot};
 use crate::walk::walk;
 
@@ -202,7 +202,7 @@ impl About<'_> {
             stability: stability(reduced.trace()),
             trace: reduced.trace(),
             action: seen.action,
-            symmetric: seen.symmetric,
+            symmetric: seen.symmetric || all_are_symmetric(&space.top),
             residual: shot.residual,
         };
         Ok((orbit, seen.nearest))

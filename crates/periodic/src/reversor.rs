@@ -37,6 +37,18 @@ pub fn reversors(top: &HeavyTop, l: f64) -> Vec<Reversor> {
     reversors.filter(|reversor| reversor.sign > 0.0 || l == 0.0).collect()
 }
 
+/// True where every plane through r is a plane of symmetry, as of the tops of Lagrange: then every motion is symmetric, by the
+/// plane of γ and r at any zero of S = ⟨ω, r×γ⟩, since ω lies in it there; where γ is along r, by that of ω and r. (⟨γ,r⟩ has an extremum on every closed orbit.)
+#[must_use]
+pub fn all_are_symmetric(top: &HeavyTop) -> bool {
+    let (a, r) = (top.moments(), top.center());
+    let along = |k: usize| {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        a[i] == a[j] && r[i] == 0.0 && r[j] == 0.0
+    };
+    (a[0] == a[1] && a[1] == a[2]) || (0..3).any(along)
+}
+
 impl Reversor {
     /// Where it takes a state.
     #[must_use]

@@ -25,8 +25,9 @@ pub struct Walk {
 
 /// Places in a step at which signs are looked at.
 const LOOKS: u32 = 8;
-/// A state that a reversor moves no further is one of its fixed points.
-const FIXED: f64 = 1e-8;
+/// A state that a reversor moves no further is one of its fixed points: where a trace is nearly 2, the orbits beside one close
+/// nearly as well, and it is not known much better.
+const FIXED: f64 = 1e-6;
 /// |S| that is 0 all the way around, in its unit: the orbit lies in P.
 const FLAT: f64 = 1e-9;
 

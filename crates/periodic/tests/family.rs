@@ -182,3 +182,17 @@ fn special_orbits_have_the_traces_of_their_kind() {
         assert!(kinds.contains(&kind), "{kind:?} {kinds:?}");
     }
 }
+
+/// A family does not lose a symmetry but where another one crosses it.
+#[test]
+fn fast_orbits_stay_symmetric() {
+    let body = body(["2", "1", "1"], ["0.3", "0.4", "0.3"]);
+    for equilibrium in &critical(&body, &"1.9".parse().unwrap()).unwrap().list {
+        for family in followed(&body, equilibrium, 200, Held::Momentum) {
+            let members = &family.stretch.members;
+            let Some(first) = members.first() else { continue };
+            let other = members.iter().find(|orbit| orbit.symmetric != first.symmetric);
+            assert!(other.is_none(), "{other:?}");
+        }
+    }
+}

@@ -69,6 +69,8 @@ fn continua_of_an_integrable_top_are_listed_once() {
     assert!(list.orbits.is_empty(), "{:?}", list.orbits);
     for orbit in &list.continua {
         assert!((orbit.trace - 2.0).abs() < 1e-4 && orbit.residual < 1e-10, "{orbit:?}");
+        // The plane of γ and r, in which ω lies too at a crossing, is a mirror of the body.
+        assert!(orbit.symmetric, "{orbit:?}");
     }
 }
 

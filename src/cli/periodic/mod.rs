@@ -46,7 +46,7 @@ pub enum PeriodicCommand {
 
 pub fn run(arguments: &PeriodicArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     match &arguments.command {
-        None => short::run(&arguments.short, timings),
+        None => short::run(&arguments.short, timings, quiet),
         Some(PeriodicCommand::Family(arguments)) => family::run(arguments, timings),
         Some(PeriodicCommand::List(arguments)) => list::run(arguments, quiet),
     }

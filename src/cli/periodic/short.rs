@@ -15,7 +15,7 @@ use crate::cli::failure::{Failure, failed};
 use crate::cli::input::{BodyArguments, PointArguments, head};
 use crate::cli::section::poincare_failure;
 use crate::cli::terminal::interrupt::stoppable;
-use crate::cli::terminal::{Report, Table, Timings, significant, wrapped};
+use crate::cli::terminal::{Progress, Report, Table, Timings, significant, wrapped};
 
 /// The orbits at a point.
 #[derive(Debug, Args)]
@@ -32,7 +32,7 @@ pub struct ShortArguments {
     pub json: bool,
 }
 
-pub fn run(arguments: &ShortArguments, timings: &Timings) -> Result<(), Failure> {
+pub fn run(arguments: &ShortArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
     let missing =
         |name: &str| Failure::input(format!("{name} is missing: a point such as --h 4.45 --l 3.25 is needed"));
@@ -50,7 +50,9 @@ pub fn run(arguments: &ShortArguments, timings: &Timings) -> Result<(), Failure>
     let stop = Arc::clone(&monitor);
     let interruptible = stoppable(move || stop.stop.store(true, Ordering::Relaxed));
     let options = ListOptions { crossings, ..ListOptions::default() };
-    let found = timings.stage("orbits", || list(&setting, &options, &monitor));
+    let progress = Progress::open("motions followed", quiet);
+    let work = || progress.watching(&monitor.orbits, || list(&setting, &options, &monitor));
+    let found = timings.stage("orbits", work);
     drop(interruptible);
     let found = found.map_err(|error| match error {
         ListError::Setting(error) => poincare_failure(error),

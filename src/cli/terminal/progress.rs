@@ -43,6 +43,13 @@ impl Progress {
         Self::styled(total, template, quiet)
     }
 
+    /// Of work whose end is not known; `things` are counted.
+    pub fn open(things: &str, quiet: bool) -> Self {
+        let progress = Self::styled(None, "{spinner} {human_pos} {msg}, {rate}/s", quiet);
+        progress.message(things);
+        progress
+    }
+
     fn styled(total: Option<u64>, template: &str, quiet: bool) -> Self {
         let bar = (!quiet).then(|| {
             let style =
@@ -92,8 +99,13 @@ impl Progress {
         let mut last_line = self.last_line.lock().unwrap_or_else(PoisonError::into_inner);
         if last_line.elapsed() > BETWEEN_LINES {
             *last_line = Instant::now();
-            let (total, left) = (bar.length().unwrap_or(position), HumanDuration(bar.eta()));
-            say(&format!("{position} of {total}, {:.0} a second, {left} left", bar.per_sec()));
+            match bar.length() {
+                Some(total) => {
+                    let left = HumanDuration(bar.eta());
+                    say(&format!("{position} of {total}, {:.0} a second, {left} left", bar.per_sec()));
+                }
+                None => say(&format!("{position} {}, {:.0} a second", bar.message(), bar.per_sec())),
+            }
         }
     }
 
