@@ -254,7 +254,7 @@ fn sharpest(path: &str) -> f64 {
     let steps = path.split(['l', '"']).nth(1).unwrap_or("").replace('-', " -");
     let numbers: Vec<f64> = steps.split_whitespace().map(|number| number.parse().unwrap()).collect();
     let steps = numbers.chunks(2).filter(|step| step[0].abs() + step[1].abs() > 6.0);
-    let directions: Vec<f64> = steps.map(|step| step[1].atan2(step[0]).to_degrees()).collect();
+    let directions: Vec<f64> = steps.map(|step| libm::atan2(step[1], step[0]).to_degrees()).collect();
     directions.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max)
 }
 

@@ -54,7 +54,7 @@ const NAMES: [(&str, RGBColor); 25] = [
     ("pale orange", rgb(0xf6_cf_ba)),
     ("violet", rgb(0xa0_40_f0)),
     ("lavender", rgb(0xd1_bf_fd)),
-    ("plum", rgb(0x78_32_64)),
+    ("plum", rgb(0x0078_3264)),
     ("magenta", rgb(0xe8_3c_b4)),
     ("pink", rgb(0xe8_c1_dd)),
     ("pale pink", rgb(0xf1_d9_f9)),
