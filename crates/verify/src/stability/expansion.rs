@@ -43,7 +43,7 @@ fn splits(powers: Powers) -> Vec<[Powers; 2]> {
 impl<'a> Expansion<'a> {
     pub fn new(modes: &'a Modes<'a>) -> Self {
         let unit = |n: usize| std::array::from_fn(|k| u8::from(k == n));
-        let known = (0..4).map(|n| (unit(n), modes.modes[n].clone())).collect();
+        let known = (0..4).map(|n| (unit(n), modes.vectors[n].clone())).collect();
         Self { modes, known, shifts: BTreeMap::new() }
     }
 
@@ -77,7 +77,7 @@ impl<'a> Expansion<'a> {
         let found = if windings(powers) == [0, 0] {
             let mut terms = self.at_rest(powers)?;
             for (n, share) in shares.iter().enumerate() {
-                terms.push((share.turned(&over(&-&rates[n])?), &self.modes.modes[n]));
+                terms.push((share.turned(&over(&-&rates[n])?), &self.modes.vectors[n]));
             }
             combined(&nothing(), &terms)
         } else {
@@ -90,7 +90,7 @@ impl<'a> Expansion<'a> {
             let mut terms = Vec::new();
             for (n, share) in shares.iter().enumerate() {
                 let whole = if own == Some(n) { Fixed::whole(0) } else { over(&(&rate - &rates[n]))? };
-                terms.push((share.turned(&(&whole - &plain)), &self.modes.modes[n]));
+                terms.push((share.turned(&(&whole - &plain)), &self.modes.vectors[n]));
             }
             combined(&mapped(&forced, |x| x.turned(&plain)), &terms)
         };

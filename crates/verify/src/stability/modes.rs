@@ -1,4 +1,4 @@
-//! The linearised flow of the equations of Euler and Poisson at a relative equilibrium with two imaginary pairs: its modes, and the
+//! The linearised flow by the equations of Euler and Poisson at a relative equilibrium with two imaginary pairs: its modes, and the
 //! share that each has in a vector.
 
 use std::ops::{Add, Mul, Sub};
@@ -107,7 +107,7 @@ pub(super) struct Modes<'a> {
     /// ω₁, ω₂, −ω₁, −ω₂.
     pub rates: [Fixed; 4],
     /// Of iω₁, iω₂, −iω₁, −iω₂.
-    pub modes: [Vector; 4],
+    pub vectors: [Vector; 4],
     /// Forms that give the shares of the modes in a vector.
     shares: [Vector; 4],
     /// Twice the energies of modes with amplitude 1.
@@ -154,10 +154,10 @@ impl<'a> Modes<'a> {
         }
         let square = (&b + &discriminant.root()?).half();
         let omega = [square.root()?, c.over(&square)?.root()?];
-        let mut flow = Self {
+        let mut found = Self {
             at,
             rates: [omega[0].clone(), omega[1].clone(), -&omega[0], -&omega[1]],
-            modes: [(); 4].map(|()| nothing()),
+            vectors: [(); 4].map(|()| nothing()),
             shares: [(); 4].map(|()| nothing()),
             energies: [Fixed::whole(0), Fixed::whole(0)],
             beside: [(); 2].map(|()| nothing()),
@@ -175,7 +175,7 @@ impl<'a> Modes<'a> {
             ];
             let candidates = rows.map(|[x, y]| {
                 let g = [0, 1, 2].map(|k| &x.times(&basis[0][k]) + &y.times(&basis[1][k]));
-                let mode = flow.mode(&omega[n], &momentum, g)?;
+                let mode = found.mode(&omega[n], &momentum, g)?;
                 let conjugate = mapped(&mode, Complex::conjugate);
                 let form = energy_with(&conjugate, a, &mu);
                 let energy = shared(&form, &mode).re;
@@ -185,15 +185,15 @@ impl<'a> Modes<'a> {
             let best = candidates.into_iter().flatten().max_by(|p, q| size(&p.3).total_cmp(&size(&q.3)));
             let (mode, conjugate, form, energy) = best?;
             let over = Fixed::whole(1).over(&energy)?;
-            flow.shares[n] = mapped(&form, |x| x.times(&over));
-            flow.shares[n + 2] = mapped(&flow.shares[n], Complex::conjugate);
-            (flow.modes[n], flow.modes[n + 2], flow.energies[n]) = (mode, conjugate, energy);
+            found.shares[n] = mapped(&form, |x| x.times(&over));
+            found.shares[n + 2] = mapped(&found.shares[n], Complex::conjugate);
+            (found.vectors[n], found.vectors[n + 2], found.energies[n]) = (mode, conjugate, energy);
         }
         let still = || [zero(), zero(), zero()];
         let gamma = || gamma.each_ref().map(|x| Complex::real(x.clone()));
-        flow.beside = [[still(), gamma()], [gamma(), still()]].map(|v| flow.rest(&v));
-        let signs = [0, 1].map(|n| flow.energies[n].sign());
-        (signs == [Some(1), Some(-1)]).then_some((flow, b, c))
+        found.beside = [[still(), gamma()], [gamma(), still()]].map(|v| found.rest(&v));
+        let signs = [0, 1].map(|n| found.energies[n].sign());
+        (signs == [Some(1), Some(-1)]).then_some((found, b, c))
     }
 
     /// n of both modes: I = n|ζ|².
@@ -223,7 +223,7 @@ impl<'a> Modes<'a> {
     fn rest(&self, of: &Vector) -> Vector {
         let terms = [0, 1, 2, 3].map(|n| {
             let share = self.share(n, of);
-            (Complex { re: -&share.re, im: -&share.im }, &self.modes[n])
+            (Complex { re: -&share.re, im: -&share.im }, &self.vectors[n])
         });
         combined(of, &terms)
     }
