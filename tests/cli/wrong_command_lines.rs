@@ -67,7 +67,7 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("--inertia 1,1,1,0,q,0 --com 0,0,1 --mass 2 --g 9.81", &["Ixz: `q` is not a number"]),
     (
         "--inertia 1,1,1,2,0,0 --com 0,0,1 --mass 2 --g 9.81",
-        &["--products is missing", "-1, 1, 3 with --products tensor", "∫ x y dm"],
+        &["--products is missing", "-1, 1, 3 with either sign, the principal axes are not", "∫ x y dm"],
     ),
     (
         "--inertia 1,1,1,0,0,0 --com 0,1 --mass 2 --g 9.81",

@@ -83,27 +83,34 @@ fn region_table(subject: &Subject, document: &AtlasDocument) -> String {
 }
 
 fn table_of(regions: &[RegionDocument], least_moment: f64, width: &dyn Fn(&RegionDocument) -> Option<f64>) -> String {
-    let tables = [6, 5, 4, 3, 2].map(|digits| region_rows(regions, least_moment, width, digits));
-    let [.., narrowest] = &tables;
-    tables.iter().find(|table| table.width() <= TABLE_WIDTH).unwrap_or(narrowest).text()
+    let with = |digits, sample: &dyn Fn(&SampleDocument, usize) -> String| region_rows(regions, width, sample, digits);
+    let fits = |digits: &usize| with(*digits, &short_sample).width() <= TABLE_WIDTH;
+    let digits = [6, 5, 4, 3].into_iter().find(fits).unwrap_or(2);
+    with(digits, &|sample, digits| inner_sample(sample, least_moment, digits)).text()
 }
 
-/// A sample with this many digits, or with as many as leave it in its region: the slope of curves is l/J ≤ l/min A.
-fn sample(SampleDocument { h, l, margin }: &SampleDocument, least_moment: f64, digits: usize) -> String {
+/// A sample with this many digits.
+fn short_sample(SampleDocument { h, l, .. }: &SampleDocument, digits: usize) -> String {
+    format!("({}, {})", significant(*h, digits), significant(*l, digits))
+}
+
+/// A sample with this many digits, or with as many as leave it in its region, however wide that makes its column: the slope of
+/// curves is l/J ≤ l/min A.
+fn inner_sample(sample: &SampleDocument, least_moment: f64, digits: usize) -> String {
+    let SampleDocument { h, l, margin } = sample;
     let written = |digits: usize| [h, l].map(|x| significant(*x, digits));
     let is_inside = |digits: &usize| {
         let [h_error, l_error] = [(h, 0), (l, 1)]
             .map(|(x, k)| written(*digits)[k].parse::<f64>().map_or(f64::INFINITY, |rounded| (rounded - x).abs()));
         h_error + l_error * (l.abs() + l_error) / least_moment < margin.h
     };
-    let [h, l] = written((digits..17).find(is_inside).unwrap_or(17));
-    format!("({h}, {l})")
+    short_sample(sample, (digits..17).find(is_inside).unwrap_or(17))
 }
 
 fn region_rows(
     regions: &[RegionDocument],
-    least_moment: f64,
     width: &dyn Fn(&RegionDocument) -> Option<f64>,
+    sample: &dyn Fn(&SampleDocument, usize) -> String,
     digits: usize,
 ) -> Table {
     let mut table = Table::new(&["id", "signature", "U", "E", "P", "genus", "sample (h, l)", "width", "l-range"]);
@@ -120,7 +127,7 @@ fn region_rows(
             column(&|component| component.energy_surface.clone()),
             column(&|component| component.section.clone().unwrap_or_else(|| "-".to_owned())),
             column(&|component| component.genus.map_or_else(|| "-".to_owned(), |genus| genus.to_string())),
-            sample(&region.sample, least_moment, digits),
+            sample(&region.sample, digits),
             number(width(region), "inf"),
             format!("{}..{}", number(from, "?"), number(to, "inf")),
         ]);
@@ -185,7 +192,7 @@ mod tests {
     use super::*;
 
     fn region(id: &str, components: &[Component], sample: [f64; 2]) -> RegionDocument {
-        let margin = MarginDocument { h: 1e-3, nearest: "P+".to_owned(), error_bound: 1e-15 };
+        let margin = MarginDocument { h: 1e20, nearest: "P+".to_owned(), error_bound: 1e-15 };
         RegionDocument {
             id: id.to_owned(),
             sample: SampleDocument { h: sample[0], l: sample[1], margin },
