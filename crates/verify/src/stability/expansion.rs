@@ -7,7 +7,7 @@
 
 use std::collections::BTreeMap;
 
-use super::modes::{Complex, Modes, Vector, combined, mapped, nothing, zero};
+use super::modes::{Complex, Modes, Vector, combined, mapped, nothing, plus, zero};
 use crate::numbers::fixed::Fixed;
 
 /// The powers of ζ₁, ζ₂ and of their conjugates.
@@ -104,8 +104,7 @@ impl<'a> Expansion<'a> {
         let mut sum = nothing();
         for [first, second] in splits(powers) {
             let product = self.modes.quadratic(&self.coefficient(first)?, &self.coefficient(second)?);
-            let weight = if first == second { Fixed::whole(1).half() } else { Fixed::whole(1) };
-            sum = combined(&sum, &[(Complex::real(weight), &product)]);
+            sum = plus(&sum, &if first == second { mapped(&product, Complex::half) } else { product });
         }
         for s in slower(powers) {
             let mut before = powers;
@@ -115,7 +114,7 @@ impl<'a> Expansion<'a> {
                 rate = &rate + &(&Fixed::whole(winding) * &self.shift(mode, s)?);
             }
             let earlier = self.coefficient(before)?;
-            sum = combined(&sum, &[(Complex { re: Fixed::whole(0), im: -&rate }, &earlier)]);
+            sum = plus(&sum, &mapped(&earlier, |x| x.turned(&rate)));
         }
         Some(sum)
     }
@@ -128,8 +127,8 @@ impl<'a> Expansion<'a> {
             let of = |f: &dyn Fn(usize) -> Complex| (0..3).fold(zero(), |sum, k| &sum - &f(k));
             let longer = of(&|k| &g[k] * &h[k]);
             let more = of(&|k| (&(&g[k] * &q[k]) + &(&h[k] * &p[k])).times(&self.modes.at.a[k]));
-            let weight = if first == second { Fixed::whole(1).half() } else { Fixed::whole(1) };
-            (length, moment) = (&length + &longer.times(&weight), &moment + &more.times(&weight));
+            let [longer, more] = [longer, more].map(|x| if first == second { x.half() } else { x });
+            (length, moment) = (&length + &longer, &moment + &more);
         }
         let moment = moment.over(&self.modes.j)?;
         let [longer, faster] = &self.modes.beside;

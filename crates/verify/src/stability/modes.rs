@@ -28,6 +28,10 @@ impl Complex {
         Self { re: &self.re * x, im: &self.im * x }
     }
 
+    pub fn half(&self) -> Self {
+        Self { re: self.re.half(), im: self.im.half() }
+    }
+
     /// −ix self.
     pub fn turned(&self, x: &Fixed) -> Self {
         Self { re: &self.im * x, im: -&(&self.re * x) }
@@ -92,6 +96,10 @@ pub(super) fn combined(first: &Vector, terms: &[(Complex, &Vector)]) -> Vector {
     let part =
         |n: usize, k: usize| terms.iter().fold(first[n][k].clone(), |sum, (factor, v)| &sum + &(factor * &v[n][k]));
     [0, 1].map(|n| [0, 1, 2].map(|k| part(n, k)))
+}
+
+pub(super) fn plus(v: &Vector, w: &Vector) -> Vector {
+    [0, 1].map(|n| [0, 1, 2].map(|k| &v[n][k] + &w[n][k]))
 }
 
 pub(super) fn mapped(v: &Vector, of: impl Fn(&Complex) -> Complex) -> Vector {
