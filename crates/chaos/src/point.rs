@@ -1,12 +1,11 @@
 //! The chaotic shares of the energy surface at one point.
 
-use bifdiag_body::Body;
 use bifdiag_diagram::arrangement::RegionId;
 use bifdiag_diagram::atlas::Spot;
-use bifdiag_diagram::topology::{Answer, Classification, Component};
-use bifdiag_dynamics::poincare::PoincareError;
+use bifdiag_diagram::topology::{Answer, Component};
+use bifdiag_dynamics::poincare::{PoincareError, components_at};
 use bifdiag_dynamics::section::Monitor;
-use bifdiag_exact::{AnswerError, Solver, critical};
+use bifdiag_exact::{AnswerError, Solver};
 use bifdiag_numbers::Number;
 use thiserror::Error;
 
@@ -57,27 +56,12 @@ pub fn point_shares(
     monitor: &Monitor,
 ) -> Result<PointShares, PointError> {
     let found = solver.classify(h, l)?;
-    let components = match &found.answer {
-        Answer::Regular(components) => components.clone(),
-        Answer::Forbidden | Answer::Critical(_) => {
-            return Err(PointError::Nowhere(nowhere(solver.body(), h, l, &found)));
-        }
-        Answer::Undecided(_) => return Err(PointError::TooNear),
-    };
+    if let Answer::Undecided(_) = found.answer {
+        return Err(PointError::TooNear);
+    }
+    let components = components_at(solver.body(), [h, l], &found).map_err(PointError::Nowhere)?;
     let Spot::Region(region) = solver.spot(h, l, &found.answer) else { return Err(PointError::TooNear) };
     let surface = EnergySurface::new(solver.body(), h.to_f64(), l.to_f64(), components.len());
     let shares = shares(&surface.map_err(PointError::Range)?, options, monitor)?;
     Ok(PointShares { region, components, shares })
-}
-
-/// Why a point is in no region.
-fn nowhere(body: &Body, h: &Number, l: &Number, found: &Classification) -> PoincareError {
-    let (h, l_text) = (h.text().to_owned(), l.text().to_owned());
-    if found.answer == Answer::Forbidden {
-        let lowest = critical(body, l).ok().and_then(|found| found.list.into_iter().next());
-        let branch = lowest.as_ref().and_then(|point| point.curve).map_or_else(String::new, |curve| curve.to_string());
-        return PoincareError::Forbidden { h, l: l_text, lowest: lowest.map_or(f64::NAN, |point| point.h), branch };
-    }
-    let curve = found.margin.nearest.map_or_else(String::new, |curve| curve.to_string());
-    PoincareError::OnCurve { h, l: l_text, curve }
 }

@@ -74,6 +74,41 @@ impl PoincareSection {
     }
 }
 
+/// The components of E at a point that was classified.
+///
+/// # Errors
+/// [`PoincareError::Forbidden`] names the lowest energy, [`PoincareError::OnCurve`] and [`PoincareError::Undecided`] the curve;
+/// others where l leaves the range of `f64`.
+pub fn components_at(
+    body: &Body,
+    [h, l]: [&Number; 2],
+    found: &Classification,
+) -> Result<Vec<Component>, PoincareError> {
+    let (h_text, l_text) = (h.text().to_owned(), l.text().to_owned());
+    let margin = &found.margin;
+    let curve = || margin.nearest.map_or_else(String::new, |curve| curve.to_string());
+    match &found.answer {
+        Answer::Regular(components) => Ok(components.clone()),
+        Answer::Forbidden => {
+            let lowest = critical(body, l)?.list.into_iter().next();
+            Err(PoincareError::Forbidden {
+                h: h_text,
+                l: l_text,
+                lowest: lowest.as_ref().map_or(f64::NAN, |point| point.h),
+                branch: lowest.and_then(|point| point.curve).map_or_else(String::new, |curve| curve.to_string()),
+            })
+        }
+        Answer::Critical(_) => Err(PoincareError::OnCurve { h: h_text, l: l_text, curve: curve() }),
+        Answer::Undecided(_) => Err(PoincareError::Undecided {
+            h: h_text,
+            l: l_text,
+            curve: curve(),
+            distance: margin.h,
+            error_bound: margin.error_bound,
+        }),
+    }
+}
+
 impl SectionSetting {
     /// Looks whether there is a section.
     ///
@@ -85,33 +120,7 @@ impl SectionSetting {
         if body.flags().euler {
             return Err(PoincareError::WeightlessBody);
         }
-        let Classification { answer, margin, .. } = classify(body, h, l)?;
-        let (h_text, l_text) = (h.text().to_owned(), l.text().to_owned());
-        let curve = margin.nearest.map_or_else(String::new, |curve| curve.to_string());
-        let components = match answer {
-            Answer::Regular(components) => components,
-            Answer::Forbidden => {
-                let lowest = critical(body, l)?.list.into_iter().next();
-                return Err(PoincareError::Forbidden {
-                    h: h_text,
-                    l: l_text,
-                    lowest: lowest.as_ref().map_or(f64::NAN, |point| point.h),
-                    branch: lowest.and_then(|point| point.curve).map_or_else(String::new, |curve| curve.to_string()),
-                });
-            }
-            Answer::Critical(_) => {
-                return Err(PoincareError::OnCurve { h: h_text, l: l_text, curve });
-            }
-            Answer::Undecided(_) => {
-                return Err(PoincareError::Undecided {
-                    h: h_text,
-                    l: l_text,
-                    curve,
-                    distance: margin.h,
-                    error_bound: margin.error_bound,
-                });
-            }
-        };
+        let components = components_at(body, [h, l], &classify(body, h, l)?)?;
         let torus = PpTorus::new(&HeavyTop::new(body))?;
         let region = AccessibleRegion::new(body, h.to_f64(), l.to_f64())?;
         Ok(Self { body: body.clone(), torus, components, region, energy: h.clone(), momentum: l.clone() })
