@@ -101,8 +101,7 @@ impl Share {
 
     /// The variance p(1 − p) of one orbit's verdict, with p = (k + 1)/(n + 2).
     pub(crate) fn variance(self) -> f64 {
-        let p = (self.chaotic as f64 + 1.0) / (self.orbits as f64 + 2.0);
-        p * (1.0 - p)
+        variance(self.chaotic as f64, self.orbits as f64)
     }
 
     /// Orbits that are still needed to have this error, if the share remains what it is; 0 if it is reached.
@@ -116,14 +115,10 @@ impl Share {
         }
         // The error of n orbits of which the same part is chaotic falls with n.
         let part = self.fraction();
-        let variance = |n: f64| {
-            let p = (part * n + 1.0) / (n + 2.0);
-            p * (1.0 - p) / (n + 3.0)
-        };
         let (mut few, mut enough) = (self.orbits as f64, MOST);
         while enough - few > 1.0 {
             let middle = 0.5 * (few + enough);
-            if variance(middle) > error * error {
+            if variance(part * middle, middle) / (middle + 3.0) > error * error {
                 few = middle;
             } else {
                 enough = middle;
@@ -133,6 +128,12 @@ impl Share {
         let wanted = (AMPLE * enough).min(MOST) as u64;
         usize::try_from(wanted.saturating_sub(self.orbits)).map_or(LEAST, |more| more.max(LEAST))
     }
+}
+
+/// p(1 − p) with p = (k + 1)/(n + 2).
+fn variance(chaotic: f64, orbits: f64) -> f64 {
+    let p = (chaotic + 1.0) / (orbits + 2.0);
+    p * (1.0 - p)
 }
 
 /// The share of each component at one point, in their order. Where `monitor` stops the work, all that was begun is open.
