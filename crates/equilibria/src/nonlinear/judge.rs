@@ -107,12 +107,10 @@ impl<E: Enclosure> Question<'_, E> {
     /// D₆/s, which decides where D₄ = 0; `None` where the enclosures do not tell that no resonance of order up to six holds.
     #[must_use]
     pub fn sixth(&self) -> Option<E> {
-        let series = reduced_hamiltonian(self.c, self.state, farthest(self.state));
-        let [b, c] = self.reduced.coefficients();
-        sixth(&series, b, c, self.c.precision)
+        self.form(sixth)
     }
 
-    fn form<T>(&self, of: impl FnOnce(&Series<E>, &E, &E, E::Precision) -> T) -> T {
+    fn form<T, const D: usize>(&self, of: impl FnOnce(&Series<E, D>, &E, &E, E::Precision) -> T) -> T {
         let series = reduced_hamiltonian(self.c, self.state, farthest(self.state));
         let [b, c] = self.reduced.coefficients();
         of(&series, b, c, self.c.precision)

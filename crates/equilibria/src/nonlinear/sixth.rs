@@ -63,8 +63,8 @@ struct Work<'a, E: Enclosure> {
 
 impl<E: Enclosure> Work<'_, E> {
     fn is_without_resonance(&self) -> bool {
-        let lower = (3..=HIGHEST).flat_map(of_degree).filter(|powers| !is_in_actions(powers));
-        lower.into_iter().all(|powers| self.pair.frequency(&powers, self.precision).strict_sign().is_some())
+        let mut higher = (3..=HIGHEST).flat_map(of_degree).filter(|powers| !is_in_actions(powers));
+        higher.all(|powers| self.pair.frequency(&powers, self.precision).strict_sign().is_some())
     }
 
     /// G with {G, H₂} equal to all terms but those in the actions: coefficients over i⟨ω, a − b⟩.
