@@ -60,6 +60,13 @@ pub fn incomplete(given: &str, missing: &str, example: &str) -> Failure {
     Failure::input(format!("{missing} is missing: {given} also needs it, such as {example}"))
 }
 
+/// A curve that the body does not have; `all` are those of its steady rotations.
+pub fn no_such_curve(option: &str, given: &str, all: impl IntoIterator<Item = impl Display>) -> Failure {
+    let all: Vec<String> = all.into_iter().map(|name| name.to_string()).collect();
+    let all = all.join(", ");
+    Failure::input(format!("{option} {given}: the body has no such curve of steady rotations; it has {all}"))
+}
+
 /// The message with its causes, as far as it does not name them itself.
 impl Display for Failure {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -15,7 +15,7 @@ use bifdiag_schema::{
 use clap::Args;
 
 use crate::cli::export::{FileSet, PictureArguments, PictureFormat, answer};
-use crate::cli::failure::{Failure, failed};
+use crate::cli::failure::{Failure, failed, no_such_curve};
 use crate::cli::input::{BodyArguments, head, values};
 use crate::cli::terminal::{Report, Table, Timings, counted, significant};
 
@@ -60,7 +60,7 @@ pub struct FamilyArguments {
 /// Significant digits.
 pub const DIGITS: usize = 6;
 /// What is said where there is no answer.
-const NOT_FOUND: &str = "the families could not be followed";
+pub const NOT_FOUND: &str = "the families could not be followed";
 
 pub fn run(arguments: &FamilyArguments, timings: &Timings) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
@@ -112,11 +112,7 @@ fn starts(
     if let Some(id) = id
         && curve.is_none()
     {
-        let all: Vec<String> = catalogue.curves().iter().map(ToString::to_string).collect();
-        return Err(Failure::input(format!(
-            "--from {id}: the body has no such curve of steady rotations; it has {}",
-            all.join(", ")
-        )));
+        return Err(no_such_curve("--from", id, catalogue.curves()));
     }
     let found = catalogue.starts(held, value, curve).map_err(failed(NOT_FOUND))?;
     if found.is_empty() {

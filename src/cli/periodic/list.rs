@@ -12,9 +12,10 @@ use bifdiag_schema::{ListedFamilyDocument, PeriodicListDocument};
 use clap::Args;
 use rayon::prelude::*;
 
+use super::family::NOT_FOUND;
 use super::list_output::{columns, read_back, text, written};
 use crate::cli::export::{DataFormat, DataTarget, Journal, answer, unusable};
-use crate::cli::failure::{Failure, failed};
+use crate::cli::failure::{Failure, failed, no_such_curve};
 use crate::cli::input::{BodyArguments, Numbers, values};
 use crate::cli::terminal::interrupt::{Stoppable, stoppable};
 use crate::cli::terminal::{Progress, print, say};
@@ -106,9 +107,6 @@ fn periods(text: &str) -> Result<[f64; 2], Failure> {
     }
 }
 
-/// What is said where there is no answer.
-const NOT_FOUND: &str = "the families could not be followed";
-
 pub fn run(arguments: &ListArguments, quiet: bool) -> Result<(), Failure> {
     if arguments.members == 0 {
         return Err(Failure::input("--members 0: a family has at least one orbit"));
@@ -122,11 +120,7 @@ pub fn run(arguments: &ListArguments, quiet: bool) -> Result<(), Failure> {
     if let Some(Only { text, curve, .. }) = &arguments.family
         && !catalogue.curves().contains(curve)
     {
-        let all: Vec<String> = catalogue.curves().iter().map(ToString::to_string).collect();
-        return Err(Failure::input(format!(
-            "--family {text}: the body has no such curve of steady rotations; it has {}",
-            all.join(", ")
-        )));
+        return Err(no_such_curve("--family", text, catalogue.curves()));
     }
     let (held, values) = match (&arguments.momentum, &arguments.energy) {
         (Some(momenta), _) => (Held::Momentum, momenta.list()),

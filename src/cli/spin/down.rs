@@ -13,7 +13,7 @@ use clap::Args;
 
 use crate::Curves;
 use crate::cli::export::{FileSet, PictureArguments, answer};
-use crate::cli::failure::{Failure, failed};
+use crate::cli::failure::{Failure, failed, no_such_curve};
 use crate::cli::input::{BodyArguments, head, values};
 use crate::cli::terminal::{Report, Table, Timings, significant};
 
@@ -59,12 +59,7 @@ pub fn run(arguments: &SpinDownArguments, timings: &Timings) -> Result<(), Failu
     let critical = || set.curves.pairs().filter(|(_, curve)| curve.is_critical());
     let name = |curve| CurveName::of(set, curve).to_string();
     let Some((from, curve)) = critical().find(|(curve, _)| name(*curve) == id) else {
-        let names: Vec<String> = critical().map(|(curve, _)| name(curve)).collect();
-        return Err(Failure::input(format!(
-            "--from {}: the body has no such curve of steady rotations; it has {}",
-            arguments.from,
-            names.join(", ")
-        )));
+        return Err(no_such_curve("--from", &arguments.from, critical().map(|(curve, _)| name(curve))));
     };
     let [lower, upper] = curve.x().map(|x| atlas.momentum(x));
     let last = atlas.arrangement().events.iter().map(|event| event.x).fold(curve.x()[0], f64::max);
