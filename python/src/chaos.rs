@@ -96,7 +96,7 @@ pub fn chaos_map<'py>(
     out.set_item("error", real(|row| row.error.unwrap_or(f64::NAN)))?;
     out.set_item("open", real(|row| row.open))?;
     out.set_item("orbits", whole(|row| row.orbits))?;
-    out.set_item("crossings", real(|row| row.crossings as f64))?;
+    out.set_item("crossings", whole(|row| row.crossings))?;
     out.set_item("meta", json(&document)?)?;
     Ok(out)
 }

@@ -8,6 +8,7 @@ use bifdiag_diagram::fast::FastError;
 use bifdiag_diagram::topology::{Answer, Components};
 use bifdiag_documents::{Subject, component};
 use bifdiag_dynamics::field::dot;
+use bifdiag_dynamics::poincare::components_at;
 use bifdiag_equilibria::critical::critical;
 use bifdiag_exact::{Accuracy, AnswerError, classify};
 use bifdiag_plot::{Picture, SphereScene, body_line, draw_sphere, told};
@@ -17,6 +18,7 @@ use clap::Args;
 use super::export::{FileSet, PictureArguments, WidthArgument, directory};
 use super::failure::{Failure, failed};
 use super::input::{BodyArguments, PointArguments, head, values};
+use super::section::poincare_failure;
 use super::terminal::{Report, Timings, print};
 
 pub const EXAMPLES: &str = "\
@@ -109,12 +111,9 @@ fn draw(subject: &Subject, arguments: &SphereArguments) -> Result<(Picture, Stri
         error => Failure::work("the point could not be classified").because(error),
     })?;
     let components = match &found.answer {
-        Answer::Regular(components) => components.iter().map(component).collect(),
-        Answer::Forbidden => {
-            let h = site.h.text();
-            return Err(Failure::input(format!(
-                "--h {h}: U is empty, since h is below the minimum of the effective potential at this l; raise --h"
-            )));
+        Answer::Regular(_) | Answer::Forbidden => {
+            let components = components_at(&subject.body, [&site.h, &site.l], &found).map_err(poincare_failure)?;
+            components.iter().map(component).collect()
         }
         // On a curve the parts touch: they are shown as one.
         Answer::Critical(_) | Answer::Undecided(_) => Vec::new(),

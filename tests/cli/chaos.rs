@@ -75,6 +75,8 @@ fn a_map_is_the_same_in_one_piece_in_shards_and_on_any_number_of_threads() {
     for text in [">chaotic share<", ">R5<", "without a verdict", ">component 1 of E, in R5, R8<"] {
         assert!(picture.contains(text), "{text}");
     }
+    run("chaos map joined.json --width 86mm --out column");
+    assert!(String::from_utf8(read("column/chaos.svg")).unwrap().contains("width=\"86mm\""));
     bifdiag("chaos map whole.npz").inside(place.path()).refused().telling("name the .json file");
     // Each cell has a row for each component of each region in it.
     let map: Value = serde_json::from_slice(&read("whole.json")).unwrap();

@@ -118,7 +118,7 @@ fn a_sphere_without_a_point_or_without_u_is_refused() {
     for (line, told) in [
         ("sphere --body paper --h 1", "--l is missing"),
         ("sphere --body paper --region R77", "--region R77: the atlas of this body has the regions R1, "),
-        ("sphere --body paper --h=-9 --l 1", "--h -9: U is empty"),
+        ("sphere --body paper --h=-9 --l 1", "(h, l) = (-9, 1) is forbidden: the lowest energy at l = 1 is -0.846338"),
     ] {
         bifdiag(line).refused().telling(told);
     }

@@ -155,6 +155,11 @@ fn a_body_is_given_in_three_ways() {
         assert_eq!(by(body), by_name, "{body}");
     }
     bifdiag("compare - paper").reading(atlas).succeeds().printing("both have one class");
+    // On the way the pitchfork goes from one side of G1 to the other, past its cusp; an axially symmetric body has a circle.
+    bifdiag("compare paper A=0.533,0.721,0.746;r=0.107,0.0,0.994")
+        .succeeds()
+        .printing("the pitchfork of G1 and S2 meets the cusp of G1");
+    bifdiag("compare lagrange isotropic").succeeds().printing("the cusp of S12 reaches its pitchfork");
     bifdiag("compare paper nobody").refused().telling("BODY nobody: it is no named body").telling("atlas.json");
     bifdiag("compare paper A=1,2,3").refused().telling("A=2,1.1,1;r=0.94868,0,0.61623");
     bifdiag("compare paper A=1,2,3;r=0,x,1").refused().telling("r2: `x` is not a number");

@@ -136,8 +136,8 @@ const OWN_BODIES: usize = 2;
 /// And those of pictures (issue 38), on the page of `atlas` and on the first one.
 const PICTURES: usize = 4;
 /// `--dpi` and `--standalone` of all pictures on eight pages; `--legend`, `--title` and `--table` of diagrams on three, of which
-/// that of `class` has `--width`, `--view` and `--no-samples` too (issue 38).
-const FIGURES: usize = 16 + 9 + 3;
+/// that of `class` has `--width`, `--view` and `--no-samples` too (issue 38); `--width` of `spin-down` and `chaos map`.
+const FIGURES: usize = 16 + 9 + 3 + 2;
 
 /// And `orbit --proved` with its digits and its bound (issue 42).
 const PROVED_MOTION: usize = 3;

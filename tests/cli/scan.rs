@@ -295,13 +295,7 @@ fn the_beginning_of_another_scan_is_not_taken_up() {
 fn katoks_borders_come_out_exactly() {
     let k2: f64 = 1.0 - 0.7;
     let cases = [
-        (
-            "--body katok:2 --vary A3=0.7:0.8",
-            "A3",
-            0.75,
-            "cusp-at-pitchfork",
-            "the cusp of the pair S3 reaches its pitchfork",
-        ),
+        ("--body katok:2 --vary A3=0.7:0.8", "A3", 0.75, "cusp-at-pitchfork", "the cusp of S3 reaches its pitchfork"),
         ("--body katok:4 --vary A2=0.93:1.07", "A2", 1.0, "pitchfork-at-infinity", "a pitchfork goes through infinity"),
         ("--body katok:1 --vary A3=0.9:1.2", "A3", 1.0, "pitchfork-at-infinity", "a pitchfork goes through infinity"),
         (

@@ -154,6 +154,9 @@ fn the_way_of_a_slowdown_is_drawn_over_the_diagram() {
     bifdiag(&line).succeeds().printing("spin-down.svg");
     let picture = std::fs::read_to_string(place.path().join("spin-down.svg")).unwrap();
     assert!(picture.contains("\"main-way\"") && picture.contains("the way"));
+    bifdiag(&format!("{line} --width 86mm")).succeeds();
+    let picture = std::fs::read_to_string(place.path().join("spin-down.svg")).unwrap();
+    assert!(picture.contains("width=\"86mm\""));
     let without = bifdiag("spin-down --body paper --from G1.3 --l 2.6").succeeds().stdout();
     assert!(!without.contains("written"), "{without}");
 }

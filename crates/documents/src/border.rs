@@ -53,7 +53,9 @@ fn name(kind: &BorderEventKind) -> BorderEventName {
         BorderEventKind::TriplePoint { .. } => BorderEventName::TriplePoint,
         BorderEventKind::CuspOnCurve { .. } => BorderEventName::CuspOnCurve,
         BorderEventKind::PitchforkOnCurve { .. } => BorderEventName::PitchforkOnCurve,
-        BorderEventKind::CuspAtPitchfork { .. } => BorderEventName::CuspAtPitchfork,
+        BorderEventKind::CuspAtPitchfork { .. } | BorderEventKind::CuspNearPitchfork { .. } => {
+            BorderEventName::CuspAtPitchfork
+        }
         BorderEventKind::PitchforkAtInfinity { .. } => BorderEventName::PitchforkAtInfinity,
         BorderEventKind::SymmetryBroken { .. } => BorderEventName::SymmetryBroken,
         BorderEventKind::MomentsEqual { .. } => BorderEventName::MomentsEqual,

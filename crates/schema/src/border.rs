@@ -17,7 +17,7 @@ pub enum BorderEventName {
     CuspOnCurve,
     /// A pitchfork passes through another curve, or two pitchforks or crossings on one curve change places.
     PitchforkOnCurve,
-    /// The cusp of a symmetric pair reaches its pitchfork.
+    /// A cusp reaches the pitchfork of its branch.
     CuspAtPitchfork,
     /// A pitchfork leaves to infinity on one curve and comes back on another: two moments of inertia pass each other.
     PitchforkAtInfinity,

@@ -70,7 +70,7 @@ class ChaosMap(Table):
     error: npt.NDArray[np.float64]
     open: npt.NDArray[np.float64]
     orbits: npt.NDArray[np.int32]
-    crossings: npt.NDArray[np.float64]
+    crossings: npt.NDArray[np.int32]
 
     NAMES = (
         *("i", "j", "h", "l", "region", "component", "part", "block"),

@@ -8,7 +8,7 @@ use bifdiag_schema::WindowDocument;
 use bifdiag_survey::scan::Shard;
 use clap::{Args, Subcommand};
 
-use crate::cli::export::PictureArguments;
+use crate::cli::export::{PictureArguments, WidthArgument};
 use crate::cli::failure::Failure;
 use crate::cli::input::{BodyArguments, PointArguments, values};
 
@@ -27,7 +27,8 @@ it was when it is started again, and its file is byte for byte that of an unbrok
 
 const DRAW_EXAMPLES: &str = "\
 Examples:
-  bifdiag chaos map chaos.json --out pictures";
+  bifdiag chaos map chaos.json --out pictures
+  bifdiag chaos map chaos.json --width 86mm --theme print --out pictures";
 
 const MERGE_EXAMPLES: &str = "\
 Examples:
@@ -101,6 +102,8 @@ pub struct DrawArguments {
     /// Write chaos.svg, or the other formats, to DIR
     #[arg(long, value_name = "DIR", default_value = "bifdiag-out", help_heading = "Output")]
     pub out: PathBuf,
+    #[command(flatten)]
+    pub width: WidthArgument,
     #[command(flatten)]
     pub picture: PictureArguments,
 }

@@ -6,7 +6,7 @@ use bifdiag_body::Body;
 use bifdiag_chaos::Cells;
 use bifdiag_diagram::atlas::{Atlas, PolylineOptions, Spot};
 use bifdiag_exact::{Accuracy, Solver};
-use bifdiag_plot::{ChaosCell, ChaosPanel, ChaosScene, body_line, draw_chaos};
+use bifdiag_plot::{ChaosCell, ChaosPanel, ChaosScene, draw_chaos};
 use bifdiag_schema::{ChaosCellDocument, ChaosMapDocument};
 
 use super::arguments::DrawArguments;
@@ -15,9 +15,6 @@ use crate::cli::export::FileSet;
 use crate::cli::failure::{Failure, failed};
 use crate::cli::terminal::{Report, Timings, print};
 
-/// Room for the body's numbers, and the size of their letters.
-const WIDE: f64 = 520.0;
-const LARGE: f64 = 14.0;
 /// How far drawn chords may leave a curve, as for diagrams, but so that no corner shows in a small window.
 const CHORD: f64 = 2e-5;
 /// Squares along a side of a cell through which a curve goes.
@@ -31,7 +28,7 @@ pub fn run(arguments: &DrawArguments, timings: &Timings) -> Result<(), Failure> 
     let unknown = || Failure::work("the diagram of this body is not known, and with it the regions of the cells");
     let atlas = solver.atlas().ok_or_else(unknown)?;
     let scene = scene(&map, atlas, &painted(&map, &solver)?);
-    let picture = timings.stage("picture", || draw_chaos(&scene, arguments.picture.theme))?;
+    let picture = timings.stage("picture", || draw_chaos(&scene, arguments.picture.theme, arguments.width.width))?;
     let mut files = FileSet::new(&arguments.out);
     files.remove_pictures("chaos");
     files.pictures("chaos", &picture, &arguments.picture, timings)?;
@@ -51,7 +48,8 @@ fn scene(map: &ChaosMapDocument, atlas: &Atlas, painted: &[Painted]) -> ChaosSce
         panels: (0..=most).map(|component| panel(map, painted, component, most)).collect(),
         curves: drawn(true),
         poles: drawn(false),
-        title: body_line(&map.body.moments, &map.body.center, WIDE, LARGE),
+        moments: map.body.moments.clone(),
+        center: map.body.center.clone(),
         notes: notes(map),
     }
 }

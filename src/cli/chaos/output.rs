@@ -104,7 +104,7 @@ impl<R: Rows> Table<R> {
             ("error", real(|row| row.error.unwrap_or(f64::NAN))),
             ("open", real(|row| row.open)),
             ("orbits", whole(|row| row.orbits)),
-            ("crossings", real(|row| row.crossings as f64)),
+            ("crossings", whole(|row| row.crossings)),
         ]
         .into_iter()
         .map(|(name, values)| Column { name, values })

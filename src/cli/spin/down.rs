@@ -12,7 +12,7 @@ use bifdiag_schema::{SlowdownDocument, SlowdownEvent, SpinDownDocument, WindowDo
 use clap::Args;
 
 use crate::Curves;
-use crate::cli::export::{FileSet, PictureArguments, answer};
+use crate::cli::export::{FileSet, PictureArguments, WidthArgument, answer};
 use crate::cli::failure::{Failure, failed, no_such_curve};
 use crate::cli::input::{BodyArguments, head, values};
 use crate::cli::terminal::{Report, Table, Timings, significant};
@@ -40,6 +40,8 @@ pub struct SpinDownArguments {
     /// Draw the way over the diagram, to DIR/spin-down.svg
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub width: WidthArgument,
     #[command(flatten)]
     pub picture: PictureArguments,
     /// Print the way as JSON
@@ -110,9 +112,9 @@ fn drawn(
     };
     let window = WindowDocument { h: over(0), l: [over(1)[0].max(0.0), over(1)[1]] };
     let marked = MarkedPoints { points, text: "where it begins, turns, falls or ends".to_owned(), way: way.clone() };
-    let theme = arguments.picture.theme;
     let (window, points, view) = (Some(window), Some(marked), DiagramView::Plane);
-    let options = DiagramOptions { window, points, theme, view, ..DiagramOptions::default() };
+    let (theme, width) = (arguments.picture.theme, arguments.width.width);
+    let options = DiagramOptions { window, points, theme, view, width, ..DiagramOptions::default() };
     let mut diagram = bifdiag_documents::atlas::document(atlas, &DocumentOptions::default());
     bifdiag_documents::atlas::attach_part(&mut diagram, subject);
     let picture = timings.stage("diagram", || draw(&diagram, Some(&Curves(atlas)), &options))?;

@@ -7,8 +7,8 @@ use std::collections::BTreeMap;
 use plotters::style::RGBColor;
 
 use crate::page::{
-    Anchor, Axis, Canvas, FAINT_INK, INK, Ink, PAPER, Path, Picture, PlotError, Point, Rect, Theme, clip_polyline,
-    draw_axes, is_proper, render, text_width, ticks,
+    Anchor, Axis, Canvas, FAINT_INK, INK, Ink, Labelled, PAPER, Path, Picture, PlotError, Point, Rect, Taken, Theme,
+    Width, body_line, clip_polyline, draw_axes, is_proper, lines, render, round_point, text_width, ticks,
 };
 use crate::section::{paint_scale, shade, unknown};
 use areas::merged;
@@ -22,8 +22,10 @@ pub struct ChaosScene {
     pub curves: Vec<Vec<[f64; 2]>>,
     /// Pole lines, likewise: on them the section changes, and E does not.
     pub poles: Vec<Vec<[f64; 2]>>,
-    /// The body.
-    pub title: String,
+    /// The body: A, as text.
+    pub moments: [String; 3],
+    /// And r.
+    pub center: [String; 3],
     /// What the legend says below: the open share, the error.
     pub notes: Vec<String>,
 }
@@ -54,38 +56,48 @@ pub struct ChaosCell {
     pub share: Option<f64>,
 }
 
-const RECT: Rect = Rect { x: 74.0, y: 62.0, width: 520.0, height: 400.0 };
-/// Height of a further panel, and what lies between two.
-const FURTHER: f64 = 240.0;
+/// The upper left corner of the first panel; right of it is the scale.
+const CORNER: Point = [74.0, 62.0];
+const SCALE: f64 = 106.0;
+/// Heights of the first panel and of a further one, over the width; and what lies between two.
+const HEIGHT: f64 = 0.77;
+const FURTHER: f64 = 0.46;
 const BETWEEN: f64 = 84.0;
-const BAR: Rect = Rect { x: 620.0, y: 62.0, width: 16.0, height: 400.0 };
 const TEXT: f64 = 12.0;
-/// Between two lines of the notes.
+const TITLE: f64 = 14.0;
+/// Between two lines of the notes, and at the right edge.
 const LINE: f64 = 16.0;
+const EDGE: f64 = 12.0;
 
 /// Draws a map: h to the right, l upwards. The darker a cell, the smaller the share; what is not accessible is left white.
 ///
 /// # Errors
 /// [`PlotError::EmptyWindow`] when a range is empty, else what the drawing library reports.
-pub fn draw_chaos(scene: &ChaosScene, theme: Theme) -> Result<Picture, PlotError> {
+pub fn draw_chaos(scene: &ChaosScene, theme: Theme, width: Width) -> Result<Picture, PlotError> {
     if let Some(empty) = scene.panels.iter().find(|panel| !is_proper(panel.h) || !is_proper(panel.l)) {
         return Err(PlotError::EmptyWindow { h: empty.h, l: empty.l });
     }
+    let [x, y] = CORNER;
+    let (paper, wide) = (width.pixels(), width.pixels() - x - SCALE);
+    let first = Rect { x, y, width: wide, height: HEIGHT * wide };
+    let further = FURTHER * wide;
     let rect = |number: usize| match number {
-        0 => RECT,
-        _ => Rect { y: RECT.bottom() + BETWEEN + (FURTHER + BETWEEN) * (number - 1) as f64, height: FURTHER, ..RECT },
+        0 => first,
+        _ => Rect { y: first.bottom() + BETWEEN + (further + BETWEEN) * (number - 1) as f64, height: further, ..first },
     };
     let bottom = rect(scene.panels.len().saturating_sub(1)).bottom();
-    let height = bottom + 66.0 + LINE * scene.notes.len() as f64;
-    render([700.0, height], "The chaotic share of the energy surface", theme, |canvas| {
-        canvas.text(&scene.title, [RECT.x, 26.0], TEXT + 2.0, INK, Anchor::Start);
+    let title = body_line(&scene.moments, &scene.center, paper - x - EDGE, TITLE);
+    let notes: Vec<String> = scene.notes.iter().flat_map(|note| lines(note, TEXT, paper - x - EDGE)).collect();
+    let height = (bottom + 66.0 + LINE * notes.len() as f64).ceil();
+    render([paper, height], "The chaotic share of the energy surface", theme, |canvas| {
+        canvas.text(&title, [x, 26.0], TITLE, INK, Anchor::Start);
         for (number, panel) in scene.panels.iter().enumerate() {
             draw_panel(canvas, panel, &rect(number), scene);
         }
-        draw_bar(canvas);
-        for (number, note) in scene.notes.iter().enumerate() {
+        draw_bar(canvas, &Rect { x: first.right() + 26.0, width: 16.0, ..first });
+        for (number, note) in notes.iter().enumerate() {
             let base = bottom + 62.0 + LINE * number as f64;
-            canvas.text(note, [RECT.x, base], TEXT, FAINT_INK, Anchor::Start);
+            canvas.text(note, [x, base], TEXT, FAINT_INK, Anchor::Start);
         }
     })
 }
@@ -115,19 +127,54 @@ fn draw_panel(canvas: &Canvas, panel: &ChaosPanel, rect: &Rect, scene: &ChaosSce
             }
         }
     }
-    for (place, text) in &panel.labels {
-        let [x, y] = at(*place);
-        let half = text_width(text, TEXT) / 2.0 + 3.0;
-        let ground = Rect { x: x - half, y: y - 8.0, width: 2.0 * half, height: 16.0 };
-        canvas.polygon(&ground.corners(), PAPER);
-        canvas.text(text, [x, y + 4.0], TEXT, INK, Anchor::Middle);
-    }
-    let (below, left) = (ticks("h", panel.h[0], panel.h[1], 8), ticks("l", panel.l[0], panel.l[1], 8));
+    let places: Vec<(Point, &String)> = panel.labels.iter().map(|(place, text)| (at(*place), text)).collect();
+    draw_labels(canvas, rect, &places);
+    /// Pixels for the label of a tick.
+    const APART: f64 = 55.0;
+    let labels = |length: f64| ((length / APART) as usize).clamp(3, 8);
+    let (below, left) = (
+        ticks("h", panel.h[0], panel.h[1], labels(rect.width)),
+        ticks("l", panel.l[0], panel.l[1], labels(rect.height)),
+    );
     let axes = [Axis { range: panel.h, ticks: &below }, Axis { range: panel.l, ticks: &left }];
     draw_axes(canvas, rect, [24.0, 52.0], axes);
     canvas.text(&below.quantity, [rect.center()[0], rect.bottom() + 42.0], TEXT, INK, Anchor::Middle);
     canvas.text(&left.quantity, [16.0, rect.y - 12.0], TEXT, INK, Anchor::Start);
     canvas.text(&panel.name, [rect.x, rect.y - 12.0], TEXT, INK, Anchor::Start);
+}
+
+/// Names of regions where they belong, or beside, with leaders, where another one stands or the panel ends.
+fn draw_labels(canvas: &Canvas, rect: &Rect, labels: &[(Point, &String)]) {
+    const HEIGHT: f64 = 16.0;
+    const CLEARANCE: f64 = 2.0;
+    const AWAY: [f64; 4] = [8.0, 16.0, 26.0, 40.0];
+    let mut taken = Taken::default();
+    taken.take_outline(rect);
+    let ground = |[x, y]: Point, text: &str| {
+        let width = text_width(text, TEXT) + 6.0;
+        Rect { x: x - width / 2.0, y: y - HEIGHT / 2.0, width, height: HEIGHT }
+    };
+    for (at, text) in labels {
+        let own = ground(*at, text);
+        let size = [own.width, own.height];
+        let beside = || {
+            round_point(*at, size, &AWAY, 1.0).map(|rect| (0.0, rect)).filter(|(_, place)| rect.contains_rect(place))
+        };
+        let labelled = Labelled { tips: &[*at], lengths: [4.0, 60.0], clearance: CLEARANCE };
+        let frame = if taken.admits_box(&own.grown(CLEARANCE)) {
+            taken.take_box(own);
+            own
+        } else if let Some((place, leader)) = taken.place_with_leader(&labelled, beside(), |_| 0.0) {
+            canvas.path(&leader, Ink { color: PAPER, width: 2.4 });
+            canvas.path(&leader, Ink { color: INK, width: 0.8 });
+            place
+        } else {
+            let [x, y] = [rect.right() - own.width, rect.bottom() - own.height];
+            Rect { x: own.x.min(x).max(rect.x), y: own.y.min(y).max(rect.y), ..own }
+        };
+        canvas.polygon(&frame.corners(), PAPER);
+        canvas.text(text, [frame.center()[0], frame.center()[1] + 4.0], TEXT, INK, Anchor::Middle);
+    }
 }
 
 /// The colour of a share.
@@ -136,16 +183,16 @@ fn color(share: Option<f64>) -> RGBColor {
 }
 
 /// The scale of shares.
-fn draw_bar(canvas: &Canvas) {
-    paint_scale(canvas, &BAR);
-    canvas.outline(&BAR.corners(), Ink { color: INK, width: 0.8 });
+fn draw_bar(canvas: &Canvas, bar: &Rect) {
+    paint_scale(canvas, bar);
+    canvas.outline(&bar.corners(), Ink { color: INK, width: 0.8 });
     for fifth in 0..=5_u32 {
         let share = f64::from(fifth) / 5.0;
-        let y = BAR.bottom() - BAR.height * share;
-        canvas.path(&[[BAR.right(), y], [BAR.right() + 4.0, y]], Ink { color: INK, width: 0.8 });
-        canvas.text(&format!("{share:.1}"), [BAR.right() + 7.0, y + 4.0], TEXT - 1.0, INK, Anchor::Start);
+        let y = bar.bottom() - bar.height * share;
+        canvas.path(&[[bar.right(), y], [bar.right() + 4.0, y]], Ink { color: INK, width: 0.8 });
+        canvas.text(&format!("{share:.1}"), [bar.right() + 7.0, y + 4.0], TEXT - 1.0, INK, Anchor::Start);
     }
-    canvas.text("chaotic share", [BAR.right() + 40.0, BAR.y - 12.0], TEXT, INK, Anchor::End);
+    canvas.text("chaotic share", [bar.right() + 40.0, bar.y - 12.0], TEXT, INK, Anchor::End);
 }
 
 #[cfg(test)]
@@ -166,19 +213,36 @@ mod tests {
             panels: vec![whole, further],
             curves: vec![vec![[-1.0, 1.0], [1.0, 1.0], [3.0, 1.0], [3.0, 5.0]], vec![[5.0, 5.0], [6.0, 6.0]]],
             poles: vec![vec![[0.0, 0.5], [2.0, 0.7]]],
-            title: "A body".to_owned(),
+            moments: ["2", "1.1", "1"].map(str::to_owned),
+            center: ["1", "0", "0"].map(str::to_owned),
             notes: vec!["open: 3 %".to_owned()],
         }
     }
 
     #[test]
     fn a_picture_names_regions_and_components_and_has_a_scale() {
-        let svg = draw_chaos(&scene(), Theme::Light).unwrap().svg;
-        for text in [">R1<", ">chaotic share<", ">open: 3 %<", ">A body<", ">component 0<", ">component 1<"] {
+        let svg = draw_chaos(&scene(), Theme::Light, Width::PAGE).unwrap().svg;
+        for text in [
+            ">R1<",
+            ">chaotic share<",
+            ">open: 3 %<",
+            ">A = (2, 1.1, 1),  r = (1, 0, 0)<",
+            ">component 0<",
+            ">component 1<",
+        ] {
             assert!(svg.contains(text), "{text}");
         }
         let mut empty = scene();
         empty.panels[1].h = [1.0, 1.0];
-        assert!(matches!(draw_chaos(&empty, Theme::Light), Err(PlotError::EmptyWindow { .. })));
+        assert!(matches!(draw_chaos(&empty, Theme::Light, Width::PAGE), Err(PlotError::EmptyWindow { .. })));
+    }
+
+    #[test]
+    fn a_picture_has_the_width_that_was_asked() {
+        for width in Width::ALL {
+            let picture = draw_chaos(&scene(), Theme::Light, width).unwrap();
+            let svg = format!("width=\"{}mm\"", width.millimetres());
+            assert!(picture.svg.contains(&svg), "{svg}: {}", &picture.svg[..200]);
+        }
     }
 }

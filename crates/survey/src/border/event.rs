@@ -75,8 +75,15 @@ pub enum BorderEventKind {
     },
     /// The cusp of a symmetric pair reaches its pitchfork.
     CuspAtPitchfork {
-        /// The pair.
+        /// The pair, or the circle of an axially symmetric body.
         pair: BranchName,
+    },
+    /// A pitchfork and a cusp of one of its branches are near each other at the border.
+    CuspNearPitchfork {
+        /// The branch that has the cusp.
+        cusp: BranchName,
+        /// The branches of the pitchfork.
+        pitchfork: [BranchName; 2],
     },
     /// A pitchfork leaves to infinity on one curve and comes back on another: two moments of inertia pass each other.
     PitchforkAtInfinity {
@@ -132,7 +139,7 @@ impl BorderEventKind {
             Self::CuspOnCurve { encounter, .. } | Self::PitchforkOnCurve { encounter, .. } => {
                 *encounter == Encounter::Meets
             }
-            Self::TriplePoint { .. } => true,
+            Self::TriplePoint { .. } | Self::CuspNearPitchfork { .. } => true,
             _ => false,
         }
     }
@@ -157,7 +164,10 @@ impl fmt::Display for BorderEventKind {
             Self::PitchforkOnCurve { pitchfork, encounter, curves } => {
                 write!(f, "the {} {encounter} {}", EventLabel::Pitchfork(*pitchfork), joined(curves, " and "))
             }
-            Self::CuspAtPitchfork { pair } => write!(f, "the cusp of the pair {pair} reaches its pitchfork"),
+            Self::CuspAtPitchfork { pair } => write!(f, "the cusp of {pair} reaches its pitchfork"),
+            Self::CuspNearPitchfork { cusp, pitchfork } => {
+                write!(f, "the {} meets the {}", EventLabel::Pitchfork(*pitchfork), EventLabel::Cusp(*cusp))
+            }
             Self::PitchforkAtInfinity { from, to } => {
                 let [from, to] = [from, to].map(|branches| joined(branches, " and "));
                 write!(f, "a pitchfork goes through infinity: on one side it is that of {from}, on the other of {to}")

@@ -93,10 +93,13 @@ pub(super) fn exchange(side: &Arrangement) -> Finding<'_> {
     let cusp = labels.iter().find_map(|label| if let EventLabel::Cusp(own) = label { Some(*own) } else { None });
     let encounter = Encounter::Meets;
     let kind = match (pitchfork, cusp) {
-        (Some(pitchfork), _) => {
+        (Some(pitchfork), cusp) => {
             let others: Vec<BranchName> = branches.into_iter().filter(|name| !pitchfork.contains(name)).collect();
-            let curves = if others.is_empty() { pitchfork.to_vec() } else { others };
-            BorderEventKind::PitchforkOnCurve { pitchfork, encounter, curves }
+            match cusp {
+                Some(cusp) if others.is_empty() => BorderEventKind::CuspNearPitchfork { cusp, pitchfork },
+                _ if others.is_empty() => BorderEventKind::TriplePoint { branches: pitchfork.to_vec() },
+                _ => BorderEventKind::PitchforkOnCurve { pitchfork, encounter, curves: others },
+            }
         }
         (None, Some(cusp)) => BorderEventKind::CuspOnCurve { cusp, encounter, curves: branches },
         (None, None) => BorderEventKind::TriplePoint { branches },
