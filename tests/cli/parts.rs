@@ -292,6 +292,18 @@ fn a_part_is_shown_and_drawn_as_it_was_understood() {
     );
 }
 
+/// A motion is printed in the units of the part, and says in which; a body in numbers has none.
+#[test]
+fn motions_of_parts_say_their_units() {
+    let part = "--inertia-com 0.03,0.04,0.05,0,0,0 --com 0,0,0.1 --mass 2 --g 9.81 --units kg,m,min";
+    let units = "times in min, angular velocities in rad/min";
+    for command in ["orbit --gamma 0,0.1,1 --omega 0,0,6 --times 0:0.01:2", "spin-down --from L+.1"] {
+        bifdiag(command).arguments(part).succeeds().printing(units);
+    }
+    let of_numbers = bifdiag("orbit --body paper --gamma 0,0.1,1 --omega 0,0,6 --times 0:1:2").succeeds().stdout();
+    assert!(!of_numbers.contains("times in"), "{of_numbers}");
+}
+
 /// Units behind numbers: the same part, whatever `--units` are.
 #[test]
 fn numbers_with_units_are_the_same_part() {

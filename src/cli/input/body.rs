@@ -1,6 +1,6 @@
 //! The body that the options describe.
 
-use bifdiag_body::part::{MeasuredPart, Part};
+use bifdiag_body::part::{MeasuredPart, Part, Units};
 use bifdiag_body::{Body, Number, Preset};
 use bifdiag_documents::Subject;
 use bifdiag_schema::FurtherIntegralDocument;
@@ -157,6 +157,13 @@ pub fn head(subject: &Subject, report: &mut Report) {
     for axis in part.principal.axes {
         let [x, y, z] = axis.map(|x| fixed(x, 6));
         report.line(format!("  ({x:>9}, {y:>9}, {z:>9})"));
+    }
+}
+
+/// The units of what is printed of a motion of a part; a body in numbers has none.
+pub fn motion_units(subject: &Subject, report: &mut Report) {
+    if let Some([.., time]) = subject.units.as_ref().map(Units::names) {
+        report.line(format!("times in {time}, angular velocities in rad/{time}"));
     }
 }
 

@@ -10,7 +10,7 @@ use std::fs;
 use std::io::{self, Read, Stdin};
 use std::path::Path;
 
-pub use body::{BodyArguments, PlainBodyArguments, PointArguments, add_integrals, head, integrable};
+pub use body::{BodyArguments, PlainBodyArguments, PointArguments, add_integrals, head, integrable, motion_units};
 pub use numbers::Numbers;
 pub use part::{GivenPart, PART, PartArguments, shown, shown_of_part};
 pub use values::accuracy;

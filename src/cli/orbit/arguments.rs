@@ -49,7 +49,7 @@ pub struct OrbitArguments {
     #[arg(long, value_name = "l1,l2,l3", allow_hyphen_values = true, value_parser = values::triple)]
     #[arg(help_heading = "Start: a state")]
     pub l_vector: Option<Triple>,
-    /// Angular velocity, in the body's axes, instead of --l-vector
+    /// Angular velocity in rad per unit of time, instead of --l-vector
     #[arg(long, value_name = "w1,w2,w3", allow_hyphen_values = true, value_parser = values::triple)]
     #[arg(help_heading = "Start: a state")]
     pub omega: Option<Triple>,

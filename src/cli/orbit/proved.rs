@@ -13,7 +13,7 @@ use dashu_ratio::RBig;
 use super::arguments::Problem;
 use crate::cli::export::{Columns, DataFormat, DataTarget, FileSet, Values, answer};
 use crate::cli::failure::Failure;
-use crate::cli::input::head;
+use crate::cli::input::{head, motion_units};
 use crate::cli::terminal::interrupt::stoppable;
 use crate::cli::terminal::{Report, Table, Timings, bound, counted, print, significant};
 
@@ -145,6 +145,7 @@ fn text(problem: &Problem<'_>, document: &ProvedMotionDocument, motion: &ProvedM
             report.line(format!("… and {} more; --data FILE.csv writes all", motion.samples.len() - LISTED));
         }
         report.line(super::report::FRAME);
+        motion_units(&problem.subject, &mut report);
         report.line("");
     }
     report.line(format!(

@@ -11,7 +11,7 @@ use bifdiag_schema::{MotionDocument, MotionSampleDocument, MotionSummaryDocument
 use super::arguments::Problem;
 use crate::cli::export::{Columns, Values};
 use crate::cli::failure::Failure;
-use crate::cli::input::{add_integrals, head};
+use crate::cli::input::{add_integrals, head, motion_units};
 use crate::cli::terminal::{Report, Table, bound, significant};
 
 /// The document without its samples.
@@ -130,6 +130,7 @@ pub fn text(subject: &Subject, document: &MotionDocument, samples: &[MotionSampl
             report.line(format!("… and {} more; --data FILE.csv writes all", samples.len() - LISTED));
         }
         report.line(FRAME);
+        motion_units(subject, &mut report);
         report.line("");
     }
     let summary = &document.summary;

@@ -16,7 +16,7 @@ use clap::Args;
 
 use crate::cli::export::{FileSet, PictureArguments, PictureFormat, answer};
 use crate::cli::failure::{Failure, failed, no_such_curve};
-use crate::cli::input::{BodyArguments, head, values};
+use crate::cli::input::{BodyArguments, head, motion_units, values};
 use crate::cli::terminal::{Report, Table, Timings, counted, significant};
 
 pub const FAMILY_EXAMPLES: &str = "\
@@ -159,6 +159,7 @@ fn text(subject: &Subject, document: &PeriodicFamiliesDocument, written: &[PathB
     }
     report.line("");
     report.line("T period; crossings of P in a period; trace the sum of the two multipliers");
+    motion_units(subject, &mut report);
     report.written(written);
     report.text()
 }

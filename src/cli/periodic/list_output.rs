@@ -13,7 +13,7 @@ use super::family::DIGITS;
 use super::short::yes;
 use crate::cli::export::{Columns, DataFormat, FileSet, Journal, Values};
 use crate::cli::failure::{Failure, failed};
-use crate::cli::input::head;
+use crate::cli::input::{head, motion_units};
 use crate::cli::terminal::{Report, Table, significant, wrapped};
 
 /// The families that a journal holds.
@@ -97,6 +97,7 @@ pub fn text(subject: &Subject, document: &PeriodicListDocument, files: &[PathBuf
     if document.families.iter().any(|family| family.branch > 0) {
         report.line("b1, b2, …: families that begin at special orbits of the one above");
     }
+    motion_units(subject, &mut report);
     report.line("");
     report.line(if document.complete { "complete:" } else { "not complete:" });
     report.line(wrapped(&document.why));

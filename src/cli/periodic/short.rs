@@ -12,7 +12,7 @@ use clap::Args;
 
 use crate::cli::export::answer;
 use crate::cli::failure::{Failure, failed};
-use crate::cli::input::{BodyArguments, PointArguments, head};
+use crate::cli::input::{BodyArguments, PointArguments, head, motion_units};
 use crate::cli::section::poincare_failure;
 use crate::cli::terminal::interrupt::stoppable;
 use crate::cli::terminal::{Progress, Report, Table, Timings, significant, wrapped};
@@ -87,6 +87,7 @@ fn text(subject: &Subject, document: &PeriodicDocument) -> String {
         report.line("one orbit of each continuum of orbits of one period:");
         report.line(table(&document.continua).text());
     }
+    motion_units(subject, &mut report);
     report.line("");
     report.line(format!("{}:", if document.complete { "complete" } else { "not complete" }));
     report.line(wrapped(&document.why));

@@ -162,7 +162,11 @@ pub fn report(document: &ScanSummaryDocument, out: &Path) -> String {
     ));
     let single = document.classes.iter().filter(|class| class.bodies == 1).count();
     let classes = counted(document.classes.len(), "class", "classes");
-    report.line(format!("{classes}, {single} of them met once"));
+    report.line(match (document.classes.len(), single) {
+        (1, 1) => format!("{classes}, met once"),
+        (all, single) if all == single => format!("{classes}, each met once"),
+        _ => format!("{classes}, {single} of them met once"),
+    });
     if let Some((most, record)) = document.critical_points.last_key_value() {
         report.line(format!(
             "at most {} at one l (body {})",

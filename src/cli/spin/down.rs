@@ -14,7 +14,7 @@ use clap::Args;
 use crate::Curves;
 use crate::cli::export::{FileSet, PictureArguments, WidthArgument, answer};
 use crate::cli::failure::{Failure, failed, no_such_curve};
-use crate::cli::input::{BodyArguments, head, values};
+use crate::cli::input::{BodyArguments, head, motion_units, values};
 use crate::cli::terminal::{Report, Table, Timings, significant};
 
 pub const SPIN_DOWN_EXAMPLES: &str = "\
@@ -154,6 +154,7 @@ fn text(subject: &Subject, from: &str, document: &SpinDownDocument, written: &[P
         ));
     }
     report.line("regions: just below and just above in h");
+    motion_units(subject, &mut report);
     report.line("in the limit in which l is lost much more slowly than all that is not steady is damped");
     report.written(written);
     report.text()
