@@ -96,6 +96,10 @@ fn target(arguments: &FindArguments) -> Result<Target, Failure> {
         return Target::of_signature(signature).map_err(|error| Failure::input(format!("--signature: {error}")));
     }
     if let Some(count) = arguments.critical_points {
+        if count < 3 {
+            let why = "every body has a minimum and a maximum of U_l at every l; give 3 or more";
+            return Err(Failure::input(format!("--critical-points {count}: {why}")));
+        }
         return Ok(Target::CriticalPoints(count));
     }
     if arguments.circles.is_none() && arguments.poles.is_none() {

@@ -160,6 +160,14 @@ fn a_body_is_given_in_three_ways() {
         .succeeds()
         .printing("the pitchfork of G1 and S2 meets the cusp of G1");
     bifdiag("compare lagrange isotropic").succeeds().printing("the cusp of S12 reaches its pitchfork");
+    // Ids of a part of the plane are those of the whole.
+    let body = "--A 2.7,1.9,1.4 --r 0.4,-0.2,0.3 --no-plot";
+    let all = bifdiag(&format!("atlas {body}")).succeeds().stdout();
+    let row = all.lines().find(|line| line.starts_with("E5 ")).unwrap().split_whitespace().collect::<Vec<_>>();
+    let part = bifdiag(&format!("atlas {body} --window 4:8,4:5")).succeeds().stdout();
+    let found =
+        part.lines().map(|line| line.split_whitespace().collect::<Vec<_>>()).find(|words| words.first() == Some(&"E5"));
+    assert_eq!(found.unwrap(), row);
     bifdiag("compare paper nobody").refused().telling("BODY nobody: it is no named body").telling("atlas.json");
     bifdiag("compare paper A=1,2,3").refused().telling("A=2,1.1,1;r=0.94868,0,0.61623");
     bifdiag("compare paper A=1,2,3;r=0,x,1").refused().telling("r2: `x` is not a number");

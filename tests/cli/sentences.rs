@@ -299,7 +299,12 @@ fn a_pitchfork_that_stays_is_not_said_to_go_to_infinity() {
 #[test]
 fn at_least_so_many_relative_equilibria_are_found() {
     bifdiag("find --critical-points 5").succeeds().printing("at least 5 relative equilibria are shown by");
-    bifdiag("find --critical-points 1").succeeds().printing("at least 1 relative equilibrium is shown by");
+    // Each body shows as much.
+    bifdiag("find --critical-points 1").refused().telling("a minimum and a maximum of U_l");
+    for word in ["D6", "D₆", "−r̂", "member"] {
+        bifdiag("explain").and(word).succeeds();
+    }
+    bifdiag("explain").and("−r̂").succeeds().printing("straight above");
     let few = bifdiag("find --critical-points 12 --samples 50").fails();
     few.telling("at least 12 relative equilibria were not found among");
 }

@@ -96,7 +96,7 @@ pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure>
         }
         written = timings.stage("files", || files.write())?;
     }
-    answer(arguments.json, &*stored, || report::text(&subject, &document, &written))
+    answer(arguments.json, &*stored, || report::text(&subject, &atlas, &document, &written))
 }
 
 /// The atlas of a body, to draw it, and its document.

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use bifdiag_diagram::atlas::Atlas;
 use bifdiag_documents::Subject;
 use bifdiag_documents::words::counted;
 use bifdiag_schema::{
@@ -19,7 +20,7 @@ const DIGITS: usize = 8;
 const TABLE_WIDTH: usize = 100;
 
 /// Everything that the terminal shows.
-pub fn text(subject: &Subject, document: &AtlasDocument, written: &[PathBuf]) -> String {
+pub fn text(subject: &Subject, atlas: &Atlas, document: &AtlasDocument, written: &[PathBuf]) -> String {
     let mut report = Report::default();
     head(subject, &mut report);
     integrable(&subject.body, &mut report);
@@ -30,7 +31,7 @@ pub fn text(subject: &Subject, document: &AtlasDocument, written: &[PathBuf]) ->
         report.line(region_table(subject, document));
     }
     report.line("");
-    if let Some(table) = event_table(&document.events) {
+    if let Some(table) = event_table(&document.events, &bifdiag_documents::atlas::events(atlas)) {
         report.line(table);
         report.line("");
     }
@@ -148,17 +149,21 @@ fn wrapped_signature(signature: &str) -> String {
     lines.join("\n")
 }
 
-/// Cusps, pitchforks and crossings by rising l; `None` without events.
-fn event_table(events: &[EventDocument]) -> Option<String> {
+/// Cusps, pitchforks and crossings by rising l, each with its id among all of the body; `None` without events.
+fn event_table(events: &[EventDocument], all: &[EventDocument]) -> Option<String> {
     let mut table = Table::new(&["event", "kind", "l", "h", "curves"]);
-    for (place, event) in events.iter().enumerate() {
+    let id = |event: &EventDocument| {
+        let is_it = |other: &EventDocument| (other.l, other.h, &other.curves) == (event.l, event.h, &event.curves);
+        all.iter().position(is_it).map_or_else(String::new, |place| format!("E{}", place + 1))
+    };
+    for event in events {
         let kind = match event.kind {
             EventKind::Cusp => "cusp",
             EventKind::Pitchfork => "pitchfork",
             EventKind::Crossing => "crossing",
         };
         table.row([
-            format!("E{}", place + 1),
+            id(event),
             kind.to_owned(),
             significant(event.l, DIGITS),
             significant(event.h, DIGITS),

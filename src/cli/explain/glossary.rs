@@ -104,18 +104,20 @@ fn parts(cell: &'static str) -> Vec<&'static str> {
     cell.split(outside).map(|part| part.trim().trim_matches('`')).filter(|part| !part.is_empty()).collect()
 }
 
-/// A word without what spellings differ in: capitals, blanks, hyphens inside, apostrophes, accents, raised digits.
+/// A word without what spellings differ in: capitals, blanks, hyphens inside, apostrophes, accents, raised and lowered digits.
 pub fn folded(word: &str) -> String {
     let mut out = String::new();
     let mut rest = word.trim().chars().peekable();
     while let Some(c) = rest.next() {
         match c {
             // The sign of P− stays.
-            '-' | '–' | '−' | '⁻' if rest.peek().is_some_and(|next| next.is_alphanumeric()) => {}
+            '-' | '–' | '−' | '⁻' if !out.is_empty() && rest.peek().is_some_and(|next| next.is_alphanumeric()) => {
+            }
             '-' | '–' | '−' | '⁻' => out.push('-'),
             '⁺' => out.push('+'),
             '²' => out.push('2'),
             '³' => out.push('3'),
+            '₀'..='₉' => out.extend(char::from_digit(u32::from(c) - u32::from('₀'), 10)),
             '×' => out.push('x'),
             'ℝ' => out.push('r'),
             'é' | 'è' => out.push('e'),

@@ -47,7 +47,13 @@ pub(super) fn about(atlas: &AtlasDocument, straight: bool) -> String {
     };
     let remark = remark(atlas);
     let remark = if remark.is_empty() { String::new() } else { format!("; {remark}") };
-    format!("Bifurcation diagram of the body {}{remark}: {axes}.", exact(atlas))
+    let own = &atlas.body.given;
+    // The numbers of a part were computed, to many digits.
+    let body = match atlas.body.part {
+        Some(_) => body_line(&own.moments, &own.center, f64::INFINITY, NOTE_SIZE),
+        None => exact(atlas),
+    };
+    format!("Bifurcation diagram of the body {body}{remark}: {axes}.")
 }
 
 /// What is said below the title: what is special about the body.
