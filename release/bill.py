@@ -74,8 +74,9 @@ def main():
             without.append(f"{name} {release}: {licence}")
         for text in texts:
             users.setdefault(text, []).append(f"{name} {release} ({licence})")
-    font = ROOT / "crates/plot/fonts/DejaVuSans-LICENSE.txt"
-    users.setdefault(font.read_text(encoding="utf-8").strip(), []).append("DejaVu Sans")
+    for name, font in ("DejaVu Sans", "DejaVuSans"), ("Bifdiag Math, from STIX Math", "Math"):
+        text = (ROOT / f"crates/plot/fonts/{font}-LICENSE.txt").read_text(encoding="utf-8").strip()
+        users.setdefault(text, []).append(name)
     pages = ["\n".join(sorted(names)) + "\n\n" + text for text, names in sorted(users.items(), key=lambda item: item[1])]
     if without:
         pages.append("Without a text of their own, under the terms that their packages name:\n\n" + "\n".join(without))

@@ -77,6 +77,16 @@ impl Run {
     }
 }
 
+/// A picture without the marks of its formulas, so that texts are found in it.
+pub fn plain(svg: &str) -> String {
+    let parts = svg.split("<tspan").enumerate();
+    let kept = parts.map(|(number, part)| match part.split_once('>') {
+        Some((_, rest)) if number > 0 => rest,
+        _ => part,
+    });
+    kept.collect::<String>().replace("</tspan>", "")
+}
+
 impl Done {
     /// With this on stderr.
     pub fn telling(self, message: &str) -> Self {

@@ -1,18 +1,33 @@
-//! Campbell's diagram: frequencies of small oscillations over the spin.
+//! Campbell's diagram: frequencies of small oscillations over the spin, seen from the body and from space, and rates of growth.
+
+use plotters::style::RGBColor;
 
 use crate::page::{
-    Anchor, Axis, FAINT_INK, INK, Ink, Picture, PlotError, Point, Rect, Theme, draw_axes, render, rgb, short_number,
-    text_width, ticks,
+    Anchor, CHART_TEXT, Canvas, Chart, Dash, INK, Legend, Picture, PlotError, Point, Rect, Symbol, Theme, render, rgb,
+    rgbs, short_number, text_width,
 };
 
-/// Frequencies over the spin, and the spins at which the type changes.
+/// Frequencies over the spin.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Campbell {
-    /// Spin in rpm, two frequencies in Hz (NaN for a pair of eigenvalues that does not oscillate), and what is known of the
-    /// stability; by rising spin.
-    pub rows: Vec<(f64, [f64; 2], Known)>,
-    /// Spins in rpm.
+    /// By rising spin.
+    pub rows: Vec<CampbellRow>,
+    /// Spins in rpm at which the type changes.
     pub changes: Vec<f64>,
+}
+
+/// Small oscillations at one spin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CampbellRow {
+    /// In rpm.
+    pub spin: f64,
+    /// In Hz, seen from the body; each mode keeps its place where two cross. NaN for a pair of eigenvalues that does not
+    /// oscillate.
+    pub frequencies: [f64; 2],
+    /// The largest rate of growth in 1/s.
+    pub growth: f64,
+    /// What is known of the stability.
+    pub known: Known,
 }
 
 /// What is known of the stability of a rotation.
@@ -28,84 +43,163 @@ pub enum Known {
     Unstable,
 }
 
-const RECT: Rect = Rect { x: 74.0, y: 62.0, width: 540.0, height: 340.0 };
-const COLORS: [u32; 2] = [0x12_50_a8, 0xc2_14_2d];
-const TEXT: f64 = 12.0;
+const LEFT: f64 = 74.0;
+const WIDTH: f64 = 540.0;
+const TOP: f64 = 62.0;
+/// Heights of the panels of frequencies and of growth, and what is between two panels.
+const HEIGHTS: [f64; 3] = [250.0, 250.0, 110.0];
+const BETWEEN: f64 = 86.0;
+/// The two modes, and in space the spin and a frequency together.
+const COLORS: [RGBColor; 2] = rgbs([0x12_50_a8, 0xc2_14_2d]);
+const SUMS: [RGBColor; 2] = rgbs([0x7f_a8_e0, 0xe8_8f_9a]);
+const ONCE: RGBColor = rgb(0xa8_a8_a8);
 
-/// Draws frequencies over the spin: solid where the rotation is stable (thin if only without friction), dashed where it is
-/// unstable.
+impl Known {
+    const ALL: [Self; 4] = [Self::Lasting, Self::Frictionless, Self::Open, Self::Unstable];
+
+    fn width(self) -> f64 {
+        if self == Self::Frictionless { 0.8 } else { 2.0 }
+    }
+
+    fn pattern(self, color: RGBColor) -> Vec<Dash> {
+        match self {
+            Self::Lasting | Self::Frictionless => vec![(Some(color), 1.0)],
+            Self::Open => vec![(Some(color), 2.0), (None, 3.0)],
+            Self::Unstable => vec![(Some(color), 7.0), (None, 5.0)],
+        }
+    }
+
+    fn meaning(self) -> &'static str {
+        match self {
+            Self::Lasting => "stable, with friction too",
+            Self::Frictionless => "stable without friction",
+            Self::Open => "stability not decided",
+            Self::Unstable => "unstable",
+        }
+    }
+}
+
+/// Draws the frequencies seen from the body, those seen from space, and below them the rate of growth where the rotation is
+/// linearly unstable at some spin.
 ///
 /// # Errors
 /// [`PlotError`].
 pub fn draw_campbell(campbell: &Campbell, theme: Theme) -> Result<Picture, PlotError> {
-    let spin = campbell.rows.last().map_or(1.0, |row| row.0);
-    let highest = campbell.rows.iter().flat_map(|row| row.1).fold(0.0, f64::max);
-    let top = if highest > 0.0 { 1.05 * highest } else { 1.0 };
-    let at =
-        |rpm: f64, hertz: f64| [RECT.x + RECT.width * rpm / spin, RECT.bottom() - RECT.height * (hertz / top).min(1.0)];
-    let (below, left) = (ticks("spin in rpm", 0.0, spin, 8), ticks("frequency in Hz, seen from the body", 0.0, top, 8));
-    render([650.0, 506.0], "Frequencies over the spin", theme, |canvas| {
-        let axes = [Axis { range: [0.0, spin], ticks: &below }, Axis { range: [0.0, top], ticks: &left }];
-        draw_axes(canvas, &RECT, [24.0, 52.0], axes);
-        // Once per turn: the spin itself.
-        let once = Ink { color: rgb(0xc8_c8_c8), width: 1.0 };
-        let end = (spin / 60.0).min(top);
-        canvas.path(&[at(0.0, 0.0), at(60.0 * end, end)], once);
-        for (which, color) in COLORS.into_iter().enumerate() {
-            for (known, points) in stretches(campbell, which, &at) {
-                let color = rgb(color);
-                match known {
-                    Known::Lasting => canvas.path(&points, Ink { color, width: 2.0 }),
-                    Known::Frictionless => canvas.path(&points, Ink { color, width: 0.8 }),
-                    Known::Open => canvas.dashed(&points, &[(Some(color), 2.0), (None, 3.0)], 2.0),
-                    Known::Unstable => canvas.dashed(&points, &[(Some(color), 7.0), (None, 5.0)], 2.0),
+    let rows = &campbell.rows;
+    let spin = rows.last().map_or(1.0, |row| row.spin);
+    let hertz = |row: &CampbellRow| row.spin / 60.0;
+    let in_space = |row: &CampbellRow, mode: usize, sign: f64| (hertz(row) + sign * row.frequencies[mode]).abs();
+    let body = |mode: usize| (COLORS[mode], runs(rows, |row| row.frequencies[mode]));
+    let both = |mode: usize| {
+        [(SUMS, 1.0), (COLORS, -1.0)].map(|(colors, sign)| (colors[mode], runs(rows, |row| in_space(row, mode, sign))))
+    };
+    let grows = rows.iter().any(|row| row.growth > 0.0);
+    let growth = if grows { vec![(INK, runs(rows, |row| row.growth))] } else { Vec::new() };
+    let names = ["frequency in Hz, seen from the body", "frequency in Hz, seen from space", "rate of growth in 1/s"];
+    let lines = [[0, 1].map(body).to_vec(), [0, 1].map(both).concat(), growth];
+    let panels: Vec<_> =
+        names.into_iter().zip(lines).zip(HEIGHTS).filter(|((_, lines), _)| !lines.is_empty()).collect();
+    let mut top = TOP;
+    let charts: Vec<(Chart, Vec<Curve>)> = panels
+        .into_iter()
+        .map(|((name, lines), height)| {
+            let most = lines
+                .iter()
+                .flat_map(|(_, runs)| runs)
+                .flat_map(|(_, points)| points)
+                .map(|point| point[1])
+                .fold(0.0, f64::max);
+            let rect = Rect { x: LEFT, y: top, width: WIDTH, height };
+            top += height + BETWEEN;
+            let ranges = [[0.0, spin], [0.0, if most > 0.0 { 1.05 * most } else { 1.0 }]];
+            let above = if rect.y > TOP { 14.0 } else { 40.0 };
+            (Chart::new(rect, ["spin in rpm", name], ranges).with_room_above(above), lines)
+        })
+        .collect();
+    let legend = Legend::new(entries(rows, !campbell.changes.is_empty()), WIDTH);
+    let height = top - BETWEEN + 54.0 + legend.height() + 10.0;
+    render([650.0, height], "Frequencies over the spin", theme, |canvas| {
+        for (number, (chart, lines)) in charts.iter().enumerate() {
+            chart.draw(canvas);
+            // Once per turn: the spin itself.
+            if number < 2 {
+                let end = chart.top().min(spin / 60.0);
+                chart.line(canvas, &[[0.0, 0.0], [60.0 * end, end]], &[(Some(ONCE), 1.0)], 1.0);
+            }
+            for (color, runs) in lines {
+                for (known, points) in runs {
+                    chart.line(canvas, points, &known.pattern(*color), known.width());
                 }
             }
+            changes(canvas, chart, &campbell.changes, number == 0);
         }
-        let mut rows = [f64::NEG_INFINITY; 2];
-        for &change in &campbell.changes {
-            let x = at(change, 0.0)[0];
-            // At rest every axis changes its type.
-            if x < RECT.x + 1.0 {
-                continue;
-            }
-            let dots = [(Some(INK), 2.0), (None, 4.0)];
-            canvas.dashed(&[[x, RECT.y], [x, RECT.bottom()]], &dots, 1.2);
-            let text = format!("{} rpm", short_number(change, 6));
-            let half = text_width(&text, TEXT - 1.0) / 2.0;
-            // In the first of two rows that has room; a table beside the picture tells all.
-            if let Some(row) = rows.iter().position(|right| x - half > right + 6.0) {
-                rows[row] = x + half;
-                let above = [x, RECT.y - 6.0 - 15.0 * row as f64];
-                canvas.text(&text, above, TEXT - 1.0, INK, Anchor::Middle);
-            }
-        }
-        canvas.text(&below.quantity, [RECT.center()[0], RECT.bottom() + 42.0], TEXT, INK, Anchor::Middle);
-        canvas.text(&left.quantity, [16.0, RECT.y - 40.0], TEXT, INK, Anchor::Start);
-        let legend = "solid: stable, thin: stable without friction only, dashed: unstable, dotted: the type changes";
-        let colors = "blue, red: the frequencies (none for a real pair of eigenvalues), grey: once per turn";
-        canvas.text(colors, [RECT.x, RECT.bottom() + 84.0], TEXT, FAINT_INK, Anchor::Start);
-        canvas.text(legend, [RECT.x, RECT.bottom() + 66.0], TEXT, FAINT_INK, Anchor::Start);
+        legend.draw(canvas, [LEFT, top - BETWEEN + 54.0]);
     })
 }
 
+/// A colour and what is drawn in it.
+type Curve = (RGBColor, Vec<(Known, Vec<Point>)>);
+
+/// What lines mean.
+fn entries(rows: &[CampbellRow], has_changes: bool) -> Vec<(Symbol, String)> {
+    let line = |color: RGBColor, known: Known, text: &str| {
+        (Symbol::Line(known.pattern(color), known.width()), text.to_owned())
+    };
+    let mut entries = vec![
+        line(COLORS[0], Known::Lasting, "one mode, in space the spin and its frequency apart"),
+        line(COLORS[1], Known::Lasting, "the other"),
+        line(SUMS[0], Known::Lasting, "the spin and the frequency together"),
+        line(SUMS[1], Known::Lasting, "of the other (a body symmetric about the axis shows one of the two)"),
+        line(ONCE, Known::Frictionless, "once per turn"),
+    ];
+    let is_there = |known: &Known| rows.iter().any(|row| row.known == *known);
+    entries.extend(Known::ALL.into_iter().filter(is_there).map(|known| line(INK, known, known.meaning())));
+    if has_changes {
+        entries.push((Symbol::Line(CHANGE.to_vec(), 1.2), "the type changes".to_owned()));
+    }
+    entries
+}
+
+const CHANGE: [Dash; 2] = [(Some(INK), 2.0), (None, 4.0)];
+
+/// Lines where the type changes, with the spins above the frame.
+fn changes(canvas: &Canvas, chart: &Chart, changes: &[f64], are_told: bool) {
+    let mut rows = [f64::NEG_INFINITY; 2];
+    for &change in changes {
+        let [x, _] = chart.at([change, 0.0]);
+        // At rest every axis changes its type.
+        if x < LEFT + 1.0 {
+            continue;
+        }
+        canvas.dashed(&[[x, chart.rect.y], [x, chart.rect.bottom()]], &CHANGE, 1.2);
+        let text = format!("{} rpm", short_number(change, 6));
+        let half = text_width(&text, CHART_TEXT - 1.0) / 2.0;
+        // In the first of two rows that has room; a table beside the picture tells all.
+        if let Some(row) = rows.iter().position(|right| are_told && x - half > right + 6.0) {
+            rows[row] = x + half;
+            let above = [x, chart.rect.y - 6.0 - 15.0 * row as f64];
+            canvas.text(&text, above, CHART_TEXT - 1.0, INK, Anchor::Middle);
+        }
+    }
+}
+
 /// Runs of equally known stability without gaps, each with the first point of the next.
-fn stretches(campbell: &Campbell, which: usize, at: &impl Fn(f64, f64) -> Point) -> Vec<(Known, Vec<Point>)> {
+fn runs(rows: &[CampbellRow], value: impl Fn(&CampbellRow) -> f64) -> Vec<(Known, Vec<Point>)> {
     let mut runs: Vec<(Known, Vec<Point>)> = Vec::new();
     let mut is_open = false;
-    for (rpm, frequencies, known) in &campbell.rows {
-        if frequencies[which].is_nan() {
+    for row in rows {
+        let point = [row.spin, value(row)];
+        if point[1].is_nan() {
             is_open = false;
             continue;
         }
-        let point = at(*rpm, frequencies[which]);
         match runs.last_mut().filter(|_| is_open) {
-            Some((kind, points)) if kind == known => points.push(point),
+            Some((known, points)) if *known == row.known => points.push(point),
             last => {
                 if let Some((_, points)) = last {
                     points.push(point);
                 }
-                runs.push((*known, vec![point]));
+                runs.push((row.known, vec![point]));
             }
         }
         is_open = true;
@@ -117,15 +211,31 @@ fn stretches(campbell: &Campbell, which: usize, at: &impl Fn(f64, f64) -> Point)
 mod tests {
     use super::*;
 
+    fn row(spin: f64, slow: f64, known: Known) -> CampbellRow {
+        CampbellRow { spin, frequencies: [slow, 1.0], growth: if known == Known::Unstable { 0.5 } else { 0.0 }, known }
+    }
+
     #[test]
     fn a_pair_that_does_not_oscillate_leaves_a_gap() {
-        let row = |rpm: f64, slow: f64, known| (rpm, [slow, 1.0], known);
         let (stable, unstable) = (Known::Lasting, Known::Unstable);
-        let rows =
-            vec![row(1.0, 0.5, stable), row(2.0, f64::NAN, unstable), row(3.0, 0.5, stable), row(4.0, 0.6, stable)];
-        let campbell = Campbell { rows, changes: Vec::new() };
-        let lengths =
-            |which| stretches(&campbell, which, &|x, y| [x, y]).iter().map(|(_, p)| p.len()).collect::<Vec<_>>();
+        let rows = [row(1.0, 0.5, stable), row(2.0, f64::NAN, unstable), row(3.0, 0.5, stable), row(4.0, 0.6, stable)];
+        let lengths = |which: usize| {
+            runs(&rows, |row| row.frequencies[which]).iter().map(|(_, points)| points.len()).collect::<Vec<_>>()
+        };
         assert_eq!((lengths(0), lengths(1)), (vec![1, 2], vec![2, 2, 2]));
+    }
+
+    #[test]
+    fn growth_has_a_panel_only_where_something_grows() {
+        let picture = |known| {
+            let rows = vec![row(30.0, 0.5, Known::Lasting), row(60.0, 0.6, known)];
+            draw_campbell(&Campbell { rows, changes: vec![45.0] }, Theme::Light).unwrap().svg
+        };
+        for name in ["seen from the body", "seen from space"] {
+            assert!(picture(Known::Lasting).contains(name), "{name}");
+        }
+        assert!(
+            !picture(Known::Lasting).contains("rate of growth") && picture(Known::Unstable).contains("rate of growth")
+        );
     }
 }

@@ -7,13 +7,11 @@ use bifdiag_schema::{
 use plotters::style::RGBColor;
 
 use crate::page::{
-    Anchor, Axis, Dash, INK, Ink, Legend, Picture, PlotError, Point, Rect, Symbol, TICK_SIZE, Theme, draw_axes, render,
-    rgb, ticks,
+    Anchor, Chart, Dash, INK, Legend, Picture, PlotError, Point, Rect, Symbol, TICK_SIZE, Theme, render, rgb,
 };
 
 const RECT: Rect = Rect { x: 74.0, y: 48.0, width: 500.0, height: 360.0 };
 const SIZE: [f64; 2] = [650.0, 540.0];
-const TEXT: f64 = 12.0;
 /// Between the ends of the families and the frame, in parts of their range.
 const MARGIN: f64 = 0.04;
 /// A period so many times as long as the longest at an equilibrium is left out: separatrices have no end.
@@ -106,30 +104,16 @@ pub fn draw_periods(document: &PeriodicFamiliesDocument, theme: Theme) -> Result
         if most >= least { [least - margin, most + margin] } else { [0.0, 1.0] }
     };
     let [of_value, of_period] = [range(0), range(1)];
-    let below = ticks(symbol, of_value[0], of_value[1], 8);
-    let left = ticks("period T", of_period[0], of_period[1], 8);
-    let at = |[x, y]: Point| {
-        [
-            RECT.x + RECT.width * (x - of_value[0]) / (of_value[1] - of_value[0]),
-            RECT.bottom() - RECT.height * (y - of_period[0]) / (of_period[1] - of_period[0]),
-        ]
-    };
+    let chart = Chart::new(RECT, [symbol, "period T"], [of_value, of_period]).with_room_above(24.0);
     let title = format!("Periodic orbits: T over {symbol}");
     render(SIZE, title.as_str(), theme, |canvas| {
-        let axes = [Axis { range: of_value, ticks: &below }, Axis { range: of_period, ticks: &left }];
-        draw_axes(canvas, &RECT, [24.0, 52.0], axes);
+        chart.draw(canvas);
         let mut entries: Vec<(Symbol, String)> = Vec::new();
         for stability in OrbitStability::ALL {
             let mut is_drawn = false;
             for strand in &strands {
                 for pair in strand.windows(2).filter(|pair| pair[1].1 == *stability) {
-                    let line = [at(pair[0].0), at(pair[1].0)];
-                    match stability {
-                        OrbitStability::Elliptic => {
-                            canvas.path(&line, Ink { color: color(*stability), width: 1.8 });
-                        }
-                        _ => canvas.dashed(&line, &pattern(*stability), 1.8),
-                    }
+                    chart.line(canvas, &[pair[0].0, pair[1].0], &pattern(*stability), 1.8);
                     is_drawn = true;
                 }
             }
@@ -144,7 +128,7 @@ pub fn draw_periods(document: &PeriodicFamiliesDocument, theme: Theme) -> Result
             for event in events.filter(|event| event.kind == *kind) {
                 let value = if over_l { event.l } else { event.h };
                 if is_shown(value, event.period) {
-                    canvas.disc(at([value, event.period]), 3.2, color);
+                    canvas.disc(chart.at([value, event.period]), 3.2, color);
                     is_drawn = true;
                 }
             }
@@ -155,7 +139,7 @@ pub fn draw_periods(document: &PeriodicFamiliesDocument, theme: Theme) -> Result
         // A family begins where its equilibrium is.
         let mut labels: Vec<(Point, (Point, &str))> = Vec::new();
         for family in &document.families {
-            let start = at([if over_l { family.l } else { family.h }, family.period]);
+            let start = chart.at([if over_l { family.l } else { family.h }, family.period]);
             canvas.disc(start, 2.4, INK);
             if let Some(curve) = &family.curve {
                 let mut place = [start[0] + 5.0, start[1] - 5.0];
@@ -177,8 +161,6 @@ pub fn draw_periods(document: &PeriodicFamiliesDocument, theme: Theme) -> Result
             entries.push((Symbol::Dots(vec![INK]), "equilibrium".to_owned()));
         }
         canvas.text(&about(document), [RECT.right(), RECT.y - 24.0], TICK_SIZE, INK, Anchor::End);
-        canvas.text(&below.quantity, [RECT.center()[0], RECT.bottom() + 42.0], TEXT, INK, Anchor::Middle);
-        canvas.text(&left.quantity, [16.0, RECT.y - 24.0], TEXT, INK, Anchor::Start);
         Legend::new(entries, SIZE[0] - 2.0 * 30.0).draw(canvas, [30.0, RECT.bottom() + 58.0]);
     })
 }

@@ -3,8 +3,7 @@
 use plotters::style::RGBColor;
 
 use crate::page::{
-    Anchor, Axis, Dash, INK, Ink, Legend, Picture, PlotError, Point, Rect, Symbol, TICK_SIZE, Theme, draw_axes, render,
-    rgb, ticks,
+    Anchor, Chart, Dash, INK, Legend, Picture, PlotError, Point, Rect, Symbol, TICK_SIZE, Theme, render, rgb,
 };
 
 /// What is known of the stability along a piece of a curve.
@@ -26,7 +25,7 @@ pub struct SteadyCurve {
     /// The branch.
     pub name: String,
     /// Pieces by rising spin, each with its points: rpm and angle in degrees.
-    pub runs: Vec<(Steadiness, Vec<(f64, f64)>)>,
+    pub runs: Vec<(Steadiness, Vec<[f64; 2]>)>,
 }
 
 /// All steady axes over a range of spins.
@@ -40,7 +39,6 @@ pub struct SteadyScene {
 
 const RECT: Rect = Rect { x: 74.0, y: 48.0, width: 500.0, height: 360.0 };
 const SIZE: [f64; 2] = [650.0, 520.0];
-const TEXT: f64 = 12.0;
 /// Between the names of curves that end side by side.
 const ROW: f64 = 13.0;
 
@@ -87,32 +85,19 @@ impl Steadiness {
 /// # Errors
 /// [`PlotError`].
 pub fn draw_steady(scene: &SteadyScene, theme: Theme) -> Result<Picture, PlotError> {
-    let [from, to] = scene.range;
-    let below = ticks("spin in rpm", from, to, 8);
-    let left = ticks("angle between the end of the axis that is up and the centre of mass, in degrees", 0.0, 180.0, 9);
-    let at = |(rpm, angle): (f64, f64)| {
-        [RECT.x + RECT.width * (rpm - from) / (to - from), RECT.bottom() - RECT.height * angle / 180.0]
-    };
+    let upwards = "angle between the end of the axis that is up and the centre of mass, in degrees";
+    let chart = Chart::new(RECT, ["spin in rpm", upwards], [scene.range, [0.0, 180.0]]).with_room_above(24.0);
     render(SIZE, "Steady axes over the spin", theme, |canvas| {
-        let axes = [Axis { range: [from, to], ticks: &below }, Axis { range: [0.0, 180.0], ticks: &left }];
-        draw_axes(canvas, &RECT, [24.0, 52.0], axes);
+        chart.draw(canvas);
         let mut ends: Vec<(Point, &str)> = Vec::new();
         for curve in &scene.curves {
             for (kind, points) in &curve.runs {
-                let line: Vec<Point> = within(points, scene.range).into_iter().map(at).collect();
-                match kind {
-                    Steadiness::Lasting | Steadiness::Frictionless => {
-                        canvas.path(&line, Ink { color: kind.color(), width: kind.width() });
-                    }
-                    _ => canvas.dashed(&line, &kind.pattern(), kind.width()),
-                }
+                chart.line(canvas, &within(points, scene.range), &kind.pattern(), kind.width());
             }
             let last = curve.runs.iter().rev().find_map(|(_, points)| within(points, scene.range).last().copied());
-            ends.extend(last.map(|last| (at(last), curve.name.as_str())));
+            ends.extend(last.map(|last| (chart.at(last), curve.name.as_str())));
         }
         names(canvas, ends);
-        canvas.text(&below.quantity, [RECT.center()[0], RECT.bottom() + 42.0], TEXT, INK, Anchor::Middle);
-        canvas.text(&left.quantity, [16.0, RECT.y - 24.0], TEXT, INK, Anchor::Start);
         let is_drawn =
             |kind: &Steadiness| scene.curves.iter().flat_map(|curve| &curve.runs).any(|(own, _)| own == kind);
         let entry = |kind: Steadiness| (Symbol::Line(kind.pattern(), kind.width()), kind.meaning().to_owned());
@@ -134,19 +119,19 @@ fn names(canvas: &crate::page::Canvas, mut ends: Vec<(Point, &str)>) {
 }
 
 /// The part of a polyline over a range, cut at its ends.
-fn within(points: &[(f64, f64)], [from, to]: [f64; 2]) -> Vec<(f64, f64)> {
+fn within(points: &[Point], [from, to]: [f64; 2]) -> Vec<Point> {
     let mut inside = Vec::new();
-    let mut before: Option<(f64, f64)> = None;
+    let mut before: Option<Point> = None;
     for &point in points {
         if let Some(last) = before {
             for end in [from, to] {
-                if (last.0 < end) == (end < point.0) && last.0 != end && point.0 != end {
-                    let share = (end - last.0) / (point.0 - last.0);
-                    inside.push((end, last.1 + share * (point.1 - last.1)));
+                if (last[0] < end) == (end < point[0]) && last[0] != end && point[0] != end {
+                    let share = (end - last[0]) / (point[0] - last[0]);
+                    inside.push([end, last[1] + share * (point[1] - last[1])]);
                 }
             }
         }
-        if (from..=to).contains(&point.0) {
+        if (from..=to).contains(&point[0]) {
             inside.push(point);
         }
         before = Some(point);
@@ -160,10 +145,10 @@ mod tests {
 
     #[test]
     fn a_curve_is_cut_at_the_ends_of_the_range() {
-        let line = [(0.0, 0.0), (10.0, 100.0), (20.0, 150.0)];
-        assert_eq!(within(&line, [5.0, 15.0]), [(5.0, 50.0), (10.0, 100.0), (15.0, 125.0)]);
+        let line = [[0.0, 0.0], [10.0, 100.0], [20.0, 150.0]];
+        assert_eq!(within(&line, [5.0, 15.0]), [[5.0, 50.0], [10.0, 100.0], [15.0, 125.0]]);
         assert_eq!(within(&line, [0.0, 20.0]), line);
-        assert_eq!(within(&line, [1.0, 2.0]), [(1.0, 10.0), (2.0, 20.0)]);
-        assert_eq!(within(&line, [30.0, 40.0]), []);
+        assert_eq!(within(&line, [1.0, 2.0]), [[1.0, 10.0], [2.0, 20.0]]);
+        assert_eq!(within(&line, [30.0, 40.0]), [[0.0; 2]; 0]);
     }
 }

@@ -67,7 +67,7 @@ fn every_class_of_a_crowded_map_has_a_number_or_a_place() {
             placed += usize::from(is_placed);
             let is_marked = texts.iter().filter(|(text, _)| *text == entry.mark).count() > 1;
             assert!(is_marked || is_placed, "{legend} of {count} is nowhere");
-            assert!(!is_placed || texts.iter().any(|(text, _)| text.starts_with("at (A2, r3):")));
+            assert!(!is_placed || texts.iter().any(|(text, _)| text.starts_with("at (A₂, r₃):")));
         }
         assert_eq!(placed > 0, count > 20, "{placed} of {count}");
         // No page holds the places of so many; the picture tells its height.

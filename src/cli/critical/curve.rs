@@ -48,12 +48,12 @@ fn scene(subject: &Subject, ends: [&Spin; 2], count: u32) -> Result<SteadyScene,
     let angle = |gamma: [f64; 3]| from_center(body, gamma.map(|x| 0.0 - x));
     let rpm = |omega: f64| Spin::rpm(omega * subject.second());
     let [from, to] = ends.map(Spin::in_rpm);
-    let start = |family: &SteadyFamily| -> Vec<(f64, f64)> {
+    let start = |family: &SteadyFamily| -> Vec<[f64; 2]> {
         let place = family.stretches.first().and_then(|first| first.from);
-        let at_start = |place: Place| (rpm(place.omega), angle(place.gamma));
-        place.map(at_start).or(family.slow.map(|gamma| (0.0, angle(gamma)))).into_iter().collect()
+        let at_start = |place: Place| [rpm(place.omega), angle(place.gamma)];
+        place.map(at_start).or(family.slow.map(|gamma| [0.0, angle(gamma)])).into_iter().collect()
     };
-    let mut points: Vec<Vec<(f64, f64)>> = families.iter().map(start).collect();
+    let mut points: Vec<Vec<[f64; 2]>> = families.iter().map(start).collect();
     let even = (0..count).map(|k| spin_at(ends, count, k));
     let mut spins: Vec<(f64, RBig)> =
         even.map(|spin| (spin.in_rpm(), spin.exact_rad_per_s() * subject.unit_of_time())).collect();
@@ -70,7 +70,7 @@ fn scene(subject: &Subject, ends: [&Spin; 2], count: u32) -> Result<SteadyScene,
         let found = prepared.at_spin(&omega).map_err(failed(NOT_FOUND))?;
         for (family, points) in families.iter().zip(&mut points) {
             if let Some(axis) = found.list.iter().find(|axis| family.holds(body, axis)) {
-                points.push((spin, angle(axis.gamma)));
+                points.push([spin, angle(axis.gamma)]);
             }
         }
     }
@@ -78,8 +78,8 @@ fn scene(subject: &Subject, ends: [&Spin; 2], count: u32) -> Result<SteadyScene,
     let curves = families.iter().zip(points).map(|(family, mut points)| {
         // The places where the type changes are exact.
         let places = family.stretches.iter().skip(1).filter_map(|stretch| stretch.from);
-        points.extend(places.map(|place| (rpm(place.omega), angle(place.gamma))));
-        points.sort_by(|p, q| p.0.total_cmp(&q.0));
+        points.extend(places.map(|place| [rpm(place.omega), angle(place.gamma)]));
+        points.sort_by(|p, q| p[0].total_cmp(&q[0]));
         SteadyCurve { name: family.branch.to_string(), runs: runs(family, &points, rpm, are_known) }
     });
     Ok(SteadyScene { range: [from, to], curves: curves.collect() })
@@ -98,10 +98,10 @@ fn close_to(place: f64, step: f64) -> impl Iterator<Item = f64> {
 /// The points of each range of one verdict, the ends of it in both neighbours.
 fn runs(
     family: &SteadyFamily,
-    points: &[(f64, f64)],
+    points: &[[f64; 2]],
     rpm: impl Fn(f64) -> f64,
     are_known: bool,
-) -> Vec<(Steadiness, Vec<(f64, f64)>)> {
+) -> Vec<(Steadiness, Vec<[f64; 2]>)> {
     let starts: Vec<f64> =
         family.stretches.iter().map(|stretch| stretch.from.map_or(0.0, |place| rpm(place.omega))).collect();
     let run = |(number, stretch): (usize, &bifdiag_equilibria::critical::SteadyStretch)| {
@@ -114,7 +114,7 @@ fn runs(
             None if are_known => Steadiness::Frictionless,
             Some((NonlinearVerdict::Open, _)) | None => Steadiness::Open,
         };
-        let here = points.iter().copied().filter(|(at, _)| (starts[number]..=until).contains(at));
+        let here = points.iter().copied().filter(|[at, _]| (starts[number]..=until).contains(at));
         (kind, here.collect())
     };
     family.stretches.iter().enumerate().map(run).collect()

@@ -8,7 +8,7 @@ use bifdiag_equilibria::critical::{Multiplicity, RelativeEquilibria};
 use bifdiag_equilibria::nonlinear::NonlinearVerdict;
 use bifdiag_equilibria::permanent::{AxisRotation, PermanentAxis, angle_between, permanent_axis};
 use bifdiag_numbers::Sign;
-use bifdiag_plot::{Campbell, Known, draw_campbell};
+use bifdiag_plot::{Campbell, CampbellRow, Known, draw_campbell};
 use bifdiag_schema::NearestAxisDocument;
 use clap::Args;
 
@@ -64,7 +64,7 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
         Axis::Permanent { axis, nearest } => permanent(&subject, axis, &nearest, &arguments.to)?,
         _ => moving(&subject, arguments.axis.direction, &arguments.to)?,
     };
-    let Followed { rows, changes, notes } = followed;
+    let Followed { rows, crossings, changes, notes } = followed;
     if rows.iter().any(|row| row.frequencies.into_iter().chain([row.growth]).any(f64::is_infinite)) {
         let right = "at such a spin the frequencies leave the range of numbers; give a smaller one";
         return Err(Failure::input(format!("--to {}: {right}", arguments.to)));
@@ -74,10 +74,8 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
     let top = arguments.to.in_rpm();
     let (changes, beyond): (Vec<_>, Vec<_>) = changes.into_iter().partition(|(rpm, ..)| *rpm <= top);
     if !arguments.no_plot {
-        let scene = Campbell {
-            rows: rows.iter().map(|row| (row.rpm, row.frequencies, row.known)).collect(),
-            changes: changes.iter().map(|(rpm, ..)| *rpm).collect(),
-        };
+        let scene =
+            Campbell { rows: modes(&rows, &crossings), changes: changes.iter().map(|(rpm, ..)| *rpm).collect() };
         let picture = draw_campbell(&scene, bifdiag_plot::Theme::Light)?;
         files.pictures("campbell", &picture, &PictureArguments::plain(PictureFormat::Svg), timings)?;
     }
@@ -101,6 +99,8 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
 /// A steady rotation over the spin.
 struct Followed {
     rows: Vec<Row>,
+    /// In rpm, where the frequencies of two modes cross.
+    crossings: Vec<f64>,
     /// In rpm, with the types below and above.
     changes: Vec<(f64, String, String)>,
     /// What is followed, where it is not the axis as given.
@@ -118,8 +118,14 @@ fn permanent(
     let rotation = AxisRotation::about(&subject.body, axis, Sign::Negative).ok_or_else(no_permanent_axis)?;
     let second = subject.second();
     let changes = bifdiag_documents::spin_changes(&rotation, "+axis", None, second);
+    let rows = rows(&rotation, largest, subject);
+    let gap = |spin: &Spin| {
+        let [p, q] = rotation.frequencies_and_growth(&(spin.exact_rad_per_s() * subject.unit_of_time())).0;
+        (p - q).abs() / (p + q)
+    };
     Ok(Followed {
-        rows: rows(&rotation, largest, subject),
+        crossings: crossings(&rows, largest, gap),
+        rows,
         changes: changes.into_iter().map(|change| (change.spin.rpm, change.from, change.to)).collect(),
         notes: if nearest.angle_deg > REPORTED { vec![followed_text(nearest)] } else { Vec::new() },
     })
@@ -142,11 +148,14 @@ fn moving(subject: &Subject, given: [f64; 3], largest: &Spin) -> Result<Followed
     };
     let second = subject.second();
     let mut rows = Vec::new();
-    for k in 1..=STEPS {
-        let spin = largest.part(k, STEPS);
+    let at = |spin: &Spin| {
         let omega = spin.exact_rad_per_s() * subject.unit_of_time();
         let found = prepared.at_spin(&omega).map_err(failed(NOT_FOUND))?;
-        let Some(point) = found.list.iter().find(|point| family.holds(&subject.body, point)) else { continue };
+        Ok::<_, Failure>(found.list.into_iter().find(|point| family.holds(&subject.body, point)))
+    };
+    for k in 1..=STEPS {
+        let spin = largest.part(k, STEPS);
+        let Some(point) = at(&spin)? else { continue };
         let [[growth, p], [other, q]] = point.eigenvalues.pairs;
         rows.push(Row {
             rpm: spin.in_rpm(),
@@ -172,7 +181,12 @@ fn moving(subject: &Subject, given: [f64; 3], largest: &Spin) -> Result<Followed
         let right = format!("the rotation near this axis begins at {} rpm; give a larger spin", significant(start, 8));
         return Err(Failure::input(format!("--to: {right}")));
     }
-    Ok(Followed { rows, changes: changes.collect(), notes: vec![note] })
+    let gap = |spin: &Spin| {
+        let [p, q] = at(spin).ok().flatten().map_or([f64::NAN; 2], |point| point.eigenvalues.pairs.map(|pair| pair[1]));
+        (p - q).abs() / (p + q)
+    };
+    let crossings = crossings(&rows, largest, gap);
+    Ok(Followed { rows, crossings, changes: changes.collect(), notes: vec![note] })
 }
 
 /// Why an axis has no frequencies over the spin.
@@ -249,6 +263,51 @@ fn rows(rotation: &AxisRotation, largest: &Spin, subject: &Subject) -> Vec<Row> 
         }
     };
     (1..=STEPS).map(row).collect()
+}
+
+/// Frequencies that come so near to each other, in parts of their sum, cross: they do not turn away from each other.
+const CROSSED: f64 = 1e-6;
+
+/// The spins in rpm at which the frequencies of a rotation without growth are equal: least gaps between three spins of the table
+/// that vanish. The gap is that of frequencies at a spin, in parts of their sum.
+fn crossings(rows: &[Row], largest: &Spin, gap: impl Fn(&Spin) -> f64) -> Vec<f64> {
+    // So fine that a gap which vanishes is less than CROSSED.
+    const FINE: u32 = 1 << 24;
+    let own = |row: &Row| (row.frequencies[1] - row.frequencies[0]) / (row.frequencies[0] + row.frequencies[1]);
+    let top = largest.in_rpm();
+    let mut found = Vec::new();
+    for three in rows.windows(3).filter(|three| three.iter().all(|row| row.growth == 0.0)) {
+        let [before, here, after] = [0, 1, 2].map(|k| own(&three[k]));
+        if !(here <= before && here < after) {
+            continue;
+        }
+        let count = |row: &Row| (row.rpm / top * f64::from(FINE)).round();
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to FINE")]
+        let [mut low, mut high] = [count(&three[0]) as u32, count(&three[2]) as u32];
+        let at = |k: u32| gap(&largest.part(k, FINE));
+        while high - low > 2 {
+            let third = (high - low) / 3;
+            let [left, right] = [low + third, high - third];
+            if at(left) < at(right) { high = right } else { low = left }
+        }
+        let middle = low + (high - low) / 2;
+        if at(middle) < CROSSED {
+            found.push(f64::from(middle) / f64::from(FINE) * top);
+        }
+    }
+    found
+}
+
+/// The rows with the frequencies of each mode in one place: they change places where they cross.
+fn modes(rows: &[Row], crossings: &[f64]) -> Vec<CampbellRow> {
+    let row = |row: &Row| {
+        let Row { rpm, mut frequencies, growth, known } = *row;
+        if crossings.iter().filter(|crossing| **crossing < rpm).count() % 2 == 1 {
+            frequencies.swap(0, 1);
+        }
+        CampbellRow { spin: rpm, frequencies, growth, known }
+    };
+    rows.iter().map(row).collect()
 }
 
 fn known(verdict: NonlinearVerdict, survives_friction: Option<bool>) -> Known {

@@ -3,7 +3,7 @@
 use super::panel::Panel;
 use super::plan::{BETWEEN, LEFT, Plan, RIGHT};
 use super::windows::{area, contains};
-use crate::page::{Point, Rect};
+use crate::page::{Point, Rect, letter};
 
 /// Space for the axis below.
 pub(super) const BELOW: f64 = 46.0;
@@ -61,15 +61,6 @@ pub(super) fn below_all(plan: &Plan, insets: usize) -> (Point, f64) {
 pub(super) fn page_width(plan: &Plan, insets: usize) -> f64 {
     let right = |inset| inset_place(plan, inset)[0] + plan.inset[0];
     (0..insets).map(right).fold(LEFT + plan.main[0], f64::max) + plan.right + RIGHT
-}
-
-/// The letter of an inset: a … z, then aa, ab, …
-pub(super) fn letter(index: usize) -> String {
-    let own = char::from(b'a' + u8::try_from(index % 26).unwrap_or(0));
-    match index / 26 {
-        0 => own.to_string(),
-        round => format!("{}{own}", letter(round - 1)),
-    }
 }
 
 /// Where the windows of insets are shown in another panel: one, or several whose own frames would meet.

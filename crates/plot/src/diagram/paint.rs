@@ -2,14 +2,14 @@
 
 use super::axes::{AXIS_SIZE, axis_ticks, l_name_at, paint_axes};
 use super::labels::{self, H, L, event_marker, sample_dot};
-use super::layout::{Frame, LETTER_SIZE, frame, is_marked, letter};
+use super::layout::{Frame, LETTER_SIZE, frame, is_marked};
 use super::palette::ground_of;
 use super::panel::Panel;
 use super::placement::Texts;
 use super::scene::{Scene, Step};
 use super::stroke::{self, Line, Stroke, Verdict};
 use super::windows::contains;
-use crate::page::{Anchor, Canvas, INK, Ink, Point, clip_polyline, distance, rgb, short, text_width};
+use crate::page::{Anchor, Canvas, INK, Ink, Point, clip_polyline, distance, letter, rgb, short, text_width};
 use bifdiag_schema::EventKind;
 
 const FRAME: Ink = Ink { color: INK, width: 0.9 };

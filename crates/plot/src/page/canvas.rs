@@ -12,10 +12,11 @@ use plotters_backend::{BackendColor, BackendCoord, BackendStyle, BackendTextStyl
 
 use super::color::{Ink, PAPER, Theme, rgb};
 use super::error::PlotError;
+use super::formula::{Part, parts, stacked};
 use super::geometry::{Point, UNITS, length_units, to_pixels, to_units};
 use super::path::{Dash, Path, colors, intervals};
-use super::picture::{Heading, Picture, escaped};
-use super::text::{self, FAMILY};
+use super::picture::{FORMULA_CLASS, Heading, Picture, escaped};
+use super::text::{self, FAMILY, FORMULAS};
 
 /// Width of a stripe in pixels.
 const STRIPE: f64 = 5.0;
@@ -64,6 +65,21 @@ pub fn render(
     let patterns = patterns.iter().enumerate().map(|(number, (colors, width))| canvas.pattern(number, colors, *width));
     let elements: String = patterns.chain([canvas.body.take()]).collect();
     Ok(Picture::new(&elements, size, &heading.into()))
+}
+
+/// A part of a text of this size as SVG: formulas in their own font, an index below its exponent.
+fn set(part: &Part, size: f64) -> String {
+    if !part.is_formula {
+        return escaped(&part.text);
+    }
+    let span = |text: &str, rest: &str| format!("<tspan class=\"{FORMULA_CLASS}\"{rest}>{text}</tspan>");
+    match stacked(&part.text) {
+        None => span(&part.text, ""),
+        Some([base, exponent, index]) => {
+            let back = to_units(-text::width_in(FORMULAS, exponent, size));
+            span(&format!("{base}{exponent}"), "") + &span(index, &format!(" dx=\"{back}\""))
+        }
+    }
 }
 
 /// A colour as SVG writes it.
@@ -261,13 +277,13 @@ impl Canvas {
             return;
         }
         let [x, y] = at.map(to_units);
+        let text: String = parts(text).iter().map(|part| set(part, size)).collect();
         let size = (size * UNITS * 100.0).round() / 100.0;
         let anchor = match anchor {
             Anchor::Start => "",
             Anchor::Middle => " text-anchor=\"middle\"",
             Anchor::End => " text-anchor=\"end\"",
         };
-        let text = escaped(text);
         self.element(&format!("<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" fill=\"{fill}\"{anchor}>{text}</text>"));
     }
 

@@ -203,6 +203,6 @@ mod tests {
         assert!(caption.tex.contains("\\textcolor[HTML]{A30D18}") && caption.tex.contains("\\textcolor[HTML]{C7F6D9}"));
         caption.table(&["curve".to_owned(), "l".to_owned()], &[vec!["G0.1".to_owned(), "0 … 1".to_owned()]]);
         assert!(caption.text.ends_with("curve  l\nG0.1   0 … 1\n"), "{}", caption.text);
-        assert!(caption.tex.contains("curve & l \\\\\nG0.1 & 0 $\\ldots $ 1 \\\\\n"), "{}", caption.tex);
+        assert!(caption.tex.contains("curve & $l$ \\\\\nG0.1 & 0 $\\ldots $ 1 \\\\\n"), "{}", caption.tex);
     }
 }

@@ -2,6 +2,8 @@
 
 use std::fmt::Display;
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 
@@ -11,6 +13,19 @@ use super::{text, tikz};
 
 /// The largest PNG side that is drawn.
 const PIXELS_MAX: f64 = 30_000.0;
+
+/// The class of formulas in texts.
+pub(crate) const FORMULA_CLASS: &str = "bifdiag-math";
+
+/// How an SVG shows formulas, with the letters themselves; programs that read no fonts out of pictures take others like them.
+fn style() -> String {
+    let family = text::FORMULAS;
+    let font = STANDARD.encode(text::FORMULA_BYTES);
+    format!(
+        "<style>.{FORMULA_CLASS}{{font-family:'{family}','STIX Two Text','Times New Roman',serif;font-style:italic}}\n\
+         @font-face{{font-family:'{family}';font-style:italic;src:url(data:font/otf;base64,{font})}}</style>\n"
+    )
+}
 
 /// A vector picture; PNG and PDF are made from its SVG. Equal input gives equal bytes in every format.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,11 +77,12 @@ impl Picture {
             "" => String::new(),
             metadata => format!("<metadata>{}</metadata>\n", escaped(metadata)),
         };
+        let style = if elements.contains(FORMULA_CLASS) { style() } else { String::new() };
         // Viewers without the font fall back to Verdana, whose widths DejaVu Sans shares.
         let svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}mm\" height=\"{height}mm\" \
              viewBox=\"0 0 {units_wide} {units_high}\" stroke-linejoin=\"round\" font-family=\"{}, Verdana, sans-serif\">\n\
-             <title>{title}</title>\n{metadata}{elements}</svg>\n",
+             <title>{title}</title>\n{metadata}{style}{elements}</svg>\n",
             text::FAMILY,
         );
         Self { svg }

@@ -1,5 +1,5 @@
-//! The one font of every picture, built into the binary, so that text comes out the same where no fonts are installed; widths
-//! of texts in it, and lines.
+//! The fonts of every picture, one of texts and one of formulas, built into the binary, so that text comes out the same where no
+//! fonts are installed; widths of texts in them, and lines.
 
 use std::sync::{Arc, OnceLock};
 
@@ -7,28 +7,36 @@ use plotters::style::{FontStyle, IntoFont, register_font};
 use resvg::usvg::fontdb::Database;
 
 use super::error::PlotError;
+use super::formula::{Part, parts, stacked};
 
-/// Family name of the built-in font.
+/// Family name of the font of texts.
 pub(crate) const FAMILY: &str = "DejaVu Sans";
+/// Family name of the font of formulas.
+pub(crate) const FORMULAS: &str = "Bifdiag Math";
 
 const BYTES: &[u8] = include_bytes!("../../fonts/DejaVuSans.ttf");
+/// The font of formulas, so small that a picture can hold it.
+pub(crate) const FORMULA_BYTES: &[u8] = include_bytes!("../../fonts/Math.otf");
 
-/// From ascent to descent, in font sizes: this is the size by which plotters measures text.
+/// From ascent to descent, in font sizes, of both: this is the size by which plotters measures text.
 const EXTENT: f64 = 1.164_32;
 
-/// Makes the font known to plotters; safe to call again.
+/// Makes the fonts known to plotters; safe to call again.
 pub(crate) fn register() -> Result<(), PlotError> {
     static REGISTERED: OnceLock<bool> = OnceLock::new();
-    let registered = *REGISTERED.get_or_init(|| register_font(FAMILY, FontStyle::Normal, BYTES).is_ok());
+    let fonts = [(FAMILY, BYTES), (FORMULAS, FORMULA_BYTES)];
+    let register = || fonts.into_iter().all(|(name, bytes)| register_font(name, FontStyle::Normal, bytes).is_ok());
+    let registered = *REGISTERED.get_or_init(register);
     if registered { Ok(()) } else { Err(PlotError::Font) }
 }
 
-/// A font database that holds the built-in font and nothing of the machine.
+/// A font database that holds the built-in fonts and nothing of the machine.
 pub(crate) fn database() -> Arc<Database> {
     static DATABASE: OnceLock<Arc<Database>> = OnceLock::new();
     Arc::clone(DATABASE.get_or_init(|| {
         let mut database = Database::new();
         database.load_font_data(BYTES.to_vec());
+        database.load_font_data(FORMULA_BYTES.to_vec());
         database.set_sans_serif_family(FAMILY);
         Arc::new(database)
     }))
@@ -40,8 +48,18 @@ pub fn text_width(text: &str, size: f64) -> f64 {
     if register().is_err() {
         return 0.0;
     }
+    let width = |Part { text, is_formula }: &Part| match stacked(text) {
+        _ if !is_formula => width_in(FAMILY, text, size),
+        Some([base, _, index]) => width_in(FORMULAS, base, size) + width_in(FORMULAS, index, size),
+        None => width_in(FORMULAS, text, size),
+    };
+    parts(text).iter().map(width).sum()
+}
+
+/// Width of a text in one font.
+pub(crate) fn width_in(family: &str, text: &str, size: f64) -> f64 {
     // Measured at a hundredfold size, since plotters rounds to whole pixels.
-    let font = (FAMILY, size * EXTENT * 100.0).into_font();
+    let font = (family, size * EXTENT * 100.0).into_font();
     font.box_size(text).map_or(0.0, |(width, _)| f64::from(width) / 100.0)
 }
 

@@ -7,6 +7,7 @@ use resvg::tiny_skia::{PathSegment, Point, Transform};
 use resvg::usvg::{Color, Group, Node, Paint, Path, Stroke, Text, TextAnchor, Tree};
 
 use super::error::PlotError;
+use super::formula::{Part, parts};
 use super::geometry::POINTS;
 
 /// What the preamble of a document needs.
@@ -214,29 +215,31 @@ fn collect_stripes(group: &Group, stripes: &mut Vec<(Color, [f32; 2])>) {
 
 /// A text for LaTeX: mathematics in dollars, and nothing that has a meaning of its own there.
 pub(crate) fn tex(text: &str) -> String {
+    // Neighbouring formulas are one.
+    parts(text).iter().map(part).collect::<String>().replace("$$", "")
+}
+
+/// A part of a text for LaTeX.
+fn part(Part { text, is_formula }: &Part) -> String {
+    const EXPONENTS: [&str; 2] = ["⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+"];
+    const INDICES: [&str; 2] = ["₀₁₂₃₄₅₆₇₈₉ⱼₖ", "0123456789jk"];
     let mut out = String::new();
     let mut characters = text.chars().peekable();
     while let Some(character) = characters.next() {
-        let raised = |c: char| "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺".chars().position(|other| other == c);
-        let lowered = |c: char| "₀₁₂₃₄₅₆₇₈₉".chars().position(|other| other == c);
-        let digit = |place: usize| b"0123456789-+".get(place).map_or(' ', |byte| char::from(*byte));
-        if let Some(first) = raised(character) {
-            // Lower than an exponent stands in a formula: in a picture as high as the capitals beside it.
-            out.push_str("\\raisebox{.3em}{$\\scriptstyle ");
-            out.push(digit(first));
-            while let Some(next) = characters.peek().copied().and_then(raised) {
-                out.push(digit(next));
-                characters.next();
-            }
-            out.push_str("$}");
-        } else if let Some(first) = lowered(character) {
-            out.push_str("$_{");
-            out.push(digit(first));
-            while let Some(next) = characters.peek().copied().and_then(lowered) {
-                out.push(digit(next));
+        let digit = |[set, digits]: [&str; 2], c: char| digits.chars().nth(set.chars().position(|other| other == c)?);
+        let mut script = |sign: &str, alphabet: [&str; 2], first: char| {
+            out.extend(["$", sign, "{"]);
+            out.push(first);
+            while let Some(next) = characters.peek().and_then(|c| digit(alphabet, *c)) {
+                out.push(next);
                 characters.next();
             }
             out.push_str("}$");
+        };
+        if let Some(first) = digit(EXPONENTS, character) {
+            script("^", EXPONENTS, first);
+        } else if let Some(first) = digit(INDICES, character) {
+            script("_", INDICES, first);
         } else if characters.peek() == Some(&'\u{302}') {
             characters.next();
             out.push_str("$\\hat{");
@@ -244,6 +247,10 @@ pub(crate) fn tex(text: &str) -> String {
             out.push_str("}$");
         } else if let Some((_, command)) = SYMBOLS.iter().find(|(symbol, _)| *symbol == character) {
             out.extend(["$", command, "$"]);
+        } else if *is_formula && character.is_alphabetic() {
+            out.push('$');
+            out.push(character);
+            out.push('$');
         } else {
             match character {
                 '\\' => out.push_str("\\textbackslash{}"),
@@ -254,12 +261,11 @@ pub(crate) fn tex(text: &str) -> String {
             }
         }
     }
-    // Neighbouring formulas are one.
-    out.replace("$$", "")
+    out
 }
 
 /// What pictures hold beyond letters, and the commands for it.
-const SYMBOLS: [(char, &str); 33] = [
+const SYMBOLS: [(char, &str); 34] = [
     ('−', "-"),
     ('…', "\\ldots "),
     ('×', "\\times "),
@@ -291,6 +297,7 @@ const SYMBOLS: [(char, &str); 33] = [
     ('μ', "\\mu "),
     ('π', "\\pi "),
     ('ψ', "\\psi "),
+    ('φ', "\\varphi "),
     ('ω', "\\omega "),
     ('Ṡ', "\\dot S"),
 ];
@@ -301,10 +308,10 @@ mod tests {
 
     #[test]
     fn texts_become_formulas() {
-        assert_eq!(tex("M²₃"), "M\\raisebox{.3em}{$\\scriptstyle 2$}$_{3}$");
-        assert_eq!(tex("S²∖2D"), "S\\raisebox{.3em}{$\\scriptstyle 2$}$\\setminus $2D");
-        assert_eq!(tex("pole +r̂ enters U"), "pole +$\\hat{r}$ enters U");
+        assert_eq!(tex("M²₃"), "$M^{2}_{3}$");
+        assert_eq!(tex("S²∖2D²"), "$S^{2}\\setminus $2$D^{2}$");
+        assert_eq!(tex("pole +r̂ enters U, Aω"), "pole +$\\hat{r}$ enters $U$, $A\\omega $");
         assert_eq!(tex("100 % of a_b"), "100 \\% of a\\_b");
-        assert_eq!(tex("10⁻¹²"), "10\\raisebox{.3em}{$\\scriptstyle -12$}");
+        assert_eq!(tex("10⁻¹²"), "10$^{-12}$");
     }
 }

@@ -3,8 +3,8 @@
 use super::scene::SphereScene;
 use super::view::{Vector, View, turned};
 use crate::page::{
-    Anchor, Canvas, FAINT_INK, INK, Ink, Labelled, PAPER, POLE, POLE_MINUS, Point, Rect, Taken, distance, meets, rgb,
-    round_point, text_width,
+    Anchor, Canvas, FAINT_INK, INK, Ink, Labelled, PAPER, POLE, POLE_MINUS, Point, Rect, Taken, distance, letter,
+    meets, rgb, round_point, text_width,
 };
 use bifdiag_schema::Multiplicity;
 use plotters::style::RGBColor;
@@ -36,14 +36,6 @@ pub(super) enum Mark {
     Pole(bool),
     /// The end of a principal axis.
     Axis,
-}
-
-/// By what a mark and a row of the table are connected: a, b, …, by rising h.
-pub(super) fn letter(place: usize) -> String {
-    u8::try_from(place)
-        .ok()
-        .filter(|place| *place < 26)
-        .map_or_else(String::new, |place| char::from(b'a' + place).to_string())
 }
 
 pub(super) fn draw(canvas: &Canvas, mark: Mark, at: Point) {

@@ -4,9 +4,9 @@
 use bifdiag_schema::{ComponentDocument, Multiplicity, RelativeEquilibriumDocument, small_motions};
 use plotters::style::RGBColor;
 
-use super::marks::{self, Mark, letter};
+use super::marks::{self, Mark};
 use super::scene::SphereScene;
-use crate::page::{Canvas, INK, Ink, Legend, Symbol, Table, rgb, rgbs, section_type, short_number, short_time};
+use crate::page::{Canvas, INK, Ink, Legend, Symbol, Table, letter, rgb, rgbs, section_type, short_number, short_time};
 
 /// Ground where U > h.
 pub(super) const FORBIDDEN: RGBColor = rgb(0xd9_d9_d9);

@@ -1,4 +1,4 @@
-//! The SVG of a picture, read with the one font of all pictures.
+//! The SVG of a picture, read with the fonts of all pictures.
 
 use std::sync::{Arc, OnceLock};
 
@@ -14,6 +14,7 @@ pub fn tree(picture: &Picture) -> Tree {
     let fontdb = Arc::clone(FONTS.get_or_init(|| {
         let mut database = Database::new();
         database.load_font_data(include_bytes!("../../fonts/DejaVuSans.ttf").to_vec());
+        database.load_font_data(include_bytes!("../../fonts/Math.otf").to_vec());
         Arc::new(database)
     }));
     let options = Options { dpi: PIXELS_PER_INCH, fontdb, ..Options::default() };
