@@ -1,7 +1,7 @@
 //! The flow with its derivative as vectors and matrices, and what it leaves across an orbit.
 
 use bifdiag_dynamics::field::{HeavyTop, State, cross};
-use bifdiag_dynamics::integrator::{StepError, transport};
+use bifdiag_dynamics::integrator::{StepError, TaylorStep, transport};
 use nalgebra::{SMatrix, SVector};
 
 /// A point or a direction of phase space: γ, then l in a unit of momentum.
@@ -20,12 +20,14 @@ pub struct Space {
 }
 
 /// Where the flow takes a point in a time.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Passage {
     /// The point there.
     pub end: Phase,
     /// The derivative with respect to the point where it began.
     pub tangent: Tangent,
+    /// The motion between.
+    pub steps: Vec<TaylorStep>,
 }
 
 impl Space {
@@ -92,7 +94,7 @@ impl Space {
         let found = transport(&self.top, &self.state(x), time)?;
         let size = |k: usize| if k < 3 { 1.0 } else { self.unit };
         let tangent = Tangent::from_fn(|i, j| found.tangent[j][i] * size(j) / size(i));
-        Ok(Passage { end: self.point(&found.end), tangent })
+        Ok(Passage { end: self.point(&found.end), tangent, steps: found.steps })
     }
 
     /// What lies across the orbit at a point: see [`Frame`].

@@ -88,7 +88,7 @@ impl PeriodicOrbit {
         let shot = spread(&space, &Ring { nodes: vec![x], period: time })?.shoot(&space)?;
         let l = dot(start.gamma, start.reduced(units).l);
         let about = About { space: &space, reversors: &reversors(&space.top, l), places: &[] };
-        Ok(about.describe(&shot)?.0.restored(top))
+        Ok(about.describe(&shot).0.restored(top))
     }
 
     /// That of a reduced top as that of the top as given.
@@ -184,12 +184,10 @@ pub struct About<'a> {
 
 impl About<'_> {
     /// Describes a closed orbit, in the units of the reduced top; and how near it comes to the places.
-    ///
-    /// # Errors
-    /// [`StepError`].
-    pub fn describe(&self, shot: &Shot) -> Result<(PeriodicOrbit, Vec<f64>), StepError> {
+    #[must_use]
+    pub fn describe(&self, shot: &Shot) -> (PeriodicOrbit, Vec<f64>) {
         let Self { space, reversors, places } = *self;
-        let seen = walk(space, &shot.ring, reversors, places)?;
+        let seen = walk(space, shot, reversors, places);
         let reduced = shot.reduced();
         let state = space.state(&shot.ring.nodes[0]);
         let orbit = PeriodicOrbit {
@@ -205,6 +203,6 @@ impl About<'_> {
             symmetric: seen.symmetric || all_are_symmetric(&space.top),
             residual: shot.residual,
         };
-        Ok((orbit, seen.nearest))
+        (orbit, seen.nearest)
     }
 }

@@ -66,6 +66,15 @@ pub struct Shot {
     pub corrections: u32,
 }
 
+/// How the nodes of an orbit, and its period, change along its family.
+#[derive(Clone, Debug)]
+pub struct Slopes {
+    /// Of each node.
+    pub nodes: Vec<Phase>,
+    /// Of the period.
+    pub period: f64,
+}
+
 /// A defect that no correction has to better; the integrator rounds to a few 1e-16.
 const CLOSED: f64 = 1e-14;
 /// The largest defect of an orbit that counts as closed.
@@ -105,14 +114,15 @@ impl Ring {
                 break;
             }
             let (is_small, kept) = (best.residual <= RESIDUAL, best.kept(space, &keep));
-            if best.residual <= CLOSED && kept <= CLOSED {
+            // A guess is corrected once in any case: its defect may be small in a direction in which it is far off.
+            if corrections > 1 && best.residual <= CLOSED && kept <= CLOSED {
                 return Ok(best);
             }
             let mut next = best.corrected(space, &keep)?.shoot(space)?;
             next.corrections = corrections;
             // Rounding is reached where a correction betters nothing.
             if is_small && kept <= RESIDUAL && next.residual >= 0.5 * best.residual {
-                return Ok(if next.residual < best.residual { next } else { best });
+                return Ok(if next.residual <= best.residual.max(CLOSED) { next } else { best });
             }
             best = next;
         }
@@ -230,6 +240,16 @@ impl Shot {
         let direction = matrix.lu().solve(&right)?;
         let size = direction.norm();
         size.is_finite().then(|| direction / size)
+    }
+
+    /// The slopes in a direction.
+    #[must_use]
+    pub fn slopes(&self, space: &Space, direction: &Direction) -> Slopes {
+        let first = direction.fixed_rows::<6>(0).into_owned();
+        let carried = self.carried(space);
+        let nodes = carried.iter().take(self.ring.nodes.len());
+        let nodes = nodes.map(|c| c.tangent * first + c.of_period * direction[6]);
+        Slopes { nodes: nodes.collect(), period: self.ring.period * direction[6] }
     }
 
     /// The guess at a distance along a direction.

@@ -1,12 +1,12 @@
 //! Once around a closed orbit: its crossings of P, its action, and the reversors that it is symmetric under.
 
 use bifdiag_dynamics::field::{HeavyTop, Integrals, State, dot};
-use bifdiag_dynamics::integrator::{DEFAULT_TOLERANCE, StepError, Taylor, TaylorStep};
+use bifdiag_dynamics::integrator::TaylorStep;
 use bifdiag_dynamics::section::SectionCondition;
 
 use crate::flow::{Phase, Space};
 use crate::reversor::Reversor;
-use crate::shooting::Ring;
+use crate::shooting::{RESIDUAL, Shot};
 
 /// What is seen on the way around.
 #[derive(Clone, Debug)]
@@ -25,114 +25,141 @@ pub struct Walk {
 
 /// Places in a step at which signs are looked at.
 const LOOKS: u32 = 8;
-/// A state that a reversor moves no further is one of its fixed points: where a trace is nearly 2, the orbits beside one close
-/// nearly as well, and it is not known much better.
-const FIXED: f64 = 1e-6;
+/// A state that a reversor moves no further is one of its fixed points, and so far at most where the trace is nearly 2: the
+/// orbits beside one close nearly as well there, and it is known only to its defect over what the trace is off 2.
+const FIXED: [f64; 2] = [1e-6, 1e-4];
 /// |S| that is 0 all the way around, in its unit: the orbit lies in P.
 const FLAT: f64 = 1e-9;
 
-/// Goes once around, from node to node, so that errors do not grow on the way.
-///
-/// # Errors
-/// [`StepError`] where the motion leaves the range of `f64`.
-pub fn walk(space: &Space, ring: &Ring, reversors: &[Reversor], places: &[Phase]) -> Result<Walk, StepError> {
+/// Goes once around along the steps of the passages, which begin anew at each node, so that errors do not grow on the way.
+#[must_use]
+pub fn walk(space: &Space, shot: &Shot, reversors: &[Reversor], places: &[Phase]) -> Walk {
     let top = &space.top;
-    let begin = space.state(&ring.nodes[0]);
+    let begin = space.state(&shot.ring.nodes[0]);
+    let energy = Integrals::of(top, &begin).energy;
+    let known = RESIDUAL / (shot.reduced().trace() - 2.0).abs();
     let mut walker = Walker {
         space,
+        fixed: if known > FIXED[0] { known.min(FIXED[1]) } else { FIXED[0] },
         reversors,
         places,
         largest: 0.0,
-        height: SectionCondition::Height.value(top, &begin),
         found: Walk {
             crossings: 0,
             maximum: None,
-            action: 0.0,
+            // Twice the kinetic energy is 2(H + ⟨γ,r⟩).
+            action: 2.0 * energy * shot.ring.period,
             symmetric: false,
             nearest: vec![f64::INFINITY; places.len()],
         },
     };
-    let (first, count) = (walker.height, ring.nodes.len());
-    for (number, node) in ring.nodes.iter().enumerate() {
+    let first = walker.seen(begin);
+    let mut last = first.clone();
+    let count = shot.passages.len();
+    for (number, passage) in shot.passages.iter().enumerate() {
         // It ends as it began: a zero there is seen once, whatever its sign is rounded to.
-        walker.part(node, ring.period / count as f64, (number + 1 == count).then_some(first))?;
+        let closing = (number + 1 == count).then_some(&first);
+        last = walker.part(&passage.steps, last, closing);
     }
     let Walker { mut found, largest, .. } = walker;
-    if largest <= FLAT * SectionCondition::Height.scale(top, Integrals::of(top, &begin).energy) {
+    if largest <= FLAT * SectionCondition::Height.scale(top, energy) {
         (found.crossings, found.maximum) = (0, None);
     }
-    Ok(found)
+    found
 }
 
 /// On the way.
 struct Walker<'a> {
     space: &'a Space,
+    /// What a reversor may move its fixed points.
+    fixed: f64,
     reversors: &'a [Reversor],
     places: &'a [Phase],
     /// The largest |S| so far.
     largest: f64,
-    /// S at the last look.
-    height: f64,
     found: Walk,
 }
 
+/// What is seen at a place.
+#[derive(Clone)]
+struct Seen {
+    state: State,
+    /// S.
+    height: f64,
+    /// Ṡ.
+    rate: f64,
+    /// How far each reversor moves it, signed.
+    moved: Vec<f64>,
+}
+
 impl Walker<'_> {
-    /// From a node, for a time; `closing` is S at the end if that is known.
-    fn part(&mut self, node: &Phase, time: f64, closing: Option<f64>) -> Result<(), StepError> {
+    fn seen(&self, state: State) -> Seen {
         let top = &self.space.top;
-        let Ok(mut stepper) = Taylor::new(top, &self.space.state(node), DEFAULT_TOLERANCE) else {
-            return Err(StepError { time: 0.0 });
-        };
-        loop {
-            let step = stepper.step()?;
-            let left = ((time - step.start().seconds()) - step.start().remainder()) / step.length();
-            let to = left.min(1.0);
-            self.found.action += action(top, &step, to);
-            for k in 0..LOOKS {
-                let ends = [k, k + 1].map(|k| to * f64::from(k) / f64::from(LOOKS));
-                let is_last = left <= 1.0 && k + 1 == LOOKS;
-                self.look(&step, ends, closing.filter(|_| is_last));
-            }
-            if left <= 1.0 {
-                return Ok(());
-            }
+        // Where the orbit is known to be symmetric nobody asks any more.
+        let asked: &[Reversor] = if self.found.symmetric { &[] } else { self.reversors };
+        Seen {
+            height: SectionCondition::Height.value(top, &state),
+            rate: SectionCondition::Height.rate(top, &state),
+            moved: asked.iter().map(|reversor| reversor.distance(self.space, &state).0).collect(),
+            state,
         }
     }
 
+    /// From a node to the next; `closing` is what is seen at the end if that is known.
+    fn part(&mut self, steps: &[TaylorStep], mut last: Seen, closing: Option<&Seen>) -> Seen {
+        for (number, step) in steps.iter().enumerate() {
+            self.found.action += 2.0 * height_along(&self.space.top, step);
+            for k in 0..LOOKS {
+                let ends = [k, k + 1].map(|k| f64::from(k) / f64::from(LOOKS));
+                let mut next = self.seen(at(step, ends[1]));
+                if let Some(closing) = closing.filter(|_| number + 1 == steps.len() && k + 1 == LOOKS) {
+                    next.height = closing.height;
+                    next.moved.clone_from(&closing.moved);
+                }
+                self.look(step, ends, [&last, &next]);
+                last = next;
+            }
+        }
+        last
+    }
+
     /// Between two looks.
-    fn look(&mut self, step: &TaylorStep, ends: [f64; 2], closing: Option<f64>) {
+    fn look(&mut self, step: &TaylorStep, ends: [f64; 2], seen: [&Seen; 2]) {
         let top = &self.space.top;
-        let states = ends.map(|x| at(step, x));
         let height = |x: f64| SectionCondition::Height.value(top, &at(step, x));
         let rate = |x: f64| SectionCondition::Height.rate(top, &at(step, x));
-        let values = [self.height, closing.unwrap_or_else(|| SectionCondition::Height.value(top, &states[1]))];
-        let rates = states.map(|state| SectionCondition::Height.rate(top, &state));
+        let (values, rates) = (seen.map(|seen| seen.height), seen.map(|seen| seen.rate));
         self.largest = self.largest.max(values[1].abs());
-        self.height = values[1];
-        let mut pieces = vec![(ends, values)];
-        // Between two looks S may go to 0 and back.
-        if is_change(rates) && !is_change(values) {
+        if is_change(values) {
+            self.crossing(step, ends, values, height);
+        } else if is_change(rates) {
+            // Between two looks S may go to 0 and back.
             let middle = zero(rate, ends, rates);
             let value = height(middle);
-            pieces = vec![([ends[0], middle], [values[0], value]), ([middle, ends[1]], [value, values[1]])];
+            self.crossing(step, [ends[0], middle], [values[0], value], height);
+            self.crossing(step, [middle, ends[1]], [value, values[1]], height);
         }
-        for (ends, values) in pieces.into_iter().filter(|(_, values)| is_change(*values)) {
+        if !self.found.symmetric {
+            let fixed = |(number, reversor): (usize, &Reversor)| {
+                let from = |x: f64| reversor.distance(self.space, &at(step, x));
+                let moved = seen.map(|seen| seen.moved[number]);
+                is_change(moved) && from(zero(|x| from(x).0, ends, moved)).1 < self.fixed
+            };
+            self.found.symmetric = self.reversors.iter().enumerate().any(fixed);
+        }
+        let here = self.space.point(&seen[0].state);
+        for (nearest, place) in self.found.nearest.iter_mut().zip(self.places) {
+            *nearest = nearest.min((here - place).norm());
+        }
+    }
+
+    /// Counts a zero of S, if there is one between the ends.
+    fn crossing(&mut self, step: &TaylorStep, ends: [f64; 2], values: [f64; 2], height: impl Fn(f64) -> f64) {
+        if is_change(values) {
             self.found.crossings += 1;
             if values[1] < values[0] && self.found.maximum.is_none() {
                 self.found.maximum = Some(at(step, zero(height, ends, values)));
             }
-        }
-        if !self.found.symmetric {
-            let fixed = |reversor: &Reversor| {
-                let from = |state: &State| reversor.distance(self.space, state);
-                let moved = states.each_ref().map(|state| from(state).0);
-                is_change(moved) && from(&at(step, zero(|x| from(&at(step, x)).0, ends, moved))).1 < FIXED
-            };
-            self.found.symmetric = self.reversors.iter().any(fixed);
-        }
-        let here = self.space.point(&states[0]);
-        for (nearest, place) in self.found.nearest.iter_mut().zip(self.places) {
-            *nearest = nearest.min((here - place).norm());
         }
     }
 }
@@ -173,17 +200,8 @@ fn zero(value: impl Fn(f64) -> f64, mut ends: [f64; 2], mut values: [f64; 2]) ->
     0.5 * (ends[0] + ends[1])
 }
 
-/// ∫⟨l, ω⟩ dt over a part of a step, of its polynomials.
-fn action(top: &HeavyTop, step: &TaylorStep, to: f64) -> f64 {
-    let momenta = step.coefficients();
-    let velocities: Vec<[f64; 3]> = momenta.iter().map(|c| top.inverse_inertia(c.l)).collect();
-    let mut sum = 0.0;
-    let mut power = to;
-    for order in 0..2 * momenta.len() - 1 {
-        let least = (order + 1).saturating_sub(momenta.len());
-        let products = (least..=order.min(momenta.len() - 1)).map(|j| dot(momenta[j].l, velocities[order - j]));
-        sum += products.sum::<f64>() * power / (order + 1) as f64;
-        power *= to;
-    }
-    sum * step.length()
+/// ∫⟨γ, r⟩ dt over a step, of its polynomial.
+fn height_along(top: &HeavyTop, step: &TaylorStep) -> f64 {
+    let terms = step.coefficients().iter().enumerate();
+    terms.map(|(k, c)| dot(c.gamma, top.center()) / (k + 1) as f64).sum::<f64>() * step.length()
 }

@@ -196,3 +196,33 @@ fn fast_orbits_stay_symmetric() {
         }
     }
 }
+
+/// Beside an equilibrium with a fast unstable pair the period hardly grows while the orbit comes ever nearer.
+#[test]
+fn a_family_that_creeps_to_a_separatrix_ends_there() {
+    let body = body(["3", "2", "1"], ["1", "0", "0"]);
+    let rest = &critical(&body, &"0".parse().unwrap()).unwrap().list[0];
+    for family in followed(&body, rest, 200, Held::Momentum) {
+        assert_eq!(family.stretch.end.kind, FamilyEnd::Separatrix, "{:?}", family.stretch.members.last());
+        assert_eq!(family.stretch.end.curves, ["L-.1"]);
+        let last = family.stretch.members.last().unwrap();
+        assert!((last.h - 1.0).abs() < 1e-4, "{last:?}");
+    }
+}
+
+/// Where a family runs into a separatrix its trace may swing to and fro between −2 and 2 (or beyond) for ever: between two
+/// members it never does so unseen.
+#[test]
+fn members_are_so_near_that_no_special_orbit_between_them_is_missed() {
+    let body = paper();
+    let mut most = 0.0_f64;
+    for equilibrium in &critical(&body, &"4".parse().unwrap()).unwrap().list {
+        for family in followed(&body, equilibrium, 120, Held::Momentum) {
+            for pair in family.stretch.members.windows(2) {
+                let [p, q] = [&pair[0], &pair[1]].map(|orbit| orbit.trace.clamp(-3.0, 3.0));
+                most = most.max((p - q).abs());
+            }
+        }
+    }
+    assert!(most < 1.0, "{most}");
+}

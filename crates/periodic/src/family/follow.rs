@@ -40,6 +40,10 @@ const LONGEST: f64 = 0.1;
 const SHORTEST: f64 = 1e-7;
 /// The cosine of the angle by which a family may turn in a step.
 const STRAIGHT: f64 = 0.97;
+/// The trace may change by less in a step, as long as it stays about where special orbits have theirs, so that their changes
+/// of sign are seen one by one; but no step is made shorter than so for it.
+const TURN: f64 = 1.0;
+const FINE: f64 = 1e-3;
 /// A step near an end is at most this share of the distance that is left.
 const SHARE: f64 = 0.4;
 /// An orbit so small has shrunk to an equilibrium.
@@ -47,6 +51,8 @@ const SHRUNK: f64 = 2e-3;
 /// An orbit that comes so near to an equilibrium has reached its separatrix; the period must have grown so many times.
 const NEAR: f64 = 1e-3;
 const GROWN: f64 = 2.0;
+/// Or the trace so large: a fast pair of eigenvalues leaves no time for the period to grow.
+const STEEP: f64 = 1e8;
 /// Equilibria so many times as near as the nearest one belong to one separatrix.
 const TOGETHER: f64 = 10.0;
 
@@ -111,7 +117,8 @@ impl<'a> Course<'a> {
         while found.members.len() < self.options.members && !self.options.stop.load(Ordering::Relaxed) {
             let setting = self.setting();
             let next = setting.ahead(&last, step).ok();
-            let Some(next) = next.filter(|next| next.straight > STRAIGHT) else {
+            let is_fine = |next: &Member| next.straight > STRAIGHT && (turn(&last, next) < TURN || step < FINE);
+            let Some(next) = next.filter(is_fine) else {
                 step *= 0.5;
                 if step < SHORTEST {
                     found.end.kind = FamilyEnd::Lost;
@@ -145,7 +152,8 @@ impl<'a> Course<'a> {
                 found.end = end;
                 break;
             }
-            step = (step * pace(next.corrections)).min(LONGEST).min(longest_step(&last, &next));
+            let pace = pace(next.corrections).min(0.7 * TURN / turn(&last, &next));
+            step = (step * pace).min(LONGEST).min(longest_step(&last, &next));
             last = next;
         }
         Ok(found)
@@ -158,15 +166,15 @@ impl<'a> Course<'a> {
         if !shrinks && is < SHRUNK && is < was {
             return Ok(Some(End { kind: FamilyEnd::Joined, curves: Vec::new() }));
         }
-        if !shrinks && member.orbit.period < GROWN * period {
+        if !shrinks && member.orbit.period < GROWN * period && member.orbit.trace.abs() < STEEP {
             return Ok(None);
         }
         let (places, nearest) = match self.options.held {
             Held::Momentum => (self.places.clone(), member.nearest.clone()),
             Held::Energy => {
                 let places = self.places_at(self.units.restore(member.orbit.l, Dimension::MOMENTUM))?;
-                let seen = walk(&self.space, &member.shot.ring, &[], &places.points);
-                (places, seen.map(|walk| walk.nearest).unwrap_or_default())
+                let nearest = walk(&self.space, &member.shot, &[], &places.points).nearest;
+                (places, nearest)
             }
         };
         let least = nearest.iter().copied().fold(f64::INFINITY, f64::min);
@@ -180,6 +188,12 @@ impl<'a> Course<'a> {
         let kind = if shrinks { FamilyEnd::Equilibrium } else { FamilyEnd::Separatrix };
         Ok(Some(End { kind, curves }))
     }
+}
+
+/// How far the trace moves, beyond ±3 not counted.
+fn turn(before: &Member, member: &Member) -> f64 {
+    let [was, is] = [before, member].map(|member| member.orbit.trace.clamp(-3.0, 3.0));
+    (is - was).abs()
 }
 
 /// How much longer the next step may be.

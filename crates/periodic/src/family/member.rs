@@ -1,15 +1,22 @@
 //! A member while its family is followed.
 
+use super::guess::{Past, Place, guess};
 use crate::flow::{Phase, Space};
 use crate::orbit::{About, PeriodicOrbit, spread};
 use crate::reversor::Reversor;
-use crate::shooting::{Direction, Keep, Ring, ShootingError, Shot};
+use crate::shooting::{Direction, Keep, Ring, ShootingError, Shot, Slopes};
 
 /// A closed orbit, with the direction in which its family goes on.
 #[derive(Clone, Debug)]
 pub(super) struct Member {
     pub shot: Shot,
     pub direction: Direction,
+    /// How its nodes change in this direction.
+    slopes: Slopes,
+    /// The member before, if it has the same nodes.
+    pub(super) past: Option<Past>,
+    /// Its nodes are those of the guess, corrected.
+    same_nodes: bool,
     pub orbit: PeriodicOrbit,
     /// How near it comes to the places of equilibria.
     pub nearest: Vec<f64>,
@@ -38,28 +45,45 @@ impl Setting<'_> {
     pub fn close(&self, guess: Ring, before: &Direction) -> Result<Member, ShootingError> {
         let mut shot = guess.close(self.space, [self.held, Keep::Place(*before)])?;
         let corrections = shot.corrections;
+        let mut same_nodes = true;
         if shot.stretch() > STRETCH {
+            same_nodes = false;
             shot = spread(self.space, &shot.ring)?.shoot(self.space)?;
         }
         let mut direction = shot.direction(self.space, self.held, before).ok_or(ShootingError::Singular)?;
         let straight = direction.dot(before) / before.norm();
         let about = About { space: self.space, reversors: self.reversors, places: self.places };
-        let (orbit, nearest) = about.describe(&shot)?;
+        let (orbit, nearest) = about.describe(&shot);
         let speed = |k: usize| shot.frames[k].speed;
         let fastest = (0..shot.frames.len()).max_by(|&i, &j| speed(i).total_cmp(&speed(j))).unwrap_or(0);
         if speed(0) < SLOW * speed(fastest) {
+            same_nodes = false;
             (shot, direction) = shot.turned(self.space, fastest, &direction);
         }
-        Ok(Member { shot, direction, orbit, nearest, corrections, straight })
+        let slopes = shot.slopes(self.space, &direction);
+        Ok(Member { shot, direction, slopes, past: None, same_nodes, orbit, nearest, corrections, straight })
     }
 
     /// The member at a distance from another one.
     pub fn ahead(&self, member: &Member, distance: f64) -> Result<Member, ShootingError> {
-        self.close(member.shot.ahead(self.space, &member.direction, distance), &member.direction)
+        let mut found = self.close(member.guess(distance), &member.direction)?;
+        if found.same_nodes {
+            found.past = Past::new(self.space, member.place(), found.place());
+        }
+        Ok(found)
     }
 }
 
 impl Member {
+    fn place(&self) -> Place<'_> {
+        Place { ring: &self.shot.ring, direction: &self.direction, slopes: &self.slopes }
+    }
+
+    /// The orbit at a distance, before it is closed.
+    pub fn guess(&self, distance: f64) -> Ring {
+        guess(&self.place(), self.past.as_ref(), distance)
+    }
+
     /// The size of the orbit, from its speed: the radius if it were a circle run through evenly.
     pub fn size(&self) -> f64 {
         self.shot.frames[0].speed * self.shot.ring.period / std::f64::consts::TAU

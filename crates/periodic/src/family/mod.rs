@@ -3,6 +3,7 @@
 mod begin;
 mod event;
 mod follow;
+mod guess;
 mod member;
 mod model;
 

@@ -86,15 +86,19 @@ impl<S: Simd> TangentLanes<S> {
         }
     }
 
+    /// max(|δγ_k|_∞, |δl_k|_∞ / scale).
+    #[inline(always)]
+    fn norm(&self, simd: S, k: usize) -> [S::f64s; 1] {
+        let l = simd.mul_f64s(largest(simd, self.l[k]), self.momentum_weight[0]);
+        [simd.max_f64s(largest(simd, self.gamma[k]), l)]
+    }
+
     /// The longest step that keeps the truncation error of every tangent vector within the orbit's tolerance. That of the
     /// orbit can be too long: near an equilibrium the orbit may not feel what is fast there.
     #[inline(always)]
     pub fn longest_step(&self, simd: S, lanes: &Lanes<S>) -> f64 {
-        let norm = |k: usize| {
-            let l = simd.mul_f64s(largest(simd, self.l[k]), self.momentum_weight[0]);
-            [simd.max_f64s(largest(simd, self.gamma[k]), l)]
-        };
-        let [start, before_last, last] = [0, lanes.order() - 1, lanes.order()].map(norm);
+        let order = lanes.order();
+        let (start, before_last, last) = (self.norm(simd, 0), self.norm(simd, order - 1), self.norm(simd, order));
         let of = |registers: &[S::f64s; 1], lane: usize| lane_values::<S>(registers)[lane];
         let step = |lane: usize| {
             let start = of(&start, lane);

@@ -6,15 +6,17 @@ use super::lanes::{Lanes, state_of};
 use super::tangent::TangentLanes;
 use super::{DEFAULT_TOLERANCE, InstructionSet};
 use crate::field::{Dimension, HeavyTop, State};
-use crate::integrator::step::StepError;
+use crate::integrator::step::{StepError, TaylorStep};
 
 /// Where the flow takes a state in a time, and the derivative of that with respect to the state.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Transport {
     /// γ and l at the end.
     pub end: State,
     /// ∂(γ, l)(time)/∂xⱼ, a column for each of γ₁ … l₃.
     pub tangent: [[f64; 6]; 6],
+    /// The steps of the orbit; the last one ends at the time.
+    pub steps: Vec<TaylorStep>,
 }
 
 /// The flow over a time ≥ 0, by the Taylor series of [`Taylor`](super::Taylor) with the default tolerance, in steps that keep
@@ -35,6 +37,7 @@ pub fn transport(top: &HeavyTop, start: &State, time: f64) -> Result<Transport, 
     let arch = InstructionSet::Best.arch().unwrap_or(pulp::Arch::Scalar);
     let mut found = arch.dispatch(task).map_err(|error| error.restored(units))?;
     found.end = found.end.restored(units);
+    found.steps = found.steps.into_iter().map(|step| step.restored(units)).collect();
     for (j, column) in found.tangent.iter_mut().enumerate() {
         for (i, entry) in column.iter_mut().enumerate() {
             *entry = match (i < 3, j < 3) {
@@ -80,6 +83,7 @@ impl WithSimd for Task<'_> {
             }
             tangents.push(tangent);
         }
+        let mut steps = Vec::new();
         loop {
             let begun = lanes.time(0);
             let left = (time - begun.seconds()) - begun.remainder();
@@ -90,11 +94,10 @@ impl WithSimd for Task<'_> {
                 length = length.min(tangent.longest_step(simd, &lanes));
             }
             let is_last = length >= left;
-            lanes.shorten(simd, if is_last { left } else { length });
+            let length = if is_last { left } else { length };
+            lanes.shorten(simd, length);
             let end = state_of::<S>(&lanes.next, 0);
-            if !end.gamma.iter().chain(&end.l).all(|x| x.is_finite()) {
-                return Err(StepError { time: begun.seconds() });
-            }
+            steps.push(TaylorStep::new(begun, length, end, coefficients(&lanes, length))?);
             for tangent in &mut tangents {
                 tangent.sum_series(simd, &lanes);
             }
@@ -104,10 +107,22 @@ impl WithSimd for Task<'_> {
                     let State { gamma: g, l } = tangents[j / S::F64_LANES].vector(j % S::F64_LANES);
                     [g[0], g[1], g[2], l[0], l[1], l[2]]
                 };
-                return Ok(Transport { end, tangent: std::array::from_fn(column) });
+                return Ok(Transport { end, tangent: std::array::from_fn(column), steps });
             }
         }
     }
+}
+
+/// The series of the orbit, in parts of a step.
+fn coefficients<S: Simd>(lanes: &Lanes<S>, length: f64) -> Vec<State> {
+    let mut power = 1.0;
+    let row = |k: usize| {
+        let State { gamma, l } = state_of::<S>(&[lanes.series.gamma[k], lanes.series.l[k]], 0);
+        let scaled = State { gamma: gamma.map(|x| x * power), l: l.map(|x| x * power) };
+        power *= length;
+        scaled
+    };
+    (0..=lanes.order()).map(row).collect()
 }
 
 #[cfg(test)]
@@ -132,9 +147,13 @@ mod tests {
                 break step.state((TIME - step.start().seconds()) / step.length());
             }
         };
-        for i in 0..3 {
-            assert!((found.end.gamma[i] - expected.gamma[i]).abs() < 1e-14);
-            assert!((found.end.l[i] - expected.l[i]).abs() < 4e-14);
+        let last = found.steps.last().unwrap();
+        assert!((last.end().seconds() - TIME).abs() < 1e-15 && *last.end_state() == found.end);
+        for end in [found.end, last.state(1.0)] {
+            for i in 0..3 {
+                assert!((end.gamma[i] - expected.gamma[i]).abs() < 1e-14);
+                assert!((end.l[i] - expected.l[i]).abs() < 4e-14);
+            }
         }
     }
 
