@@ -180,8 +180,10 @@ impl<'a> Verdicts<'a> {
                 && to.as_ref().is_none_or(|end| *hi < end.lo)
                 && poles.iter().all(is_apart)
         };
-        let zeros = zeros(family.body, chart, [&first, &last], |range| family.is_sharp(range))?;
-        zeros.iter().all(is_inside).then(|| self.changes.extend(zeros.iter().map(|range| family.zero(range))))
+        let judged =
+            |range: &[RBig; 2], is_last: bool| if is_inside(range) { family.zero(range, is_last) } else { None };
+        self.changes.extend(zeros(family.body, chart, [&first, &last], judged)?);
+        Some(())
     }
 }
 
@@ -244,22 +246,20 @@ impl OnFamily<'_> {
         (c, state)
     }
 
-    /// No narrower range says more of l and h.
-    fn is_sharp(&self, range: &[RBig; 2]) -> bool {
+    /// The point at a zero of the determinant; `None` if a narrower range can tell more, and there is one.
+    fn zero(&self, range: &[RBig; 2], is_last: bool) -> Option<VerdictChange> {
         let (c, state) = self.over(range);
-        state.is_sharp(&c)
-    }
-
-    /// The point at a zero of the determinant.
-    fn zero(&self, range: &[RBig; 2]) -> VerdictChange {
-        let (c, state) = self.over(range);
+        if !is_last && !state.is_sharp(&c) {
+            return None;
+        }
         let reduced = Reduced::new(&c, &state);
         let (kind, setting) = (LinearType::Elliptic, MAXIMUM);
         let sixth = Question { c: &c, state: &state, reduced: &reduced, kind, setting }.sixth();
         let verdict = match sixth.and_then(|value| value.strict_sign()) {
             Some(_) => (NonlinearVerdict::Stable, Reason::Arnold),
+            None if !is_last => return None,
             None => (NonlinearVerdict::Open, Reason::Degenerate),
         };
-        self.change(state.place(&c, &self.set.frame), Failing::Determinant, verdict, (false, true))
+        Some(self.change(state.place(&c, &self.set.frame), Failing::Determinant, verdict, (false, true)))
     }
 }

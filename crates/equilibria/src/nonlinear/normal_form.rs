@@ -207,7 +207,7 @@ impl<E: Enclosure> Quartic<E> {
 }
 
 /// The quotient of two monomials, if it is one.
-fn divided(product: Exponents, powers: Exponents) -> Option<Exponents> {
+pub(super) fn divided(product: Exponents, powers: Exponents) -> Option<Exponents> {
     let fits = (0..VARIABLES).all(|k| powers[k] <= product[k]);
     fits.then(|| std::array::from_fn(|k| product[k] - powers[k]))
 }

@@ -2,7 +2,7 @@
 //!
 //! In the coordinates of [`normal_form`](super::normal_form), let {G₃, H₂} = H₃. Then exp{·, G₃} leaves
 //!
-//! H₄′ = H₄ + ½{H₃, G₃}, H₆′ = H₆ + {H₅, G₃} + ½{{H₄, G₃}, G₃} + ⅛{{{H₃, G₃}, G₃}, G₃}
+//! H₄′ = H₄ + ½{H₃, G₃}, H₆′ = H₆ + {H₅ + ½{H₄, G₃} + ⅛{{H₃, G₃}, G₃}, G₃}
 //!
 //! and a generating function G₄ that takes away from H₄′ all but its terms in the actions leaves those of H₆′ + ½{H₄′, G₄}. What
 //! takes H₅′ away changes only higher degrees.
@@ -10,8 +10,8 @@
 use bifdiag_numbers::enclosure::Enclosure;
 
 use super::complex::Complex;
-use super::modes::{CONJUGATE, ModePair, in_modes, linear_forms};
-use super::normal_form::bracket;
+use super::modes::{CONJUGATE, ModePair, coefficient_in_modes, in_modes, linear_forms};
+use super::normal_form::{bracket, divided};
 use super::series::{Exponents, HIGHEST, Homogeneous, Series, of_degree, place_in_degree};
 
 /// The coefficients of a homogeneous polynomial in z₁, z₂, z̄₁, z̄₂.
@@ -34,25 +34,27 @@ pub fn sixth<E: Enclosure>(hamiltonian: &Series<E, HIGHEST>, b: &E, c: &E, preci
         return None;
     }
     let forms = linear_forms(&pair.modes, precision);
-    let [h3, h4, h5, h6] = [3, 4, 5, 6].map(|degree| {
+    let [h3, h4, h5] = [3, 4, 5].map(|degree| {
         let real = Homogeneous::composed(hamiltonian, degree, &forms, |_| true);
         InModes { degree, values: in_modes(real.as_ref(), degree, precision) }
     });
+    let h6 = Homogeneous::composed(hamiltonian, 6, &forms, |powers| (powers[0] + powers[CONJUGATE]).is_multiple_of(2));
     let over = |n| E::small(1, precision) / E::small(n, precision);
     let g3 = work.generator(&h3);
     let [by_h3, by_h4] = [work.bracket(&h3, &g3), work.bracket(&h4, &g3)];
-    let h4 = h4.plus(&by_h3, &over(2));
-    let twice = work.bracket(&by_h3, &g3);
-    let rest = h6
-        .plus(&work.bracket(&h5, &g3), &over(1))
-        .plus(&work.bracket(&by_h4, &g3), &over(2))
-        .plus(&work.bracket(&twice, &g3), &over(8))
-        .plus(&work.bracket(&h4, &work.generator(&h4)), &over(2));
+    let fifth = h5.plus(&by_h4, &over(2)).plus(&work.bracket(&by_h3, &g3), &over(8));
+    let fourth = h4.plus(&by_h3, &over(2));
+    let g4 = work.generator(&fourth);
+    let rest = |powers: Exponents| {
+        coefficient_in_modes(h6.as_ref(), powers, precision).re
+            + work.coefficient(&fifth, &g3, powers).re
+            + work.coefficient(&fourth, &g4, powers).re * over(2)
+    };
     // z_jz̄_j = I_j over 2ω_j|n_j|.
     let actions = pair.actions(precision);
     let ratios = [0, 1].map(|j| pair.omega[1 - j].clone() / actions[j].clone());
     let power = |j: usize, n: u8| (0..n).fold(E::small(1, precision), |product, _| product * ratios[j].clone());
-    let terms = CUBES.map(|powers| rest.at(powers).re.clone() * power(0, powers[0]) * power(1, powers[1]));
+    let terms = CUBES.map(|powers| rest(powers) * power(0, powers[0]) * power(1, powers[1]));
     terms.into_iter().reduce(|sum, term| sum + term)
 }
 
@@ -81,37 +83,37 @@ impl<E: Enclosure> Work<'_, E> {
         InModes { degree: of.degree, values: of_degree(of.degree).zip(&of.values).map(divided).collect() }
     }
 
-    /// The Poisson bracket, with {z_j, z̄_j} = i/(2ω_jn_j).
+    /// The Poisson bracket. Its coefficient at a conjugate is the conjugate.
     fn bracket(&self, left: &InModes<E>, right: &InModes<E>) -> InModes<E> {
         let degree = left.degree + right.degree - 2;
-        let zero = || E::small(0, self.precision);
-        let mut values: Vec<_> = of_degree(degree).map(|_| Complex { re: zero(), im: zero() }).collect();
-        let inverse = [0, 1].map(|j| E::small(1, self.precision) / self.pair.bracket(j, self.precision));
-        let known = |of: &InModes<E>| -> Vec<(Exponents, Complex<E>)> {
-            let terms = of_degree(of.degree).zip(of.values.iter().cloned());
-            terms.filter(|(_, value)| !value.is_zero()).collect()
-        };
-        let right = known(right);
-        for (p, x) in known(left) {
-            for (q, y) in &right {
-                let product = x.clone() * y.clone();
-                for j in 0..CONJUGATE {
-                    let times = bracket(p, *q, j);
-                    if times == 0 {
-                        continue;
-                    }
-                    let mut powers: Exponents = std::array::from_fn(|k| p[k] + q[k]);
-                    powers[j] -= 1;
-                    powers[j + CONJUGATE] -= 1;
-                    let Some(place) = place_in_degree(&powers) else { continue };
-                    let scale = E::small(times, self.precision) * inverse[j].clone();
-                    let sum = &mut values[place];
-                    sum.re = sum.re.clone() - product.im.clone() * scale.clone();
-                    sum.im = sum.im.clone() + product.re.clone() * scale;
-                }
-            }
+        let mut values: Vec<Complex<E>> = Vec::with_capacity(of_degree(degree).len());
+        for [a, b, c, d] in of_degree(degree) {
+            let known = place_in_degree(&[c, d, a, b]).and_then(|place| values.get(place)).map(Complex::conjugate);
+            values.push(known.unwrap_or_else(|| self.coefficient(left, right, [a, b, c, d])));
         }
         InModes { degree, values }
+    }
+
+    /// The coefficient of a monomial in a Poisson bracket, with {z_j, z̄_j} = i/(2ω_jn_j).
+    fn coefficient(&self, left: &InModes<E>, right: &InModes<E>, wanted: Exponents) -> Complex<E> {
+        let small = |value| E::small(value, self.precision);
+        let mut sum = Complex { re: small(0), im: small(0) };
+        for j in 0..CONJUGATE {
+            let mut product = wanted;
+            product[j] += 1;
+            product[j + CONJUGATE] += 1;
+            let mut part = Complex { re: small(0), im: small(0) };
+            for (p, x) in of_degree(left.degree).zip(&left.values).filter(|(_, x)| !x.is_zero()) {
+                let Some(q) = divided(product, p) else { continue };
+                let (times, y) = (bracket(p, q, j), right.at(q));
+                if times != 0 && !y.is_zero() {
+                    part = part + (x.clone() * y.clone()).scaled(&small(times));
+                }
+            }
+            let Complex { re, im } = part.scaled(&(small(1) / self.pair.bracket(j, self.precision)));
+            sum = sum + Complex { re: -im, im: re };
+        }
+        sum
     }
 }
 

@@ -15,21 +15,22 @@ use bifdiag_numbers::enclosure::Enclosure;
 use bifdiag_numbers::form::EnclosedForm;
 use bifdiag_numbers::wide::{Interval128, Interval192, Interval384, Interval1024};
 
-/// The zeros of D₄ between two places of a family inside of which it is elliptic, by rising t, in ranges of t that are sharp, or
-/// as narrow as they can be had; `None` where enclosures do not isolate all of them, or one is at an end.
-pub(super) fn zeros(
+/// The zeros of D₄ between two places of a family inside of which it is elliptic, by rising t, as they are judged from ranges of
+/// t that hold one each; `None` where enclosures do not isolate all of them, or one is at an end. A range that is not judged
+/// (`None`) is narrowed, as far as it can be; of the last one `judged` is told.
+pub(super) fn zeros<T>(
     body: &ExactBody,
     chart: &FamilyChart,
     range: [&RBig; 2],
-    is_sharp: impl Fn(&[RBig; 2]) -> bool,
-) -> Option<Vec<[RBig; 2]>> {
+    judged: impl Fn(&[RBig; 2], bool) -> Option<T>,
+) -> Option<Vec<T>> {
+    let all = |zeros: Vec<[RBig; 2]>, is_last: bool| zeros.iter().map(|zero| judged(zero, is_last)).collect();
     // Interpolation costs two bits for each degree at most; beside special bodies N has many sizes.
-    let sharp = |zeros: &Vec<[RBig; 2]>| zeros.iter().all(&is_sharp);
     enclosed::<Interval128>(body, chart, range)
-        .filter(sharp)
-        .or_else(|| enclosed::<Interval192>(body, chart, range).filter(sharp))
-        .or_else(|| enclosed::<Interval384>(body, chart, range))
-        .or_else(|| enclosed::<Interval1024>(body, chart, range))
+        .and_then(|zeros| all(zeros, false))
+        .or_else(|| all(enclosed::<Interval192>(body, chart, range)?, false))
+        .or_else(|| all(enclosed::<Interval384>(body, chart, range)?, false))
+        .or_else(|| all(enclosed::<Interval1024>(body, chart, range)?, true))
 }
 
 fn enclosed<E>(body: &ExactBody, chart: &FamilyChart, [lo, hi]: [&RBig; 2]) -> Option<Vec<[RBig; 2]>>
