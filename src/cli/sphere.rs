@@ -40,7 +40,7 @@ pub struct SphereArguments {
     /// The sample of this region of the body's atlas, instead of --h and --l
     #[arg(long, value_name = "ID", conflicts_with_all = ["energy", "momentum"], help_heading = "Point")]
     pub region: Option<String>,
-    /// From where the first view is taken, in the body's axes (default: from beside r, a little above)
+    /// From where the first view is taken, in the body's axes (default: from where most is seen)
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::direction)]
     #[arg(help_heading = "Output", hide_short_help = true)]
     pub view: Option<[f64; 3]>,

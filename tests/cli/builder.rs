@@ -54,6 +54,12 @@ impl Run {
         self
     }
 
+    /// Where no programs are installed but those of a directory.
+    pub fn finding_programs_in(mut self, directory: &Path) -> Self {
+        self.command.env("PATH", directory);
+        self
+    }
+
     fn ends_with(mut self, status: i32) -> Done {
         let output = self.command.output().expect("the program starts");
         let done = Done { line: self.line, output };

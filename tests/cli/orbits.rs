@@ -105,7 +105,44 @@ fn a_motion_becomes_a_moving_picture() {
     let free = "orbit --body euler --gamma 0,0,1 --omega 1,0.1,0.2 --times 0:20:3 --animate f.svg";
     bifdiag(free).inside(place.path()).succeeds();
     assert!(!std::fs::read_to_string(place.path().join("f.svg")).unwrap().contains("T⁺"));
-    bifdiag(&format!("{line} m.gif")).refused().telling("FILE.svg or FILE.html");
+    bifdiag(&format!("{line} m.gif")).refused().telling("FILE.svg, FILE.html or FILE.mp4");
+}
+
+/// Without ffmpeg a page is written, and it is said; with it, the film that it makes of 361 frames.
+#[test]
+fn a_motion_becomes_a_film_where_ffmpeg_is() {
+    let place = tempfile::tempdir().unwrap();
+    let line = "orbit --body euler --gamma 0,0,1 --omega 1,0.1,0.2 --times 0:2:3 --animate m.mp4";
+    let run = || bifdiag(line).inside(place.path());
+    let without = run().finding_programs_in(place.path()).succeeds();
+    without.printing("written: m.html").telling("ffmpeg, which makes m.mp4, is not installed");
+    assert!(std::fs::read_to_string(place.path().join("m.html")).unwrap().contains("id=\"clock\""));
+    assert!(!place.path().join("m.mp4").exists());
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // It counts what it is given into the last of its arguments.
+        let counting = "#!/bin/sh\nfor last; do :; done\n/bin/cat | /usr/bin/wc -c > \"$last\"\n";
+        let ffmpeg = place.path().join("ffmpeg");
+        std::fs::write(&ffmpeg, counting).unwrap();
+        std::fs::set_permissions(&ffmpeg, std::fs::Permissions::from_mode(0o755)).unwrap();
+        run().finding_programs_in(place.path()).succeeds().printing("written: m.mp4");
+        let bytes: usize = std::fs::read_to_string(place.path().join("m.mp4")).unwrap().trim().parse().unwrap();
+        assert!(bytes > 361 * 3 * 500 * 500 && bytes.is_multiple_of(361 * 3), "{bytes}");
+    }
+}
+
+/// The body of a mesh turns as it is, not as its ellipsoid.
+#[test]
+fn the_body_of_a_mesh_is_what_turns() {
+    let place = tempfile::tempdir().unwrap();
+    std::fs::write(place.path().join("box.obj"), super::parts::BOX).unwrap();
+    let line = "orbit --part box.obj --density 1 --pivot 1,1,0 --g 9.81 --gamma 0,0.6,0.8 --omega 0,0,1 --times 0:2:3 --animate m.svg";
+    bifdiag(line).inside(place.path()).succeeds();
+    let svg = std::fs::read_to_string(place.path().join("m.svg")).unwrap();
+    // The edges, r̂ and three axes; the ellipsoid would have three circles.
+    assert_eq!(svg.matches("attributeName=\"d\"").count(), 5);
+    assert!(svg.contains("time in s"));
 }
 
 /// γ of Euler's angles is that of the attitude, and the sample at time 0 has the angles themselves.

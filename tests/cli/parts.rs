@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use crate::builder::bifdiag;
 
 /// A box of 2 × 4 × 6 and 48 units of mass, hung at the middle of an edge.
-const BOX: &str = "v 0 0 0\nv 2 0 0\nv 2 4 0\nv 0 4 0\nv 0 0 6\nv 2 0 6\nv 2 4 6\nv 0 4 6\n\
+pub const BOX: &str = "v 0 0 0\nv 2 0 0\nv 2 4 0\nv 0 4 0\nv 0 0 6\nv 2 0 6\nv 2 4 6\nv 0 4 6\n\
                    f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
 /// A box moved by (1, 1, 1), its corners numbered from `corners` + 1 on.

@@ -146,10 +146,10 @@ fn entries(rows: &[CampbellRow], has_changes: bool) -> Vec<(Symbol, String)> {
         (Symbol::Line(known.pattern(color), known.width()), text.to_owned())
     };
     let mut entries = vec![
-        line(COLORS[0], Known::Lasting, "one mode, in space the spin and its frequency apart"),
+        line(COLORS[0], Known::Lasting, "one mode; in space the spin minus its frequency"),
         line(COLORS[1], Known::Lasting, "the other"),
-        line(SUMS[0], Known::Lasting, "the spin and the frequency together"),
-        line(SUMS[1], Known::Lasting, "of the other (a body symmetric about the axis shows one of the two)"),
+        line(SUMS[0], Known::Lasting, "the spin plus its frequency"),
+        line(SUMS[1], Known::Lasting, "the same of the other (a body symmetric about the axis shows one of both)"),
         line(ONCE, Known::Frictionless, "once per turn"),
     ];
     let is_there = |known: &Known| rows.iter().any(|row| row.known == *known);

@@ -17,7 +17,7 @@ mod section;
 mod sphere;
 mod steady;
 
-pub use animation::{AnimatedCrossing, AnimationScene, draw_animation};
+pub use animation::{AnimatedCrossing, AnimationScene, draw_animation, draw_frame};
 pub use campbell::{Campbell, CampbellRow, Known, draw_campbell};
 pub use chaos::{ChaosCell, ChaosPanel, ChaosScene, draw_chaos};
 pub use diagram::{
@@ -25,7 +25,7 @@ pub use diagram::{
     StraightStretch, chosen_view, draw, draw_codes, draw_figure, straight_diagram,
 };
 pub use map::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote, draw_map};
-pub use page::{Caption, Figure, Picture, PlotError, Theme, Width, body_line, section_type, told};
+pub use page::{Caption, Figure, Picture, Pixels, PlotError, Theme, Width, body_line, section_type, told};
 pub use part::{PartScene, draw_part};
 pub use periods::draw_periods;
 pub use section::{

@@ -91,13 +91,15 @@ fn equilibrium(multiplicity: Multiplicity) -> RelativeEquilibriumDocument {
 
 #[test]
 fn a_circle_of_equilibria_is_drawn_as_one() {
-    let lines = |multiplicity| {
+    let lines = |multiplicity, index| {
         let components = [component(1)];
-        let equilibria = [equilibrium(multiplicity)];
+        let equilibria = [RelativeEquilibriumDocument { index, ..equilibrium(multiplicity) }];
         let picture = draw_sphere(&scene(&components, &equilibria), Theme::Light, Width::PAGE).unwrap();
         picture.svg.matches("<path").count()
     };
-    assert_eq!(lines(Multiplicity::Circle), lines(Multiplicity::Points(1)) + 1);
+    assert_eq!(lines(Multiplicity::Circle, 0), lines(Multiplicity::Points(1), 0) + 1);
+    // A saddle has a cross of two lines with rims of paper, in its view and its row; a circle of maxima has a ring as a maximum.
+    assert_eq!(lines(Multiplicity::Circle, 1), lines(Multiplicity::Points(1), 1) + 1 - 8);
 }
 
 #[test]

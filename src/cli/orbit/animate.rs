@@ -1,13 +1,16 @@
 //! The motion as a moving picture.
 
-use std::path::Path;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
 use std::sync::atomic::AtomicBool;
 
+use bifdiag_body::part::file::edges;
 use bifdiag_dynamics::field::{HeavyTop, State, dot};
 use bifdiag_dynamics::section::{
     Monitor, OrbitEnd, Portrait, PortraitOptions, PpTorus, SectionChart, SweepOptions, sweep,
 };
-use bifdiag_plot::{AnimatedCrossing, AnimationScene, draw_animation};
+use bifdiag_plot::{AnimatedCrossing, AnimationScene, draw_animation, draw_frame};
 
 use super::arguments::Problem;
 use crate::cli::failure::Failure;
@@ -20,20 +23,74 @@ const FRAMES: u32 = 361;
 const FINER: u32 = 8;
 /// How long it plays.
 const SECONDS: f64 = 20.0;
+/// Edges of a mesh that are shown, and in a film, which does not grow by them.
+const EDGES: usize = 240;
+const EDGES_OF_FILM: usize = 4000;
+/// Dots of a film to an inch of print.
+const FILM_DPI: f64 = 200.0;
 /// Most crossings that are shown.
 const CROSSINGS: usize = 2000;
 
-/// What goes into the file.
+/// The file that is written and what goes into it: where a film is asked for and ffmpeg is not there, a page beside it.
 ///
 /// # Errors
-/// When the motion cannot be followed.
-pub fn text(problem: &Problem<'_>, file: &Path) -> Result<String, Failure> {
-    let svg = animation(problem)?;
-    Ok(if file.extension().is_some_and(|extension| extension == "html") { page(&svg) } else { svg })
+/// When the motion cannot be followed, or ffmpeg fails.
+pub fn file(problem: &Problem<'_>, path: &Path) -> Result<(PathBuf, Vec<u8>), Failure> {
+    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    let moving = |scene: &AnimationScene<'_>| draw_animation(scene).map(|picture| picture.svg);
+    if ending != "mp4" {
+        let svg = animation(problem, EDGES, moving)??;
+        return Ok((path.to_owned(), if ending == "html" { page(&svg) } else { svg }.into_bytes()));
+    }
+    if let Some(film) = animation(problem, EDGES_OF_FILM, film)?? {
+        return Ok((path.to_owned(), film));
+    }
+    let page_at = path.with_extension("html");
+    tracing::warn!(
+        "ffmpeg, which makes {}, is not installed: {} is written instead",
+        path.display(),
+        page_at.display()
+    );
+    Ok((page_at, page(&animation(problem, EDGES, moving)??).into_bytes()))
+}
+
+/// The frames as a film; `None` without ffmpeg.
+fn film(scene: &AnimationScene<'_>) -> Result<Option<Vec<u8>>, Failure> {
+    let failure = |error: std::io::Error| Failure::work("ffmpeg did not take the film").because(error);
+    let first = draw_frame(scene, 0)?.to_pixels(FILM_DPI)?;
+    let place = tempfile::tempdir().map_err(failure)?;
+    let out = place.path().join("film.mp4");
+    let rate = f64::from(FRAMES - 1) / SECONDS;
+    let size = format!("{}x{}", first.size[0], first.size[1]);
+    let mut ffmpeg = Command::new("ffmpeg");
+    ffmpeg.args(["-loglevel", "error", "-y", "-f", "rawvideo", "-pixel_format", "rgb24", "-video_size", &size]);
+    // Players want an even number of pixels.
+    let even = "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white";
+    ffmpeg.args(["-framerate", &rate.to_string(), "-i", "-", "-vf", even, "-pix_fmt", "yuv420p"]).arg(&out);
+    let mut running = match ffmpeg.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn() {
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+        running => running.map_err(failure)?,
+    };
+    // What it says when it ends early is told below.
+    let mut taken = Ok(());
+    if let Some(mut input) = running.stdin.take() {
+        for frame in 0..scene.frames.len() {
+            taken = input.write_all(&draw_frame(scene, frame)?.to_pixels(FILM_DPI)?.rgb);
+            if taken.is_err() {
+                break;
+            }
+        }
+    }
+    let done = running.wait_with_output().map_err(failure)?;
+    if !done.status.success() {
+        let said = String::from_utf8_lossy(&done.stderr);
+        return Err(Failure::work(format!("ffmpeg made no film: {}", said.trim())));
+    }
+    taken.and_then(|()| std::fs::read(&out)).map(Some).map_err(failure)
 }
 
 /// Frames at equal times from the first one to the last.
-fn animation(problem: &Problem<'_>) -> Result<String, Failure> {
+fn animation<T>(problem: &Problem<'_>, most: usize, draw: impl FnOnce(&AnimationScene<'_>) -> T) -> Result<T, Failure> {
     let Problem { subject, top, start, times, .. } = problem;
     let (first, last) = (times.first().copied().unwrap_or(0.0), times.last().copied().unwrap_or(0.0));
     let points = (FRAMES - 1) * FINER;
@@ -66,9 +123,12 @@ fn animation(problem: &Problem<'_>) -> Result<String, Failure> {
         significant(h, 7),
         significant(l, 7),
     );
-    Ok(draw_animation(&AnimationScene {
+    Ok(draw(&AnimationScene {
         frames: &frames,
+        times: [first, last],
+        unit: subject.part.as_ref().map_or("", |part| part.time_unit()),
         moments: top.moments(),
+        edges: &edges_of(problem, most)?,
         axis,
         trace: &trace,
         crossings: crossings.as_deref(),
@@ -76,6 +136,15 @@ fn animation(problem: &Problem<'_>) -> Result<String, Failure> {
         title: &title,
         seconds: SECONDS,
     }))
+}
+
+/// The edges of a body out of a mesh in its principal axes, of many so many that a picture can hold them.
+fn edges_of(problem: &Problem<'_>, most: usize) -> Result<Vec<[[f64; 3]; 2]>, Failure> {
+    let part = &problem.arguments.body.part;
+    let Some(file) = &part.file else { return Ok(Vec::new()) };
+    let all = edges(file, part.fixed_point()?);
+    let step = all.len().div_ceil(most).max(1);
+    Ok(all.into_iter().step_by(step).map(|ends| ends.map(|end| problem.subject.to_principal(end))).collect())
 }
 
 /// The crossings within a time; `None` where there is no section.

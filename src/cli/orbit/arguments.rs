@@ -99,7 +99,7 @@ pub struct OrbitArguments {
     /// Write the samples to FILE.csv, .npz, .parquet or .jsonl (-: CSV to stdout)
     #[arg(long, value_name = "FILE", value_parser = DataTarget::parse, help_heading = "Output")]
     pub data: Option<DataTarget>,
-    /// Write a moving picture of the body, the trace of its axis, and the section that fills, to FILE.svg or FILE.html
+    /// Write a moving picture of the body, the trace of its axis, and the section that fills, to FILE.svg, FILE.html or, with ffmpeg, FILE.mp4
     #[arg(long, value_name = "FILE", value_parser = animation, help_heading = "Output", hide_short_help = true)]
     pub animate: Option<PathBuf>,
     /// Print the answer as JSON
@@ -144,8 +144,8 @@ impl<'a> Problem<'a> {
 /// The file of a moving picture.
 fn animation(text: &str) -> Result<PathBuf, Failure> {
     match Path::new(text).extension().and_then(|extension| extension.to_str()) {
-        Some("svg" | "html") => Ok(text.into()),
-        _ => Err(Failure::input("the extension tells the format: give FILE.svg or FILE.html")),
+        Some("svg" | "html" | "mp4") => Ok(text.into()),
+        _ => Err(Failure::input("the extension tells the format: give FILE.svg, FILE.html or FILE.mp4")),
     }
 }
 

@@ -48,7 +48,8 @@ fn output(problem: &Problem<'_>, motion: &Motion, interrupted: bool, timings: &T
     let mut files = FileSet::new(Path::new("."));
     let columns = || report::columns(&document, &motion.samples);
     if let Some(file) = arguments.animate.as_ref().filter(|_| !interrupted) {
-        files.add_at(file, timings.stage("animation", || animate::text(problem, file))?);
+        let (file, contents) = timings.stage("animation", || animate::file(problem, file))?;
+        files.add_at(&file, contents);
     }
     match &arguments.data {
         Some(DataTarget::Stdout) => {

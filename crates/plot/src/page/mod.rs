@@ -39,7 +39,7 @@ pub(crate) use path::{Dash, Path};
 #[cfg(test)]
 pub(crate) use perception::{contrast, sight};
 pub(crate) use picture::png;
-pub use picture::{Heading, Picture};
+pub use picture::{Heading, Picture, Pixels};
 pub(crate) use places::{Labelled, Taken, all_over, round_point};
 pub(crate) use table::Table;
 pub use text::text_width;

@@ -34,6 +34,15 @@ pub struct Picture {
     pub svg: String,
 }
 
+/// A picture in pixels.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pixels {
+    /// Width and height.
+    pub size: [u32; 2],
+    /// Row by row, three bytes each.
+    pub rgb: Vec<u8>,
+}
+
 /// What an SVG says of itself.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Heading {
@@ -93,6 +102,15 @@ impl Picture {
     /// # Errors
     /// [`PlotError::Resolution`] where that gives no pixels or too many.
     pub fn to_png(&self, dpi: f64) -> Result<Vec<u8>, PlotError> {
+        let Pixels { size, rgb } = self.to_pixels(dpi)?;
+        png(size, None, &rgb, Some(dpi))
+    }
+
+    /// The picture in pixels, `dpi` of them in an inch of print.
+    ///
+    /// # Errors
+    /// As those of [`Self::to_png`].
+    pub fn to_pixels(&self, dpi: f64) -> Result<Pixels, PlotError> {
         let tree = self.tree()?;
         let scale = dpi / PIXELS_PER_INCH;
         // Only whole pixels: the page does not cover a part of one, which would show as a line.
@@ -107,8 +125,8 @@ impl Picture {
         let transform = Transform::from_scale(scale as f32, scale as f32);
         resvg::render(&tree, transform, &mut pixels.as_mut());
         // A page is opaque, so that there is no alpha to be stored.
-        let colors: Vec<u8> = pixels.data().chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
-        png([pixels.width(), pixels.height()], None, &colors, Some(dpi))
+        let rgb = pixels.data().chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
+        Ok(Pixels { size: [pixels.width(), pixels.height()], rgb })
     }
 
     /// The picture as a PDF of one page, text as text, so large that the smallest letters have 6 pt.

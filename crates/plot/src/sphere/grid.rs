@@ -186,7 +186,7 @@ mod tests {
     use super::*;
 
     fn front() -> View {
-        let [front, _] = View::pair(Some([0.0, 0.0, 1.0]), Some([0.0, -1.0, 0.0]), [[0.0, 0.0], [0.0, 0.0]], 100.0);
+        let [front, _] = View::pair([0.0, 0.0, 1.0], Some([0.0, -1.0, 0.0]), [[0.0, 0.0], [0.0, 0.0]], 100.0);
         front
     }
 

@@ -6,7 +6,7 @@ use crate::page::{
     Anchor, Canvas, FAINT_INK, INK, Ink, Labelled, PAPER, POLE, POLE_MINUS, Point, Rect, Taken, distance, letter,
     meets, rgb, round_point, text_width,
 };
-use bifdiag_schema::Multiplicity;
+use bifdiag_schema::{Multiplicity, RelativeEquilibriumDocument};
 use plotters::style::RGBColor;
 
 /// Font sizes of names, and of the numbers of components.
@@ -36,6 +36,16 @@ pub(super) enum Mark {
     Pole(bool),
     /// The end of a principal axis.
     Axis,
+}
+
+impl Mark {
+    /// Of a relative equilibrium: across a circle of maxima U rises nowhere, as at a maximum.
+    pub(super) fn of(point: &RelativeEquilibriumDocument) -> Self {
+        match (point.multiplicity, point.index) {
+            (Multiplicity::Circle, 1..) => Self::Equilibrium(2),
+            (_, index) => Self::Equilibrium(index),
+        }
+    }
 }
 
 pub(super) fn draw(canvas: &Canvas, mark: Mark, at: Point) {
@@ -117,7 +127,7 @@ pub(super) fn draw_all(canvas: &Canvas, scene: &SphereScene<'_>, names: &mut Nam
             } else {
                 names.take(Rect::around(at, MARK + 1.0));
             }
-            draw(canvas, Mark::Equilibrium(equilibrium.index), at);
+            draw(canvas, Mark::of(equilibrium), at);
             letters.push((at, letter(place), LABEL, EQUILIBRIUM));
         }
     }

@@ -12,14 +12,14 @@ pub use scene::SphereScene;
 
 use crate::page::{
     Anchor, Canvas, FAINT_INK, HEIGHT, Ink, Path, Picture, PlotError, Point, Rect, Taken, Theme, Width, number, render,
-    text_width,
+    text_width, to_units,
 };
 use grid::Grid;
 use marks::Names;
 use parts::Parts;
 use scene::{CAPTION_SIZE, Titles};
 use tables::{BOUNDARY, FORBIDDEN, LEVEL, tint};
-use view::View;
+use view::{View, best_direction};
 
 /// Width of the page, and of the sphere: for two views beside each other, and for two below each other.
 const WIDTH: [f64; 2] = [860.0, 446.43];
@@ -49,7 +49,8 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme, paper: Width) -> Resul
     } else {
         [[MARGIN + radius, middle], [width - MARGIN - radius, middle]]
     };
-    let views = View::pair(scene.view, scene.r_hat, centers, radius);
+    let direction = scene.view.unwrap_or_else(|| best_direction(scene.r_hat, scene.potential_above, &marked(scene)));
+    let views = View::pair(direction, scene.r_hat, centers, radius);
     let grids = views.each_ref().map(|view| Grid::new(view, scene.potential_above));
     let parts = Parts::new(&grids, scene.component_of);
     let levels = levels(&grids);
@@ -63,6 +64,7 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme, paper: Width) -> Resul
     render(size, title.as_str(), theme, |canvas| {
         for (view, grid) in grids.iter().enumerate() {
             ground(canvas, &views[view], grid, |node| parts.component(view, node), scene.components.len());
+            shade(canvas, &views[view], view);
             lines(canvas, &views[view], grid, &levels);
         }
         let mut taken = Taken::default();
@@ -83,7 +85,9 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme, paper: Width) -> Resul
                 width: 2.0 * half,
                 height: 1.3 * CAPTION_SIZE,
             });
-            let own = parts.deepest.iter().filter(|(_, (view, _))| *view == place);
+            // On a curve no components are told.
+            let are_told = !scene.components.is_empty();
+            let own = parts.deepest.iter().filter(|(_, (view, _))| are_told && *view == place);
             let numbers = own.map(|&(component, (_, node))| (component + 1, grid.place(node)));
             marks::draw_all(canvas, scene, &mut names, &numbers.collect::<Vec<_>>());
             taken = names.into_taken();
@@ -117,6 +121,30 @@ fn ground(
         let attributes = format!("fill=\"{color}\" stroke=\"{color}\" stroke-width=\"4\"");
         canvas.draw(&grid.area(0.0, |node| component(node) == Some(place)), &attributes);
     }
+}
+
+/// The poles and the relative equilibria.
+fn marked(scene: &SphereScene<'_>) -> Vec<[f64; 3]> {
+    let poles = scene.r_hat.into_iter().flat_map(|r| [r, r.map(|c| -c)]);
+    poles.chain(scene.equilibria.iter().map(|point| point.gamma)).collect()
+}
+
+/// Light from the upper left and a darker rim, so that the disc is seen as a sphere; too weak to make one tint another.
+fn shade(canvas: &Canvas, view: &View, number: usize) {
+    const STOPS: [(f64, &str, f64); 4] =
+        [(0.0, "fff", 0.45), (0.55, "fff", 0.0), (0.56, "000", 0.0), (1.0, "000", 0.22)];
+    let [x, y] = view.center.map(to_units);
+    let [radius, aside] = [1.0, 0.36].map(|share| to_units(share * view.radius));
+    let stop =
+        |(at, color, opacity)| format!("<stop offset=\"{at}\" stop-color=\"#{color}\" stop-opacity=\"{opacity}\"/>");
+    canvas.element(&format!(
+        "<defs><radialGradient id=\"shade-{number}\" gradientUnits=\"userSpaceOnUse\" cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" \
+         fx=\"{}\" fy=\"{}\">{}</radialGradient></defs>",
+        x - aside,
+        y - aside,
+        STOPS.map(stop).concat()
+    ));
+    canvas.draw(&rim(view), &format!("fill=\"url(#shade-{number})\""));
 }
 
 /// Level lines, ∂U and the rim.

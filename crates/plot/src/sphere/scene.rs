@@ -30,7 +30,7 @@ pub struct SphereScene<'a> {
     pub axis: [f64; 3],
     /// The unit of periods and growth times; empty for a body of numbers.
     pub time_unit: &'a str,
-    /// From where the first view is taken; `None`: from beside r̂, a little above.
+    /// From where the first view is taken; `None`: from where most is seen.
     pub view: Option<[f64; 3]>,
 }
 

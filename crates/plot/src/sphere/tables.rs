@@ -118,7 +118,7 @@ fn columns(scene: &SphereScene<'_>, room: f64, count: usize) -> Table {
             point.nonlinear.to_string(),
             small_motions(&[point.eigenvalues], short_time),
         ];
-        (symbol(Mark::Equilibrium(point.index)), cells.into_iter().take(count).collect())
+        (symbol(Mark::of(point)), cells.into_iter().take(count).collect())
     });
     Table::new(heading, rows.collect(), room)
 }
