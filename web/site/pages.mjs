@@ -6,7 +6,7 @@ export const GROUPS = [
   ["Diagrams", ["docs/types.md", "docs/survey.md", "docs/scans.md", "docs/stability.md", "docs/draw-it-yourself.md"]],
   ["Motion", ["docs/sections.md", "docs/periodic-orbits.md", "docs/proved-motion.md"]],
   ["Real parts", ["docs/engineering.md", "examples/heavy-top-benchmark/README.md", "examples/heavy-top-benchmark/league.md"]],
-  ["Programs", ["python/README.md", "docs/library.md", "docs/formats.md", "examples/cluster/README.md", "web/README.md"]],
+  ["Programs", ["python/README.md", "docs/library.md", "docs/other-languages.md", "docs/formats.md", "examples/cluster/README.md", "web/README.md"]],
   ["Mathematics", ["docs/mathematics.md", "docs/algorithms.md", "docs/errata.md", "docs/tenth-type.md"]],
   ["Trust", ["docs/accuracy.md", "docs/certified.md", "docs/benchmarks.md", "data/oracles/README.md", "data/accuracy/README.md", "data/cases/README.md"]],
   ["Project", ["docs/design.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"]],
