@@ -14,7 +14,7 @@ const ORDER: [(&str, &str); 15] = [
     ),
     (
         "crates/schema/src",
-        "term shown json head integrable part command certificate classification nonlinear critical atlas point_proof find grid listing section chaos motion periodic spin spin_down steady scan border comparison classes",
+        "term shown json head integrable part command certificate classification nonlinear critical atlas point_proof find grid listing section chaos motion periodic rotation tolerance spin state spin_down steady scan border comparison classes",
     ),
     ("crates/body/src", "axis rigid_body frame principal presets integrable part"),
     ("crates/equilibria/src", "curves stability nonlinear critical permanent"),
@@ -22,7 +22,7 @@ const ORDER: [(&str, &str); 15] = [
     (
         "crates/exact/src",
         "statistics id model family curves estimate point equal_momentum ridges critical_values plane mirror pair polar arrange region certificate conversion vertex exact \
-         answers solver",
+         answers solver steady state spins",
     ),
     ("crates/dynamics/src", "field integrator motion section poincare"),
     ("crates/enclosure/src", "bound scalar field set step start orbit return_map"),
@@ -30,11 +30,11 @@ const ORDER: [(&str, &str); 15] = [
     ("crates/periodic/src", "flow reversor shooting walk orbit family catalogue chart section_map proof list"),
     (
         "crates/survey/src",
-        "parallel parameter design signature scan border path space strata nearest subdivision search",
+        "parallel parameter design signature scan border path space strata nearest subdivision search tolerance",
     ),
     (
         "crates/documents/src",
-        "layout codes body integrals subject chaos periodic orbit_list orbit_catalogue proved stability spin spin_down classification critical steady grid atlas certified scan reading border comparison classes find witnesses \
+        "layout codes body integrals subject chaos periodic orbit_list orbit_catalogue proved spin_change stability classification critical steady tolerance spin state spin_down grid atlas certified scan reading border comparison classes find witnesses \
          section words",
     ),
     ("crates/verify/src", "refused numbers equilibria order topology stability document"),

@@ -145,7 +145,7 @@ fn every_word_of_documents_and_tables_is_explained() {
     assert!(words.contains("signature") && words.contains("small motions"));
     words.remove("");
     words.retain(|word| !PLAIN.contains(&word.as_str()));
-    let explained = |word: &str| Command::new(PROGRAM).args(["explain", word]).output().unwrap().status.success();
+    let explained = |word: &str| Command::new(PROGRAM).args(["explain", "--", word]).output().unwrap().status.success();
     let missing: Vec<&String> = words.iter().filter(|word| !explained(word)).collect();
     assert!(missing.is_empty(), "docs/glossary.md explains none of {missing:?}");
 }

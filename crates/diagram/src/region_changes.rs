@@ -7,7 +7,7 @@ use dashu_ratio::RBig;
 use crate::arrangement::Change;
 use crate::atlas::Atlas;
 use bifdiag_equilibria::curves::{CurveId, Pole};
-use bifdiag_equilibria::permanent::{AxisRotation, SpinChange};
+use bifdiag_equilibria::permanent::{AxisRotation, SpinChange, SpinType};
 
 /// What happens to the curve of a rotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -39,7 +39,13 @@ pub struct RotationChange {
     pub omega: f64,
     /// Bound on its error.
     pub error_bound: f64,
-    /// The change of the spectral type.
+    /// l there.
+    pub l: f64,
+    /// h there.
+    pub h: f64,
+    /// The type below and above.
+    pub types: [SpinType; 2],
+    /// The change of the type.
     pub stability: Option<SpinChange>,
     /// What the curves do.
     pub region: Option<RegionEvent>,
@@ -63,6 +69,9 @@ pub fn rotation_changes(rotation: &AxisRotation, atlas: Option<&Atlas>) -> Vec<R
     let stability = |change: SpinChange| RotationChange {
         omega: change.omega,
         error_bound: change.error_bound,
+        l: rotation.l(change.omega),
+        h: rotation.h(change.omega),
+        types: [change.from, change.to].map(|kind| rotation.own(kind)),
         stability: Some(change),
         region: None,
     };
@@ -103,7 +112,12 @@ fn region_changes(atlas: &Atlas, rotation: &AxisRotation) -> Vec<RotationChange>
             Some(last) if (last.omega - omega).abs() <= last.error_bound + error_bound => {
                 last.region = last.region.max(region);
             }
-            _ => changes.push(RotationChange { omega, error_bound, stability: None, region }),
+            _ => {
+                let at = RBig::try_from(omega).ok().and_then(|omega| rotation.type_at_spin(&omega));
+                let Some(kind) = at.map(|kind| rotation.own(kind)) else { continue };
+                let (l, h) = (rotation.l(omega), rotation.h(omega));
+                changes.push(RotationChange { omega, error_bound, l, h, types: [kind; 2], stability: None, region });
+            }
         }
     }
     changes

@@ -10,6 +10,7 @@ use bifdiag_schema::{
 };
 
 use crate::body::{given, head};
+use crate::spin_change::asked_spin;
 use crate::stability::{friction, nonlinear};
 use crate::subject::Subject;
 
@@ -48,7 +49,7 @@ pub fn steady_axes(subject: &Subject, spin: &Spin, found: &Equilibria) -> Steady
     SteadyAxesDocument {
         head: head(subject.command("critical").option("spin", spin).json()),
         body: given(&subject.body),
-        spin: crate::spin::asked_spin(spin),
+        spin: asked_spin(spin),
         axes: found.list.iter().map(axis).collect(),
         error_bound: found.error_bound,
         complete: found.complete,

@@ -22,10 +22,13 @@ pub mod reading;
 pub mod scan;
 mod section;
 mod spin;
+mod spin_change;
 mod spin_down;
 mod stability;
+mod state;
 mod steady;
 mod subject;
+mod tolerance;
 mod witnesses;
 pub mod words;
 
@@ -47,12 +50,11 @@ pub use orbit_list::periodic;
 pub use periodic::{periodic_families, periodic_orbit};
 pub use proved::{EnclosureRow, ProofAsked, USUAL_BOUND, enclosure_rows, enclosures, proved_motion};
 pub use section::{chaos, drift, integrator, section, sections, tolerance_option};
-pub use spin::{
-    asked_spin, changes_beside, measured_command, measured_tolerance, spin, spin_changes, spin_stretches, tolerance,
-    tolerance_beside, type_name,
-};
+pub use spin::{AxisQuestion, critical_spin, fast_axes, nearest_axis};
+pub use spin_change::{asked_spin, spin};
 pub use spin_down::spin_down;
 pub use stability::{friction, nonlinear};
-pub use steady::{steady_families, steady_spins};
+pub use state::{StateQuestion, state};
+pub use steady::steady_spins;
 pub use subject::Subject;
 pub use witnesses::{ReadWitnessError, read_witness, shipped_witnesses};

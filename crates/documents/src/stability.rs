@@ -1,11 +1,10 @@
 //! Verdicts on the stability of relative equilibria, and what friction leaves of them, as documents.
 
-use bifdiag_body::part::Spin;
 use bifdiag_equilibria::critical::Equilibrium;
 use bifdiag_equilibria::nonlinear::{Friction, Nonlinear, VerdictChange};
-use bifdiag_schema::{
-    Damped, FrictionDocument, IsolatedSpinDocument, NonlinearDocument, ResonancesDocument, SpinDocument,
-};
+use bifdiag_schema::{Damped, FrictionDocument, IsolatedSpinDocument, NonlinearDocument, ResonancesDocument};
+
+use crate::spin_change::spin;
 
 /// A verdict with all that it rests on.
 #[must_use]
@@ -24,22 +23,14 @@ pub fn nonlinear(found: &Nonlinear) -> NonlinearDocument {
     }
 }
 
-/// The isolated spins of some rotations at which Arnold's theorem does not apply, of those that are `inside`.
-pub(crate) fn isolated_spins(
-    exceptions: &[(Equilibrium, VerdictChange)],
-    second: f64,
-    inside: impl Fn(&Equilibrium) -> bool,
-) -> Vec<IsolatedSpinDocument> {
-    let document = |(point, change): &(Equilibrium, VerdictChange)| IsolatedSpinDocument {
-        spin: SpinDocument { rpm: Spin::rpm(point.omega.abs() * second), rad_per_s: point.omega.abs() * second },
+/// An isolated spin at which Arnold's theorem does not apply; `second` is one second in the body's unit of time.
+pub(crate) fn isolated_spin((point, change): &(Equilibrium, VerdictChange), second: f64) -> IsolatedSpinDocument {
+    IsolatedSpinDocument {
+        spin: spin(point.omega.abs() * second),
         kind: change.kind,
         verdict: change.verdict,
         why: change.why,
-    };
-    let mut found: Vec<IsolatedSpinDocument> =
-        exceptions.iter().filter(|(point, _)| inside(point)).map(document).collect();
-    found.sort_by(|p, q| p.spin.rad_per_s.total_cmp(&q.spin.rad_per_s));
-    found
+    }
 }
 
 /// What friction leaves, with the rates of the eigenvalues that have one.

@@ -1,46 +1,52 @@
 //! All steady axes over the spin as a document.
 
-use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, Place, SteadyFamily, SteadyStretch};
+use bifdiag_equilibria::critical::{AxisCount, Equilibrium, Place, SteadyFamily, SteadyStretch, axis_counts};
 use bifdiag_equilibria::nonlinear::VerdictChange;
+use bifdiag_equilibria::permanent::PermanentAxis;
+use bifdiag_exact::{AllSpins, EndUp};
 use bifdiag_schema::{
-    AxisCountDocument, NonlinearVerdict, PermanentAxisDocument, Reason, SteadyFamilyDocument, SteadyPlaceDocument,
-    SteadySpinsDocument, SteadyStretchDocument,
+    AxisCountDocument, PermanentAxisDocument, SteadyFamilyDocument, SteadyPlaceDocument, SteadySpinsDocument,
+    SteadyStretchDocument,
 };
 
 use crate::body::{given, head};
 use crate::critical::stable;
-use crate::spin::spin;
-use crate::stability::isolated_spins;
+use crate::spin_change::{NO_REGIONS, changes, spin};
+use crate::stability::isolated_spin;
 use crate::subject::Subject;
 
-/// The families of steady axes of a body, and what was found of those that are permanent.
+/// The families of steady axes of a body, and what changes about those that are permanent.
 #[must_use]
-pub fn steady_spins(
-    subject: &Subject,
-    families: &[SteadyFamily],
-    permanent: Vec<PermanentAxisDocument>,
-    note: Option<String>,
-    exceptions: Option<&[(Equilibrium, VerdictChange)]>,
-) -> SteadySpinsDocument {
+pub fn steady_spins(subject: &Subject, found: &AllSpins) -> SteadySpinsDocument {
+    let second = subject.second();
+    let permanent = |(axis, ends): &(PermanentAxis, [EndUp; 2])| PermanentAxisDocument {
+        axis: subject.to_given(axis.direction),
+        slow: ends.each_ref().map(EndUp::slowest),
+        changes: changes(ends, second),
+    };
+    let count = |count: AxisCount| AxisCountDocument {
+        from: count.from.map(|omega| spin(omega * second)),
+        axes: count.axes,
+        circles: count.circles,
+    };
     SteadySpinsDocument {
         head: head(subject.command("critical-spin").json()),
         body: given(&subject.body),
-        permanent,
-        families: families.iter().map(|found| family(subject, found, exceptions)).collect(),
-        counts: counts(families, subject.second()),
-        note,
+        permanent: found.permanent.iter().map(permanent).collect(),
+        families: steady_families(subject, found.families.iter(), found.exceptions.as_deref()),
+        counts: axis_counts(&found.families).into_iter().map(count).collect(),
+        note: (!found.permanent.is_empty() && !found.has_regions).then(|| NO_REGIONS.to_owned()),
         part: subject.part.clone(),
     }
 }
 
 /// Families of steady axes.
-#[must_use]
-pub fn steady_families(
+pub(crate) fn steady_families<'a>(
     subject: &Subject,
-    families: &[&SteadyFamily],
+    families: impl Iterator<Item = &'a SteadyFamily>,
     exceptions: Option<&[(Equilibrium, VerdictChange)]>,
 ) -> Vec<SteadyFamilyDocument> {
-    families.iter().map(|found| family(subject, found, exceptions)).collect()
+    families.map(|found| family(subject, found, exceptions)).collect()
 }
 
 /// γ points down.
@@ -53,12 +59,10 @@ fn family(
     found: &SteadyFamily,
     exceptions: Option<&[(Equilibrium, VerdictChange)]>,
 ) -> SteadyFamilyDocument {
-    let own: Option<Vec<(Equilibrium, VerdictChange)>> =
-        exceptions.map(|list| list.iter().filter(|(point, _)| found.holds(&subject.body, point)).cloned().collect());
-    let ends: Vec<f64> = found.stretches.iter().map(|stretch| stretch.from.map_or(0.0, |place| place.omega)).collect();
+    let isolated = exceptions.map(|list| found.isolated(&subject.body, list));
     let stretches = found.stretches.iter().enumerate().map(|(number, one)| {
-        let until = ends.get(number + 1).copied().unwrap_or(f64::INFINITY);
-        stretch(subject, one, [ends[number], until], own.as_deref())
+        let isolated = isolated.as_ref().map(|lists| &lists[number][..]);
+        stretch(subject, one, isolated)
     });
     SteadyFamilyDocument {
         branch: found.branch.to_string(),
@@ -75,16 +79,8 @@ fn family(
 fn stretch(
     subject: &Subject,
     found: &SteadyStretch,
-    [from, to]: [f64; 2],
-    exceptions: Option<&[(Equilibrium, VerdictChange)]>,
+    isolated: Option<&[&(Equilibrium, VerdictChange)]>,
 ) -> SteadyStretchDocument {
-    let by_normal_form = found.verdict.is_none();
-    let verdict = if by_normal_form && exceptions.is_some() {
-        Some((NonlinearVerdict::Stable, Reason::Arnold))
-    } else {
-        found.verdict
-    };
-    let inside = |point: &Equilibrium| by_normal_form && from < point.omega.abs() && point.omega.abs() < to;
     let place = |place: &Place| SteadyPlaceDocument {
         spin: spin(place.omega * subject.second()),
         error_bound: place.error_bound * subject.second(),
@@ -96,32 +92,7 @@ fn stretch(
         from: found.from.as_ref().map(place),
         change: found.change,
         stability: found.kind.term(),
-        stable: stable(verdict, found.kind),
-        isolated: exceptions.map(|list| isolated_spins(list, subject.second(), inside)),
+        stable: stable(found.verdict_with(isolated.is_some()), found.kind),
+        isolated: isolated.map(|list| list.iter().map(|one| isolated_spin(one, subject.second())).collect()),
     }
-}
-
-/// How many steady axes there are by rising spin; starts closer than their error bounds are one.
-fn counts(families: &[SteadyFamily], second: f64) -> Vec<AxisCountDocument> {
-    let mut starts: Vec<(Option<Place>, Multiplicity)> =
-        families.iter().map(|family| (family.stretches.first().and_then(|first| first.from), family.axes)).collect();
-    let omega = |place: &Option<Place>| place.map_or(0.0, |place| place.omega);
-    starts.sort_by(|(p, _), (q, _)| omega(p).total_cmp(&omega(q)));
-    let mut counts: Vec<AxisCountDocument> = Vec::new();
-    let mut reached = f64::NEG_INFINITY;
-    for (from, axes) in starts {
-        let error = from.map_or(0.0, |place| place.error_bound);
-        if omega(&from) - error > reached {
-            let before = counts.last().map_or([0, 0], |last| [last.axes, last.circles]);
-            let from = from.map(|place| spin(place.omega * second));
-            counts.push(AxisCountDocument { from, axes: before[0], circles: before[1] });
-        }
-        reached = omega(&from) + error;
-        let Some(last) = counts.last_mut() else { continue };
-        match axes {
-            Multiplicity::Points(count) => last.axes += count,
-            Multiplicity::Circle | Multiplicity::Sphere => last.circles += 1,
-        }
-    }
-    counts
 }

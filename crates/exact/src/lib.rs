@@ -1,5 +1,6 @@
 //! Exact answers about the (h, l) half-plane of a body: [`atlas`], [`classify`] and [`critical`], one function for each
-//! question, and [`Solver`] for many questions about one body. Each tries `f64` with error bounds first
+//! question, and [`Solver`] for many questions about one body; [`State`], [`AxisSpins`] and [`AllSpins`] for states and
+//! spins. Each tries `f64` with error bounds first
 //! ([`bifdiag_diagram::fast`]) and goes on to exact arithmetic where these do not suffice.
 //!
 //! [`CertifiedAtlas`] proves the whole plane from rationals:
@@ -38,7 +39,10 @@ mod polar;
 mod region;
 mod ridges;
 mod solver;
+mod spins;
+mod state;
 pub mod statistics;
+mod steady;
 mod vertex;
 
 use std::fmt;
@@ -50,6 +54,9 @@ pub use bifdiag_equilibria::critical::critical;
 pub use exact::{PlaceError, classify_exactly};
 pub use plane::Open;
 pub use solver::Solver;
+pub use spins::{AllSpins, AxisSpins, EndUp};
+pub use state::{State, UnknownOfState};
+pub use steady::{SpinQuestion, Steady};
 
 use arrange::{Arrangement, Undecided};
 use bifdiag_body::{Body, Frame};

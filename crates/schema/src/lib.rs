@@ -23,13 +23,16 @@ mod nonlinear;
 mod part;
 mod periodic;
 mod point_proof;
+mod rotation;
 mod scan;
 mod section;
 mod shown;
 mod spin;
 mod spin_down;
+mod state;
 mod steady;
 mod term;
+mod tolerance;
 
 pub use atlas::{
     AtlasDocument, BodyDocument, CellDocument, CurveDocument, CurveDrawing, CurveKind, DrawingDocument,
@@ -75,6 +78,7 @@ pub use periodic::{
     PeriodicFamiliesDocument, PeriodicFamilyDocument, PeriodicListDocument, PeriodicOrbitDocument,
 };
 pub use point_proof::{PointProofDocument, checksum};
+pub use rotation::{AxisEnd, SpinType};
 pub use scan::{
     BodyParameter, BodyRecordDocument, ClassRecordDocument, DesignDocument, FamilyDocument, RangeDocument,
     RecordDocument, RowDocument, RowStatus, ScanIdentityDocument, ScanSummaryDocument,
@@ -86,13 +90,14 @@ pub use section::{
 };
 pub use shown::{harmless, one_line, shown};
 pub use spin::{
-    CriticalSpinDocument, IsolatedSpinDocument, MeasuredDocument, NearestAxisDocument, SampledClassDocument,
-    SpinChangeDocument, SpinDocument, SpinRangeDocument, SpinStretchDocument, StateDocument, SteadyAxesDocument,
-    SteadyAxisDocument, SteadyDocument, SteadyFamilyDocument, SteadyPlaceDocument, SteadySpinDocument, SteadyStart,
-    SteadyStretchDocument, ToleranceDocument,
+    CriticalSpinDocument, IsolatedSpinDocument, NearestAxisDocument, SpinChangeDocument, SpinDocument,
+    SpinStretchDocument, SteadyAxesDocument, SteadyAxisDocument, SteadyFamilyDocument, SteadyPlaceDocument,
+    SteadySpinDocument, SteadyStart, SteadyStretchDocument,
 };
 pub use spin_down::{SlowdownDocument, SlowdownEvent, SpinDownDocument};
+pub use state::{StateDocument, SteadyDocument};
 pub use steady::{AxisCountDocument, PermanentAxisDocument, SteadySpinsDocument};
+pub use tolerance::{MeasuredDocument, SampledClassDocument, SpinRangeDocument, ToleranceDocument};
 
 /// Version of every document in this module.
 pub const SCHEMA_VERSION: &str = "3";

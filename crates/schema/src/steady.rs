@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{GivenBody, Head, PartDocument, SpinChangeDocument, SpinDocument, SteadyFamilyDocument};
+use super::{GivenBody, Head, PartDocument, SpinChangeDocument, SpinDocument, SpinType, SteadyFamilyDocument};
 
 /// An axis about which the body turns steadily at every spin.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -11,7 +11,7 @@ pub struct PermanentAxisDocument {
     /// A unit vector in the frame of the question.
     pub axis: [f64; 3],
     /// The spectral type at rest or at the slowest spins, with `+axis` and with `-axis` up.
-    pub slow: [String; 2],
+    pub slow: [SpinType; 2],
     /// Changes of stability and of the regions beside it, by the end that is up, then by rising spin.
     pub changes: Vec<SpinChangeDocument>,
 }

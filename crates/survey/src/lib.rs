@@ -12,6 +12,7 @@ mod signature;
 pub mod space;
 pub mod strata;
 pub mod subdivision;
+pub mod tolerance;
 
 pub use design::{BodyFamily, BodyList, Design, DesignError};
 pub use parameter::{ParameterRange, ParseRangeError, parameter};

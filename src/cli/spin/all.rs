@@ -1,17 +1,15 @@
 //! `bifdiag critical-spin` without an axis: all steady axes, and every spin at which one appears or changes.
 
 use bifdiag_documents::{Subject, words};
-use bifdiag_equilibria::critical::{Equilibrium, RelativeEquilibria, SteadyFamily};
-use bifdiag_equilibria::nonlinear::VerdictChange;
-use bifdiag_equilibria::permanent::{PermanentAxis, permanent_axis};
-use bifdiag_exact::{Accuracy, Solver};
-use bifdiag_numbers::vector::{dot, norm};
+use bifdiag_equilibria::critical::RelativeEquilibria;
+use bifdiag_exact::AllSpins;
 use bifdiag_schema::{
     IsolatedSpinDocument, Multiplicity, PermanentAxisDocument, SpinDocument, SteadyFamilyDocument, SteadySpinsDocument,
     SteadyStart, Verdict,
 };
 
-use super::permanent::{AxisChanges, changes_about, one_of, table_of_changes};
+use super::axis::one_of;
+use super::changes::table_of_changes;
 use crate::cli::export::answer;
 use crate::cli::failure::{Failure, failed};
 use crate::cli::input::head;
@@ -19,45 +17,10 @@ use crate::cli::terminal::{Report, Table, Timings, fixed, significant};
 
 pub fn run(subject: &Subject, json: bool, timings: &Timings) -> Result<(), Failure> {
     let prepared = RelativeEquilibria::new(&subject.body).map_err(failed("the steady axes could not be found"))?;
-    let families = timings.stage("families", || prepared.families());
-    let families =
-        families.ok_or_else(|| Failure::work("the steady axes could not be told apart: roots are too close"))?;
-    let exceptions = timings.stage("exceptions", || prepared.exceptions());
-    let document = timings.stage("spins", || document(subject, &families, exceptions.as_deref()));
+    let found = timings.stage("spins", || AllSpins::new(&subject.body, &prepared));
+    let found = found.ok_or_else(|| Failure::work("the steady axes could not be told apart: roots are too close"))?;
+    let document = bifdiag_documents::steady_spins(subject, &found);
     answer(json, &document, || text(subject, &document))
-}
-
-fn document(
-    subject: &Subject,
-    families: &[SteadyFamily],
-    exceptions: Option<&[(Equilibrium, VerdictChange)]>,
-) -> SteadySpinsDocument {
-    let axes = permanent_axes(subject, families);
-    let prepared = Solver::new(subject.body.clone(), Accuracy::Exact);
-    let atlas = if axes.is_empty() { None } else { prepared.atlas() };
-    let note = (!axes.is_empty() && atlas.is_none())
-        .then(|| "the regions of this body were not found: only changes of stability are listed".to_owned());
-    let permanent = axes.into_iter().filter_map(|axis| {
-        let AxisChanges { of_type_and_region: changes, slow, .. } = changes_about(subject, axis, atlas);
-        Some(PermanentAxisDocument { axis: subject.to_given(axis.direction), slow: slow?, changes })
-    });
-    bifdiag_documents::steady_spins(subject, families, permanent.collect(), note, exceptions)
-}
-
-/// The axes that are permanent at every spin: of each end-to-end pair the end on the side of the centre of mass, and of a
-/// circle one.
-fn permanent_axes(subject: &Subject, families: &[SteadyFamily]) -> Vec<PermanentAxis> {
-    let (mut axes, center): (Vec<PermanentAxis>, _) = (Vec::new(), subject.body.center_f64());
-    for family in families.iter().filter(|family| family.is_permanent) {
-        let Some(found) = permanent_axis(&subject.body, family.fast) else { continue };
-        let direction = found.direction;
-        let side = if norm(center) > 0.0 { dot(direction, center) } else { direction.iter().sum() };
-        let direction = if side < 0.0 { direction.map(|x| 0.0 - x) } else { direction };
-        if axes.iter().all(|known| known.direction != direction) {
-            axes.push(PermanentAxis { direction, ..found });
-        }
-    }
-    axes
 }
 
 fn text(subject: &Subject, document: &SteadySpinsDocument) -> String {
@@ -87,7 +50,7 @@ fn permanent_axis_text(report: &mut Report, subject: &Subject, permanent: &Perma
     let [x, y, z] = permanent.axis.map(|x| significant(x, 6));
     report.line(format!("permanent axis ({x}, {y}, {z})"));
     let [plus, minus] = &permanent.slow;
-    report.line(format!("at slow spins: +axis up {plus}, -axis up {minus}"));
+    report.line(format!("at slow spins: +axis up {}, -axis up {}", plus.word(), minus.word()));
     if let Some(one_of) = one_of(subject, permanent.axis) {
         report.line(one_of);
     }

@@ -3,17 +3,18 @@
 use std::path::PathBuf;
 
 use bifdiag_body::part::Spin;
+use bifdiag_diagram::region_changes::rotation_changes;
 use bifdiag_documents::Subject;
 use bifdiag_equilibria::critical::{Multiplicity, RelativeEquilibria};
 use bifdiag_equilibria::nonlinear::NonlinearVerdict;
-use bifdiag_equilibria::permanent::{AxisRotation, PermanentAxis, angle_between, permanent_axis};
+use bifdiag_equilibria::permanent::{
+    AxisKind, AxisRotation, PermanentAxis, angle_between, fastest_along, permanent_axis,
+};
 use bifdiag_numbers::Sign;
 use bifdiag_plot::{Campbell, CampbellRow, Known, draw_campbell};
-use bifdiag_schema::NearestAxisDocument;
 use clap::Args;
 
-use super::axis::{Axis, AxisArgument, axis, fast_axes, fastest_along, followed_text, principal_at};
-use super::permanent::one_of;
+use super::axis::{AxisArgument, axis, followed_text, one_of, principal_near};
 use crate::cli::export::{Column, Columns, DataFormat, FileSet, PictureArguments, PictureFormat, Values};
 use crate::cli::failure::{Failure, failed};
 use crate::cli::input::BodyArguments;
@@ -60,8 +61,9 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
         let right = "the largest spin must be greater than 0, such as \"6000 rpm\"";
         return Err(Failure::input(format!("--to {}: {right}", arguments.to)));
     }
-    let followed = match Axis::followed(&subject, arguments.axis.direction) {
-        Axis::Permanent { axis, nearest } => permanent(&subject, axis, &nearest, &arguments.to)?,
+    let kind = AxisKind::followed(&subject.body, subject.to_principal(arguments.axis.direction));
+    let followed = match kind {
+        AxisKind::Permanent { axis, .. } => permanent(&subject, axis, &kind, &arguments.to)?,
         _ => moving(&subject, arguments.axis.direction, &arguments.to)?,
     };
     let Followed { rows, crossings, changes, notes } = followed;
@@ -108,16 +110,15 @@ struct Followed {
 }
 
 /// Rotation about a permanent axis.
-fn permanent(
-    subject: &Subject,
-    axis: PermanentAxis,
-    nearest: &NearestAxisDocument,
-    largest: &Spin,
-) -> Result<Followed, Failure> {
+fn permanent(subject: &Subject, axis: PermanentAxis, kind: &AxisKind, largest: &Spin) -> Result<Followed, Failure> {
     // γ points down.
     let rotation = AxisRotation::about(&subject.body, axis, Sign::Negative).ok_or_else(no_permanent_axis)?;
     let second = subject.second();
-    let changes = bifdiag_documents::spin_changes(&rotation, "+axis", None, second);
+    let changes = rotation_changes(&rotation, None).into_iter().map(|change| {
+        let [from, to] = change.types.map(|kind| kind.word().to_owned());
+        (Spin::rpm(change.omega * second), from, to)
+    });
+    let nearest = bifdiag_documents::nearest_axis(subject, kind).filter(|nearest| nearest.angle_deg > REPORTED);
     let rows = rows(&rotation, largest, subject);
     let gap = |spin: &Spin| {
         let [p, q] = rotation.frequencies_and_growth(&(spin.exact_rad_per_s() * subject.unit_of_time())).0;
@@ -126,8 +127,8 @@ fn permanent(
     Ok(Followed {
         crossings: crossings(&rows, largest, gap),
         rows,
-        changes: changes.into_iter().map(|change| (change.spin.rpm, change.from, change.to)).collect(),
-        notes: if nearest.angle_deg > REPORTED { vec![followed_text(nearest)] } else { Vec::new() },
+        changes: changes.collect(),
+        notes: nearest.iter().map(followed_text).collect(),
     })
 }
 
@@ -142,7 +143,7 @@ fn moving(subject: &Subject, given: [f64; 3], largest: &Spin) -> Result<Followed
         _ => {
             return Err(Failure::input(format!(
                 "--axis: at fast spins the steady axes {} are equally near to it; give one that is nearer to that which is meant",
-                fast_axes(subject, &near)
+                bifdiag_documents::fast_axes(subject, &near)
             )));
         }
     };
@@ -165,7 +166,7 @@ fn moving(subject: &Subject, given: [f64; 3], largest: &Spin) -> Result<Followed
         });
     }
     let rpm = |omega: f64| Spin::rpm(omega * second);
-    let start = family.stretches.first().and_then(|first| first.from).map_or(0.0, |place| rpm(place.omega));
+    let start = rpm(family.slowest());
     let pairs = family.stretches.windows(2).filter(|pair| pair[0].kind != pair[1].kind);
     let changes = pairs.filter_map(|pair| {
         Some((rpm(pair[1].from?.omega), pair[0].kind.word().to_owned(), pair[1].kind.word().to_owned()))
@@ -174,7 +175,7 @@ fn moving(subject: &Subject, given: [f64; 3], largest: &Spin) -> Result<Followed
     let note = format!(
         "the steady rotation from {} rpm on that tends to {} at fast spins is followed ({}{circle})",
         significant(start, 8),
-        fast_axes(subject, std::slice::from_ref(family)),
+        bifdiag_documents::fast_axes(subject, std::slice::from_ref(family)),
         family.branch
     );
     if rows.is_empty() {
@@ -195,7 +196,7 @@ fn not_permanent(subject: &Subject, given: [f64; 3]) -> Failure {
         Some(nearest) => {
             let axis = subject.to_given(nearest.direction);
             let angle = angle_between(axis, given).to_degrees();
-            let mut near = if subject.body.is_euler() { principal_at(subject, given, angle) } else { Vec::new() };
+            let mut near = if subject.body.is_euler() { principal_near(subject, given, angle) } else { Vec::new() };
             if near.is_empty() {
                 near.push(axis);
             }
@@ -221,11 +222,11 @@ fn not_permanent(subject: &Subject, given: [f64; 3]) -> Failure {
 
 /// At how many spins rotation about an axis is steady that is not permanent.
 fn steady_at(subject: &Subject, given: [f64; 3]) -> &'static str {
-    match Axis::of(subject, given) {
-        Axis::AtOneSpin { axis, .. } if axis.squared_spin != Some(0.0) => "one spin only",
-        Axis::AtOneSpin { .. } | Axis::Principal | Axis::Other { .. } => "no spin",
+    match AxisKind::of(&subject.body, subject.to_principal(given)) {
+        AxisKind::AtOneSpin(axis) if axis.squared_spin != Some(0.0) => "one spin only",
+        AxisKind::AtOneSpin(_) | AxisKind::Principal | AxisKind::Other(_) => "no spin",
         // Which of both was not found.
-        Axis::Permanent { .. } | Axis::Unknown => "one spin at most",
+        AxisKind::Permanent { .. } | AxisKind::Unknown => "one spin at most",
     }
 }
 

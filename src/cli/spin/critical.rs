@@ -1,24 +1,15 @@
 //! `bifdiag critical-spin`.
 
-use bifdiag_body::part::{MeasuredPart, Part};
-use bifdiag_documents::{CommandLine, Subject, words};
-use bifdiag_equilibria::critical::{RelativeEquilibria, SteadyFamily};
-use bifdiag_equilibria::permanent::{Near, NearestAxis, equally_near, exact_spin, nearest_steady};
-use bifdiag_exact::{Accuracy, Solver};
-use bifdiag_numbers::Number;
-use bifdiag_numbers::vector::dot;
-use bifdiag_schema::{
-    CriticalSpinDocument, Multiplicity, NearestAxisDocument, Reason, SpinDocument, SpinStretchDocument,
-    SteadySpinDocument, Verdict,
-};
+use bifdiag_documents::{AxisQuestion, Subject, words};
+use bifdiag_equilibria::permanent::{AxisKind, equally_near};
+use bifdiag_exact::AxisSpins;
+use bifdiag_schema::{AxisEnd, CriticalSpinDocument, NearestAxisDocument, Reason, SpinDocument, SpinStretchDocument};
+use bifdiag_survey::tolerance::{Tolerances, Tolerated};
 use clap::Args;
-use dashu_ratio::RBig;
 
 use super::all;
-use super::axis::{
-    Axis, AxisArgument, MEANT, axis, end_up, fast_axes, fastest_along, followed_text, listed, principal_at,
-};
-use super::permanent::{AxisChanges, changes_about, one_of, table_of_changes};
+use super::axis::{AxisArgument, axis, followed_text, listed, one_of, principal_near};
+use super::changes::table_of_changes;
 use super::tolerance::{self, ToleranceArgument};
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
@@ -59,18 +50,29 @@ pub fn run(arguments: &CriticalSpinArguments, timings: &Timings) -> Result<(), F
             "--tolerance and ± in the numbers of the part both say how well it is known; leave out one of them",
         ));
     }
-    let known = match (&arguments.tolerance, &measured) {
-        (Some(tolerance), _) => Known::Relative(tolerance),
-        (None, Some((part, measured))) => Known::Measured(part, measured),
-        (None, None) => Known::Exactly,
+    let tolerances = match (&arguments.tolerance, &measured) {
+        (Some(tolerance), _) => Tolerances::Shares(&tolerance.0),
+        (None, Some((part, measured))) => Tolerances::Measured(part, measured),
+        (None, None) => Tolerances::Exact,
     };
     let axis = match &arguments.axis {
         Some(axis) => axis.clone(),
-        None if matches!(known, Known::Exactly) => return all::run(&subject, arguments.json, timings),
+        None if matches!(tolerances, Tolerances::Exact) => return all::run(&subject, arguments.json, timings),
         None => the_permanent_axis(&subject)?,
     };
-    let document = timings.stage("spins", || document(&subject, &axis, &known));
-    answer(arguments.json, &document, || text(&subject, &document))
+    let up = subject.to_principal(axis.direction);
+    let (found, tolerated) = timings.stage("spins", || {
+        let found = AxisSpins::new(&subject.body, up, &axis.in_principal_axes(&subject));
+        let followed = match found.kind {
+            AxisKind::Permanent { axis, .. } => subject.to_given(axis.direction),
+            _ => axis.direction,
+        };
+        let tolerated = Tolerated::new(&subject.body, &found, tolerances, followed);
+        (found, tolerated)
+    });
+    let question = AxisQuestion { axis: axis.direction, given: &axis.given.0, tolerances };
+    let document = bifdiag_documents::critical_spin(&subject, &question, &found, tolerated.as_ref());
+    answer(arguments.json, &document, || text(&subject, &document, &found))
 }
 
 /// The axis that is permanent at every spin, where there is one alone.
@@ -93,177 +95,13 @@ fn the_permanent_axis(subject: &Subject) -> Result<AxisArgument, Failure> {
         )));
     }
     let axis = AxisArgument::of_the_centre_of_mass(subject).map_err(|_no_direction| none())?;
-    match Axis::of(subject, axis.direction) {
-        Axis::Permanent { .. } => Ok(axis),
+    match AxisKind::of(&subject.body, subject.to_principal(axis.direction)) {
+        AxisKind::Permanent { .. } => Ok(axis),
         _ => Err(none()),
     }
 }
 
-/// How well the numbers of the body are known.
-enum Known<'a> {
-    Exactly,
-    Relative(&'a ToleranceArgument),
-    Measured(&'a Part, &'a MeasuredPart),
-}
-
-/// The spins at which rotation about an axis changes.
-fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> CriticalSpinDocument {
-    let (found, exactly) = (Axis::followed(subject, given.direction), Axis::of(subject, given.direction));
-    let nearest = match &found {
-        Axis::Permanent { nearest, .. } | Axis::AtOneSpin { nearest, .. } | Axis::Other { nearest } => {
-            Some(nearest.clone())
-        }
-        Axis::Principal | Axis::Unknown => None,
-    };
-    let mut document = CriticalSpinDocument {
-        head: bifdiag_documents::head(command(subject, given, known).json()),
-        body: bifdiag_documents::given(&subject.body),
-        axis: given.direction,
-        permanent: matches!(found, Axis::Permanent { .. }),
-        nearest: nearest.filter(|nearest| nearest.angle_deg > 0.0),
-        steady: match exactly {
-            Axis::AtOneSpin { axis, .. } => Some(steady_spin(subject, given, &axis).into_iter().collect()),
-            Axis::Permanent { .. } | Axis::Unknown => None,
-            Axis::Principal | Axis::Other { .. } => Some(Vec::new()),
-        },
-        families: Vec::new(),
-        slow: None,
-        changes: Vec::new(),
-        stretches: Vec::new(),
-        tolerance: None,
-        note: None,
-        part: subject.part.clone(),
-    };
-    let Axis::Permanent { axis, .. } = found else {
-        beside(&mut document, subject, given, known);
-        return document;
-    };
-    let prepared = Solver::new(subject.body.clone(), Accuracy::Exact);
-    let atlas = prepared.atlas();
-    if atlas.is_none() {
-        document.note =
-            Some("the regions of this body were not found: only changes of stability are listed".to_owned());
-    }
-    let second = subject.second();
-    let AxisChanges { of_type_and_region: changes, slow, rotations } = changes_about(subject, axis, atlas);
-    document.changes = changes;
-    let exceptions = RelativeEquilibria::new(&subject.body).ok().and_then(|found| found.exceptions());
-    let stretches = rotations
-        .iter()
-        .flat_map(|(up, rotation)| bifdiag_documents::spin_stretches(rotation, up, second, exceptions.as_deref()));
-    document.stretches = stretches.collect();
-    document.tolerance = match known {
-        Known::Exactly => None,
-        Known::Relative(tolerance) => Some(bifdiag_documents::tolerance(&rotations, &tolerance.0, second)),
-        Known::Measured(part, measured) => {
-            let up = subject.to_given(axis.direction);
-            let end = |k: usize, up| rotations.get(k).map(|(name, rotation)| (*name, up, Near::Axis(rotation)));
-            let ends = end(0, up).zip(end(1, up.map(|x| -x)));
-            ends.map(|(plus, minus)| bifdiag_documents::measured_tolerance(part, measured, [plus, minus], second))
-        }
-    };
-    document.slow = slow;
-    document
-}
-
-/// What there is near an axis that is not permanent: the steady rotations that tend to the principal axis beside it at fast
-/// spins, and what the tolerances do to them.
-fn beside(document: &mut CriticalSpinDocument, subject: &Subject, given: &AxisArgument, known: &Known<'_>) {
-    let prepared = RelativeEquilibria::new(&subject.body).ok();
-    let families = prepared.as_ref().and_then(RelativeEquilibria::families).unwrap_or_default();
-    let exceptions = prepared.as_ref().and_then(RelativeEquilibria::exceptions);
-    let up = subject.to_principal(given.direction);
-    let [plus, minus] = [up, up.map(|x| -x)].map(|up| fastest_along(&subject.body, &families, up));
-    // Of a circle of axes the other end is shown by the same.
-    let of_circle = |family: &&SteadyFamily| family.axes == Multiplicity::Circle;
-    let shown = plus.iter().chain(minus.iter().filter(|family| !of_circle(family)));
-    document.families = bifdiag_documents::steady_families(subject, &shown.collect::<Vec<_>>(), exceptions.as_deref());
-    if plus.len() > 1 {
-        document.note = Some(format!(
-            "at fast spins the steady axes {} are equally near to the given one: {}",
-            fast_axes(subject, &plus),
-            match known {
-                Known::Exactly => "all are listed",
-                Known::Relative(_) | Known::Measured(..) =>
-                    "all are listed; for bounds give an axis that is nearer to one of them",
-            }
-        ));
-    }
-    let ([plus], [minus]) = (&plus[..], &minus[..]) else { return };
-    let both = [plus, minus];
-    document.slow = Some(
-        both.map(|family| family.stretches.first().map_or_else(String::new, |first| first.kind.word().to_owned())),
-    );
-    let slowest =
-        both.map(|family| family.stretches.first().and_then(|first| first.from).map_or(0.0, |place| place.omega));
-    let second = subject.second();
-    let ends = |up: [f64; 3]| [("+axis", up, slowest[0]), ("-axis", up.map(|x| -x), slowest[1])];
-    document.tolerance = match known {
-        Known::Exactly => None,
-        Known::Measured(part, measured) => Some(bifdiag_documents::measured_tolerance(
-            part,
-            measured,
-            ends(given.direction).map(|(name, up, slowest)| (name, up, Near::NominalRotation { slowest })),
-            second,
-        )),
-        Known::Relative(tolerance) => {
-            if let Some(share) = tolerance.for_all() {
-                Some(bifdiag_documents::tolerance_beside(&subject.body, share, ends(up), second))
-            } else {
-                document.note = Some(
-                    "tolerances by name are for an axis that is permanent at every spin; give one share for all, such as 1%"
-                        .to_owned(),
-                );
-                None
-            }
-        }
-    };
-}
-
-fn command(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> CommandLine {
-    let axis = given.given.0.each_ref().map(Number::text).join(",");
-    match known {
-        Known::Measured(part, measured) => {
-            bifdiag_documents::measured_command("critical-spin", part, measured).option("axis", axis)
-        }
-        Known::Relative(tolerance) => {
-            subject.command("critical-spin").option("axis", axis).option("tolerance", tolerance.text())
-        }
-        Known::Exactly => subject.command("critical-spin").option("axis", axis),
-    }
-}
-
-/// The spin at which rotation about an axis of Staude's cone is steady, with the end that is up; none for one that is in
-/// equilibrium at rest.
-fn steady_spin(subject: &Subject, given: &AxisArgument, axis: &NearestAxis) -> Option<SteadySpinDocument> {
-    let s = axis.squared_spin.filter(|s| *s != 0.0)?;
-    let end = s.signum();
-    let up = axis.axis.map(|x| end * x);
-    let rational = |x: f64| RBig::try_from(x).unwrap_or_default();
-    let exact_up = given.in_principal_axes(subject).map(|x| x * rational(end));
-    let (exact_up, exact_omega) = match exact_spin(&subject.body, &exact_up) {
-        Some(omega) => (exact_up, omega),
-        None => (up.map(rational), rational(s.abs().sqrt())),
-    };
-    let omega = exact_omega.to_f64().value();
-    let (a, r) = (subject.body.moments_f64(), subject.body.center_f64());
-    let l = omega * dot(up, [0, 1, 2].map(|k| a[k] * up[k]));
-    let found = nearest_steady(&subject.body, &exact_omega, &exact_up).filter(|found| found.angle <= MEANT);
-    let point = found.as_ref().map(|found| &found.equilibrium);
-    let nonlinear = point.map(|point| bifdiag_documents::nonlinear(&point.nonlinear));
-    Some(SteadySpinDocument {
-        up: end_up(s).to_owned(),
-        spin: bifdiag_documents::spin(omega * subject.second()),
-        l,
-        h: 0.5 * omega * l + dot(up, r),
-        stability: point.map(|point| point.stability.word().to_owned()),
-        stable: point.zip(nonlinear).map(|(point, nonlinear)| Verdict::of(&nonlinear, point.stability.term())),
-        nonlinear,
-        friction: point.map(|point| bifdiag_documents::friction(&point.friction, &point.eigenvalues.pairs)),
-    })
-}
-
-fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
+fn text(subject: &Subject, document: &CriticalSpinDocument, found: &AxisSpins) -> String {
     let mut report = Report::default();
     head(subject, &mut report);
     let [x, y, z] = document.axis.map(|x| significant(x, 6));
@@ -274,7 +112,7 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
         Some(nearest) => {
             let [x, y, z] = nearest.axis.map(|x| significant(x, 6));
             let angle = significant(nearest.angle_deg, 3);
-            let end = if nearest.up.as_deref() == Some("-axis") { ", with its other end up" } else { "" };
+            let end = if nearest.up == Some(AxisEnd::Minus) { ", with its other end up" } else { "" };
             let spin = match &nearest.spin {
                 Some(spin) => format!(", at {} rpm only{end}", significant(spin.rpm, 6)),
                 None => String::new(),
@@ -286,7 +124,7 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
     }
     at_one_spin(&mut report, document);
     if !document.permanent {
-        not_permanent(&mut report, subject, document);
+        not_permanent(&mut report, &found.itself);
         if !document.families.is_empty() {
             report.line("");
             report.line("steady rotations that are nearest to it at fast spins:");
@@ -297,7 +135,7 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
         return report.text();
     }
     if let Some([plus, minus]) = &document.slow {
-        report.line(format!("at slow spins: +axis up {plus}, -axis up {minus}"));
+        report.line(format!("at slow spins: +axis up {}, -axis up {}", plus.word(), minus.word()));
     }
     if let Some(one_of) = one_of(subject, document.axis) {
         report.line(one_of);
@@ -327,7 +165,7 @@ fn stretches(report: &mut Report, document: &CriticalSpinDocument) {
             None => none.to_owned(),
         };
         table.row([
-            stretch.up.clone(),
+            stretch.up.word().to_owned(),
             rpm(&stretch.from, "rest"),
             rpm(&stretch.to, "inf"),
             words::verdict(&stretch.nonlinear),
@@ -339,7 +177,7 @@ fn stretches(report: &mut Report, document: &CriticalSpinDocument) {
     if by_arnold().any(|stretch| stretch.isolated.is_none()) {
         report.line("by Arnold's theorem: but for isolated spins, which were not found");
     } else if by_arnold().next().is_some() {
-        let named = |stretch: &SpinStretchDocument| format!("{} up", stretch.up);
+        let named = |stretch: &SpinStretchDocument| format!("{} up", stretch.up.word());
         let isolated =
             by_arnold().flat_map(|stretch| stretch.isolated.iter().flatten().map(move |one| (named(stretch), *one)));
         all::exceptions(report, isolated);
@@ -358,7 +196,7 @@ fn as_near(report: &mut Report, subject: &Subject, document: &CriticalSpinDocume
         }
         return;
     }
-    let near = principal_at(subject, document.axis, nearest.angle_deg);
+    let near = principal_near(subject, document.axis, nearest.angle_deg);
     let listed: Vec<String> = near.iter().map(|axis| listed(*axis)).collect();
     if listed.len() > 1 {
         report.line(format!("at this angle are {}", listed.join(", ")));
@@ -377,11 +215,16 @@ fn at_one_spin(report: &mut Report, document: &CriticalSpinDocument) {
         let [rpm, rad_per_s] = [steady.spin.rpm, steady.spin.rad_per_s].map(|x| significant(x, 8));
         report.line(format!(
             "rotation about {which} is steady at one spin only: {rpm} rpm = {rad_per_s} rad/s, {} up",
-            steady.up
+            steady.up.word()
         ));
         let stability = match (&steady.nonlinear, &steady.friction, &steady.stability) {
             (Some(verdict), Some(friction), Some(stability)) => {
-                format!(", {}: {stability}; with friction {}", words::verdict(verdict), words::with_friction(friction))
+                format!(
+                    ", {}: {}; with friction {}",
+                    words::verdict(verdict),
+                    stability.word(),
+                    words::with_friction(friction)
+                )
             }
             _ => ", its stability was not found".to_owned(),
         };
@@ -390,18 +233,18 @@ fn at_one_spin(report: &mut Report, document: &CriticalSpinDocument) {
 }
 
 /// Why an axis is steady at no spin or at one only.
-fn not_permanent(report: &mut Report, subject: &Subject, document: &CriticalSpinDocument) {
-    match Axis::of(subject, document.axis) {
-        Axis::AtOneSpin { axis, .. } if axis.squared_spin == Some(0.0) => report.line(
+fn not_permanent(report: &mut Report, kind: &AxisKind) {
+    match kind {
+        AxisKind::AtOneSpin(axis) if axis.squared_spin == Some(0.0) => report.line(
             "the centre of mass lies on this axis, which is not principal: the body rests with either end up, but rotation \
              about it is steady at no spin",
         ),
-        Axis::Principal => report.line(
+        AxisKind::Principal => report.line(
             "this axis is principal, but the centre of mass does not lie on it: rotation about it is steady at no spin",
         ),
-        Axis::Other { .. } => report.line("rotation about this axis is steady at no spin"),
-        Axis::Unknown => report.line("whether rotation about this axis is steady at some spin was not found"),
-        Axis::AtOneSpin { .. } | Axis::Permanent { .. } => {}
+        AxisKind::Other(_) => report.line("rotation about this axis is steady at no spin"),
+        AxisKind::Unknown => report.line("whether rotation about this axis is steady at some spin was not found"),
+        AxisKind::AtOneSpin(_) | AxisKind::Permanent { .. } => {}
     }
 }
 

@@ -3,9 +3,9 @@
 mod all;
 mod axis;
 mod campbell;
+mod changes;
 mod critical;
 mod down;
-mod permanent;
 mod state;
 mod steady;
 mod tolerance;

@@ -2,19 +2,16 @@
 
 use bifdiag_body::Number;
 use bifdiag_body::part::Spin;
-use bifdiag_diagram::atlas::Spot;
-use bifdiag_documents::{CommandLine, Subject};
-use bifdiag_equilibria::critical::RelativeEquilibria;
-use bifdiag_equilibria::permanent::angle_between;
-use bifdiag_exact::{Accuracy, Solver};
+use bifdiag_documents::{CommandLine, StateQuestion, Subject};
+use bifdiag_equilibria::permanent::{AxisKind, angle_between, equally_near_steady};
+use bifdiag_exact::{self as exact, Accuracy, Solver, SpinQuestion};
 use bifdiag_numbers::symmetric::{self, Real};
-use bifdiag_numbers::vector::{cross, dot, norm};
-use bifdiag_schema::{StateDocument, SteadyDocument};
+use bifdiag_schema::{AxisEnd, StateDocument, SteadyDocument};
 use clap::Args;
 use dashu_ratio::RBig;
 
-use super::axis::{Axis, AxisArgument, axis};
-use super::steady::{Question, at_spin, changes, report_steady};
+use super::axis::{AxisArgument, axis, listed};
+use super::steady::{changes, report_steady};
 use crate::cli::export::answer;
 use crate::cli::failure::{Failure, failed, incomplete};
 use crate::cli::input::values::{self, Triple};
@@ -53,9 +50,6 @@ pub struct StateArguments {
     pub json: bool,
 }
 
-/// h and l of a state are computed with a smaller error, relative to the size of their terms.
-const ROUNDING: f64 = 1e-14;
-
 /// Digits of a spin that is not rational.
 const DIGITS: usize = 60;
 
@@ -78,9 +72,14 @@ struct State<'a> {
 pub fn run(arguments: &StateArguments, timings: &Timings) -> Result<(), Failure> {
     let state = State::of(arguments)?;
     let subject = arguments.body.subject()?;
-    let document =
-        timings.stage("state", || state.document(&subject)).map_err(failed("the state leaves the range of numbers"))?;
-    answer(arguments.json, &document, || text(&subject, &document))
+    let question = state.question(&subject);
+    let found = timings.stage("state", || {
+        let solver = Solver::new(subject.body.clone(), Accuracy::Exact);
+        exact::State::new(&solver, subject.to_principal(state.omega).map(|x| x / subject.second()), &question)
+    });
+    let found = found.map_err(failed("the state leaves the range of numbers"))?;
+    let document = bifdiag_documents::state(&subject, state.asked(&subject), &found);
+    answer(arguments.json, &document, || text(&subject, &document, &question, &found))
 }
 
 impl<'a> State<'a> {
@@ -132,79 +131,25 @@ impl<'a> State<'a> {
         command.option("vertical", list(&self.vertical.given))
     }
 
-    fn document(&self, subject: &Subject) -> Result<StateDocument, bifdiag_body::ParseNumberError> {
-        let second = subject.second();
-        let omega = subject.to_principal(self.omega).map(|x| x / second);
-        let vertical = self.vertical.direction;
-        let up = subject.to_principal(vertical);
-        let (a, r) = (subject.body.moments_f64(), subject.body.center_f64());
-        let momentum: [f64; 3] = std::array::from_fn(|k| a[k] * omega[k]);
-        // γ = −up: U = −⟨γ, r⟩ = ⟨up, r⟩; l = ⟨Aω, γ⟩, of which the sign does not matter.
-        let (h, l) = (0.5 * dot(omega, momentum) + dot(up, r), dot(momentum, up));
-        let spin = self.spin();
-        let mut document = StateDocument {
-            head: bifdiag_documents::head(self.command(subject).json()),
-            body: bifdiag_documents::given(&subject.body),
-            omega: self.omega,
-            vertical,
-            spin: match self.turning {
-                Turning::About { spin, .. } => bifdiag_documents::asked_spin(&spin.absolute()),
-                Turning::Omega(_) => bifdiag_documents::spin(spin.to_f64().value()),
-            },
-            h,
-            l,
-            steady: None,
-            region: None,
-            margin: None,
-            nearest: None,
-            note: None,
-            part: subject.part.clone(),
-        };
-        let prepared = Solver::new(subject.body.clone(), Accuracy::Exact);
-        let question = Question {
-            subject,
-            vertical,
-            up: self.vertical.in_principal_axes(subject),
-            omega: spin * subject.unit_of_time(),
-        };
-        let steady = at_spin(&question, &prepared);
-        if prepared.atlas().is_none() {
-            document.note = Some("the regions of this body were not found".to_owned());
+    /// In principal axes and the body's units.
+    fn question(&self, subject: &Subject) -> SpinQuestion {
+        SpinQuestion {
+            up: subject.to_principal(self.vertical.direction),
+            exact_up: self.vertical.in_principal_axes(subject),
+            omega: self.spin() * subject.unit_of_time(),
         }
-        match steady {
-            Some(steady) if steady.angle_deg == 0.0 && self.is_upright() => document.steady = Some(steady),
-            None if self.is_upright() => {
-                document.note = Some("whether the motion is steady was not decided: the numbers leave f64".to_owned());
-            }
-            other => {
-                document.nearest = other;
-                let [h, l] = [Number::from_f64(h)?, Number::from_f64(l)?];
-                if let Ok(found) = prepared.classify(&h, &l) {
-                    document.margin = Some(bifdiag_documents::margin(&found.margin));
-                    // A curve rises by l/J, which is at most l/min A, and h and l are rounded.
-                    let least = a.into_iter().fold(f64::INFINITY, f64::min);
-                    let size = 0.5 * dot(omega, momentum).abs() + norm(r) + document.l * document.l / least;
-                    if found.margin.h > ROUNDING * size {
-                        match prepared.spot(&h, &l, &found.answer) {
-                            Spot::Region(region) => document.region = Some(region.to_string()),
-                            _ => document.note = Some("the region of its (h, l) is not known".to_owned()),
-                        }
-                    }
-                } else {
-                    document.note = Some("the region of its (h, l) is not known".to_owned());
-                }
-            }
-        }
-        Ok(document)
     }
 
-    /// The angular velocity is along the vertical.
-    fn is_upright(&self) -> bool {
-        norm(cross(self.omega, self.vertical.direction)) <= 1e-9 * norm(self.omega)
+    fn asked(&self, subject: &Subject) -> StateQuestion {
+        let spin = match self.turning {
+            Turning::About { spin, .. } => bifdiag_documents::asked_spin(&spin.absolute()),
+            Turning::Omega(_) => bifdiag_documents::spin(self.spin().to_f64().value()),
+        };
+        StateQuestion { command: self.command(subject), omega: self.omega, vertical: self.vertical.direction, spin }
     }
 }
 
-fn text(subject: &Subject, document: &StateDocument) -> String {
+fn text(subject: &Subject, document: &StateDocument, question: &SpinQuestion, found: &exact::State) -> String {
     let mut report = Report::default();
     head(subject, &mut report);
     let spin = &document.spin;
@@ -219,17 +164,17 @@ fn text(subject: &Subject, document: &StateDocument) -> String {
         Some(steady) => {
             meant(&mut report, steady, document.vertical);
             report_steady(&mut report, steady);
-            match Axis::of(subject, document.vertical) {
-                Axis::Permanent { .. } => changes(&mut report, steady, document.note.is_none()),
-                Axis::AtOneSpin { .. } => report.line("rotation about this axis is steady at this spin only"),
-                Axis::Principal => report.line(
+            match AxisKind::of(&subject.body, question.up) {
+                AxisKind::Permanent { .. } => changes(&mut report, steady, document.note.is_none()),
+                AxisKind::AtOneSpin(_) => report.line("rotation about this axis is steady at this spin only"),
+                AxisKind::Principal => report.line(
                     "the axis is principal, but the centre of mass does not lie on it: at this spin a steady rotation is \
                      within 10⁻⁶ of it",
                 ),
-                Axis::Other { .. } | Axis::Unknown => {}
+                AxisKind::Other(_) | AxisKind::Unknown => {}
             }
         }
-        None => other_text(&mut report, subject, document),
+        None => other_text(&mut report, subject, document, (question, found)),
     }
     report.text()
 }
@@ -244,7 +189,12 @@ fn meant(report: &mut Report, steady: &SteadyDocument, vertical: [f64; 3]) {
     }
 }
 
-fn other_text(report: &mut Report, subject: &Subject, document: &StateDocument) {
+fn other_text(
+    report: &mut Report,
+    subject: &Subject,
+    document: &StateDocument,
+    (question, found): (&SpinQuestion, &exact::State),
+) {
     let place = match (&document.region, &document.margin, &document.note) {
         (Some(region), ..) => format!("its (h, l) lies in the region {region}"),
         (None, _, Some(note)) => note.clone(),
@@ -262,45 +212,32 @@ fn other_text(report: &mut Report, subject: &Subject, document: &StateDocument) 
     if let (Some(_), Some(margin)) = (&document.region, &document.margin) {
         report.line(format!("the nearest curve is {} in h away ({})", significant(margin.h, 6), margin.nearest));
     }
-    let Some(nearest) = &document.nearest else { return };
-    match Axis::of(subject, document.vertical) {
-        Axis::AtOneSpin { nearest: given, .. } => {
-            if let (Some(spin), Some(up)) = (&given.spin, &given.up) {
+    let (Some(nearest), Some(steady)) = (&document.nearest, &found.nearest) else { return };
+    let kind = AxisKind::of(&subject.body, question.up);
+    match kind {
+        AxisKind::AtOneSpin(_) => {
+            let given = bifdiag_documents::nearest_axis(subject, &kind);
+            if let Some((spin, up)) = given.and_then(|given| given.spin.zip(given.up)) {
                 let rpm = significant(spin.rpm, 8);
-                let end = if up == "-axis" { "its other end" } else { "this end" };
+                let end = if up == AxisEnd::Minus { "its other end" } else { "this end" };
                 report
                     .line(format!("rotation about the vertical is steady at one spin only: {rpm} rpm, with {end} up"));
             }
         }
-        Axis::Principal | Axis::Other { .. } => report.line("rotation about the vertical is steady at no spin"),
-        Axis::Permanent { .. } | Axis::Unknown => {}
+        AxisKind::Principal | AxisKind::Other(_) => report.line("rotation about the vertical is steady at no spin"),
+        AxisKind::Permanent { .. } | AxisKind::Unknown => {}
     }
-    let [x, y, z] = nearest.axis.map(|x| significant(x, 6));
     let angle = significant(nearest.angle_deg, 3);
     report.line("");
     report.line(format!(
-        "at this spin the axis of the nearest steady rotation is ({x}, {y}, {z}), {angle}° from the vertical"
+        "at this spin the axis of the nearest steady rotation is {}, {angle}° from the vertical",
+        listed(nearest.axis)
     ));
-    if let Some(others) = as_near(subject, document, nearest) {
-        report.line(others);
+    let others = equally_near_steady(&subject.body, &question.omega, question.up, (steady.axis, steady.angle));
+    if !others.is_empty() {
+        let verb = if others.len() == 1 { "is" } else { "are" };
+        let axes: Vec<String> = others.into_iter().map(|axis| listed(subject.to_given(axis))).collect();
+        report.line(format!("as near {verb} {}; what follows is of the first", axes.join(", ")));
     }
     report_steady(report, nearest);
 }
-
-/// The other steady axes at this spin that are as near to the vertical.
-fn as_near(subject: &Subject, document: &StateDocument, nearest: &SteadyDocument) -> Option<String> {
-    let omega = RBig::try_from(document.spin.rad_per_s / subject.second()).ok()?;
-    let all = RelativeEquilibria::new(&subject.body).ok()?.at_spin(&omega).ok()?.list;
-    let axes = all.into_iter().map(|found| subject.to_given(found.gamma.map(|x| 0.0 - x)));
-    let angle = |axis: [f64; 3]| angle_between(axis, document.vertical).to_degrees();
-    let is_other = |axis: &[f64; 3]| {
-        (angle(*axis) - nearest.angle_deg).abs() < TIE && angle_between(*axis, nearest.axis).to_degrees() > TIE
-    };
-    let others: Vec<String> =
-        axes.filter(is_other).map(|axis| format!("({})", axis.map(|x| significant(x, 6)).join(", "))).collect();
-    let verb = if others.len() == 1 { "is" } else { "are" };
-    (!others.is_empty()).then(|| format!("as near {verb} {}; what follows is of the first", others.join(", ")))
-}
-
-/// Angles to the vertical that differ by less, in degrees, are the same.
-const TIE: f64 = 1e-9;

@@ -2,7 +2,9 @@
 
 use bifdiag_body::Number;
 use bifdiag_numbers::decimal;
-use bifdiag_schema::{CriticalSpinDocument, SampledClassDocument, SpinRangeDocument, ToleranceDocument};
+use bifdiag_schema::{
+    AxisEnd, CriticalSpinDocument, SampledClassDocument, SpinRangeDocument, SpinType, ToleranceDocument,
+};
 use dashu_ratio::RBig;
 
 use crate::cli::failure::Failure;
@@ -29,23 +31,6 @@ const NAMES: [(&str, [bool; 4]); 4] = [
     ("moments", [true, true, true, false]),
     ("weight", [false, false, false, true]),
 ];
-
-impl ToleranceArgument {
-    /// The share of all, where it is the same.
-    pub fn for_all(&self) -> Option<&Number> {
-        let [axis, others @ ..] = &self.0;
-        others.iter().all(|other| other == axis).then_some(axis)
-    }
-
-    /// The canonical text.
-    pub fn text(&self) -> String {
-        if let Some(share) = self.for_all() {
-            return share.text().to_owned();
-        }
-        let [axis, first, _, weight] = &self.0;
-        format!("axis={},across={},weight={}", axis.text(), first.text(), weight.text())
-    }
-}
 
 /// One for all, 1% or 0.01, or each by name: axis=0.5%,across=1%,weight=2%; what is not named is exact.
 pub fn tolerance(text: &str) -> Result<ToleranceArgument, Failure> {
@@ -121,7 +106,7 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
 }
 
 /// The same where each number has its own ±.
-fn measured(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[String; 2]>) {
+fn measured(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[SpinType; 2]>) {
     let inputs: Vec<String> =
         tolerance.inputs.iter().map(|input| format!("{} {} ± {}", input.name, input.value, input.within)).collect();
     report.line(format!("every part with {} (bounds, not samples):", inputs.join(", ")));
@@ -129,7 +114,7 @@ fn measured(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[S
 }
 
 /// The ranges of steady rotations near the axis or the nominal rotation.
-fn beside(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[String; 2]>) {
+fn beside(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[SpinType; 2]>) {
     let of = if tolerance.moving { "that of the nominal part at this spin" } else { "the axis" };
     report.line(match tolerance.tilt_deg {
         None => "the axis is permanent for all of them".to_owned(),
@@ -149,7 +134,7 @@ fn beside(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[Str
 
 /// The ranges as a table, with what was found `inside` them too, and at which spins every part is stable; `slow` are the types
 /// of the nominal part at slow spins.
-fn ranges(report: &mut Report, ranges: &[SpinRangeDocument], slow: Option<&[String; 2]>, inside: bool) {
+fn ranges(report: &mut Report, ranges: &[SpinRangeDocument], slow: Option<&[SpinType; 2]>, inside: bool) {
     if !ranges.is_empty() {
         report.line(table(ranges, inside));
         if !inside && ranges.iter().any(|range| range.from.is_some() && range.from == range.to) {
@@ -157,8 +142,8 @@ fn ranges(report: &mut Report, ranges: &[SpinRangeDocument], slow: Option<&[Stri
         }
         report.line("the ranges are those of the type; regions and frequencies may change at other spins");
     }
-    for (up, slow) in ["+axis", "-axis"].into_iter().zip(slow.into_iter().flatten()) {
-        report.line(certainly(up, slow, ranges));
+    for (up, slow) in AxisEnd::ALL.iter().zip(slow.into_iter().flatten()) {
+        report.line(certainly(*up, *slow, ranges));
     }
 }
 
@@ -172,17 +157,18 @@ fn table(ranges: &[SpinRangeDocument], inside: bool) -> String {
     }
     let mut table = Table::new(&names);
     for range in ranges {
-        let word = |found: &Option<String>| found.clone().unwrap_or_else(|| "-".to_owned());
+        let word = |found: Option<SpinType>| found.map_or("-", SpinType::word).to_owned();
         let mut cells = vec![
-            range.up.clone(),
+            range.up.word().to_owned(),
             format!("{} .. {}", low(range.rpm[0]), high(range.rpm[1])),
-            word(&range.from),
-            word(&range.to),
-            word(&range.most),
+            word(range.from),
+            word(range.to),
+            range.most.clone().unwrap_or_else(|| "-".to_owned()),
             range.most_rpm.map_or_else(|| "-".to_owned(), |rpm| format!("{} rpm", significant(rpm, 3))),
         ];
         if inside {
-            let between = if range.between.is_empty() { "-".to_owned() } else { range.between.join(", ") };
+            let between: Vec<&str> = range.between.iter().map(|kind| kind.word()).collect();
+            let between = if between.is_empty() { "-".to_owned() } else { between.join(", ") };
             cells.insert(INSIDE, between);
         }
         table.row(cells);
@@ -209,29 +195,33 @@ fn high(rpm: Option<f64>) -> String {
 }
 
 /// At which spins all parts are linearly stable, in words; without ranges all have the type of the nominal part.
-fn certainly(up: &str, slow: &str, ranges: &[SpinRangeDocument]) -> String {
+fn certainly(up: AxisEnd, slow: SpinType, ranges: &[SpinRangeDocument]) -> String {
     let ranges: Vec<&SpinRangeDocument> = ranges.iter().filter(|range| range.up == up).collect();
     // Of parts with other moments the two pairs of the nominal one do not agree.
-    let slow = slow.strip_prefix("double-").filter(|rest| rest.starts_with("elliptic")).unwrap_or(slow);
-    let is_stable = |word: &str| word.starts_with("elliptic");
-    let stable = |found: &Option<String>| found.as_deref().is_some_and(is_stable);
+    let slow = match slow {
+        SpinType::DoubleMinimum => SpinType::Minimum,
+        SpinType::DoubleElliptic => SpinType::Elliptic,
+        slow => slow,
+    };
+    let stable = |found: Option<SpinType>| found.is_some_and(SpinType::is_elliptic);
     let mut stretches: Vec<String> = Vec::new();
-    if let Some(first) = ranges.first().filter(|range| stable(&range.from)) {
+    if let Some(first) = ranges.first().filter(|range| stable(range.from)) {
         stretches.push(format!("up to {} rpm", low(first.rpm[0])));
     }
-    for (number, range) in ranges.iter().enumerate().filter(|(_, range)| stable(&range.to)) {
+    for (number, range) in ranges.iter().enumerate().filter(|(_, range)| stable(range.to)) {
         let from = high(range.rpm[1]);
         stretches.push(match ranges.get(number + 1) {
             Some(next) => format!("from {from} to {} rpm", low(next.rpm[0])),
             None => format!("from {from} rpm on"),
         });
     }
+    let (up, word) = (up.word(), slow.word());
     let is_known = ranges.iter().any(|range| range.from.is_some() || range.to.is_some());
     match (ranges.is_empty(), stretches.is_empty()) {
-        (true, _) if is_stable(slow) => {
-            format!("{up} up, each of these parts is {slow} at every spin: none is linearly unstable")
+        (true, _) if slow.is_elliptic() => {
+            format!("{up} up, each of these parts is {word} at every spin: none is linearly unstable")
         }
-        (true, _) => format!("{up} up, each of these parts is {slow} at every spin: all are unstable"),
+        (true, _) => format!("{up} up, each of these parts is {word} at every spin: all are unstable"),
         (false, false) => format!("{up} up, none of these parts is linearly unstable {}", stretches.join(", ")),
         (false, true) if is_known => {
             format!("{up} up, each of these parts is unstable at every spin outside the ranges")
@@ -250,43 +240,42 @@ mod tests {
         assert_eq!(texts("1%"), ["0.01"; 4]);
         assert_eq!(texts("axis=0.5%, across=1%,weight=0.02"), ["0.005", "0.01", "0.01", "0.02"]);
         assert_eq!(texts("moments=1%"), ["0.01", "0.01", "0.01", "0"]);
-        assert_eq!(tolerance("moments=1%").unwrap().text(), "axis=0.01,across=0.01,weight=0");
         for wrong in ["80%", "-1%", "mass=1%", "axis=1%,2%"] {
             assert!(tolerance(wrong).is_err(), "{wrong}");
         }
     }
 
-    fn range(from: Option<&str>, to: Option<&str>, rpm: [Option<f64>; 2]) -> SpinRangeDocument {
-        let word = |found: Option<&str>| found.map(str::to_owned);
-        SpinRangeDocument {
-            up: "+axis".to_owned(),
-            from: word(from),
-            to: word(to),
-            rpm,
-            between: Vec::new(),
-            most: None,
-            most_rpm: None,
-        }
+    fn range(from: Option<SpinType>, to: Option<SpinType>, rpm: [Option<f64>; 2]) -> SpinRangeDocument {
+        SpinRangeDocument { up: AxisEnd::Plus, from, to, rpm, between: Vec::new(), most: None, most_rpm: None }
     }
 
     #[test]
     fn stability_is_told_where_it_is_decided() {
-        let text_of = |slow, ranges: &[SpinRangeDocument]| certainly("+axis", slow, ranges);
+        let text_of = |slow, ranges: &[SpinRangeDocument]| certainly(AxisEnd::Plus, slow, ranges);
         let (first, second) = ([Some(1.0), Some(2.0)], [Some(4.0), Some(8.0)]);
         assert_eq!(
-            text_of("elliptic", &[]),
+            text_of(SpinType::Elliptic, &[]),
             "+axis up, each of these parts is elliptic at every spin: none is linearly unstable"
         );
-        assert_eq!(text_of("saddle", &[]), "+axis up, each of these parts is saddle at every spin: all are unstable");
-        let unstable = [range(Some("saddle"), Some("complex"), first), range(Some("complex"), Some("saddle"), second)];
-        let all = "+axis up, each of these parts is unstable at every spin outside the ranges";
-        assert_eq!(text_of("saddle", &unstable), all);
-        let between = [range(None, Some("elliptic"), first), range(Some("elliptic"), Some("saddle"), second)];
         assert_eq!(
-            text_of("saddle", &between),
+            text_of(SpinType::Saddle, &[]),
+            "+axis up, each of these parts is saddle at every spin: all are unstable"
+        );
+        let unstable = [
+            range(Some(SpinType::Saddle), Some(SpinType::Complex), first),
+            range(Some(SpinType::Complex), Some(SpinType::Saddle), second),
+        ];
+        let all = "+axis up, each of these parts is unstable at every spin outside the ranges";
+        assert_eq!(text_of(SpinType::Saddle, &unstable), all);
+        let between = [
+            range(None, Some(SpinType::Elliptic), first),
+            range(Some(SpinType::Elliptic), Some(SpinType::Saddle), second),
+        ];
+        assert_eq!(
+            text_of(SpinType::Saddle, &between),
             "+axis up, none of these parts is linearly unstable from 2.00001 to 3.99998 rpm"
         );
         let nowhere = "+axis up, the types of all these parts are known at no spin";
-        assert_eq!(text_of("elliptic", &[range(None, None, [Some(0.0), None])]), nowhere);
+        assert_eq!(text_of(SpinType::Elliptic, &[range(None, None, [Some(0.0), None])]), nowhere);
     }
 }

@@ -68,6 +68,31 @@ pub struct Place {
 }
 
 impl SteadyFamily {
+    /// The spin at which it begins.
+    #[must_use]
+    pub fn slowest(&self) -> f64 {
+        self.stretches.first().and_then(|first| first.from).map_or(0.0, |place| place.omega)
+    }
+
+    /// For each stretch the rotations among `exceptions` of the body that lie inside it and that the normal form would decide, by
+    /// rising spin.
+    #[must_use]
+    pub fn isolated<'a>(
+        &self,
+        body: &Body,
+        exceptions: &'a [(Equilibrium, VerdictChange)],
+    ) -> Vec<Vec<&'a (Equilibrium, VerdictChange)>> {
+        let mut own: Vec<_> = exceptions.iter().filter(|(point, _)| self.holds(body, point)).collect();
+        own.sort_by(|(p, _), (q, _)| p.omega.abs().total_cmp(&q.omega.abs()));
+        let start = |number: usize| self.stretches.get(number).map(|one| one.from.map_or(0.0, |place| place.omega));
+        let inside = |(number, stretch): (usize, &SteadyStretch)| {
+            let [from, to] = [number, number + 1].map(|number| start(number).unwrap_or(f64::INFINITY));
+            let is_inside = |omega: f64| stretch.verdict.is_none() && from < omega && omega < to;
+            own.iter().copied().filter(|(point, _)| is_inside(point.omega.abs())).collect()
+        };
+        self.stretches.iter().enumerate().map(inside).collect()
+    }
+
     /// Whether a steady axis of the body belongs to the family. Of two that begin in a fold each keeps its side of it: along
     /// a branch μ = J + ⟨γ, r⟩/s is monotone, and at fast spins it is the moment about the axis.
     #[must_use]
@@ -83,6 +108,50 @@ impl SteadyFamily {
                 (multiplier(axis.gamma, axis.omega) < middle) == (moment(self.fast) < middle)
             })
     }
+}
+
+impl SteadyStretch {
+    /// The verdict, by Arnold's theorem where the normal form decides and all exceptions to it `are_known`.
+    #[must_use]
+    pub fn verdict_with(&self, are_known: bool) -> Option<(NonlinearVerdict, Reason)> {
+        self.verdict.or_else(|| are_known.then_some((NonlinearVerdict::Stable, Reason::Arnold)))
+    }
+}
+
+/// How many steady axes there are from one spin on, to the next count.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxisCount {
+    /// That spin Ω; `None`: from rest.
+    pub from: Option<f64>,
+    /// Axes by the end that is up, those of circles apart.
+    pub axes: u32,
+    /// Circles of axes.
+    pub circles: u32,
+}
+
+/// How many steady axes there are by rising spin; starts closer than their error bounds are one.
+#[must_use]
+pub fn axis_counts(families: &[SteadyFamily]) -> Vec<AxisCount> {
+    let mut starts: Vec<(Option<Place>, Multiplicity)> =
+        families.iter().map(|family| (family.stretches.first().and_then(|first| first.from), family.axes)).collect();
+    let omega = |place: &Option<Place>| place.map_or(0.0, |place| place.omega);
+    starts.sort_by(|(p, _), (q, _)| omega(p).total_cmp(&omega(q)));
+    let mut counts: Vec<AxisCount> = Vec::new();
+    let mut reached = f64::NEG_INFINITY;
+    for (from, axes) in starts {
+        let error = from.map_or(0.0, |place| place.error_bound);
+        if omega(&from) - error > reached {
+            let [axes, circles] = counts.last().map_or([0, 0], |last| [last.axes, last.circles]);
+            counts.push(AxisCount { from: from.map(|place| place.omega), axes, circles });
+        }
+        reached = omega(&from) + error;
+        let Some(last) = counts.last_mut() else { continue };
+        match axes {
+            Multiplicity::Points(count) => last.axes += count,
+            Multiplicity::Circle | Multiplicity::Sphere => last.circles += 1,
+        }
+    }
+    counts
 }
 
 /// Bits of the numbers of a place.

@@ -10,19 +10,31 @@
 //! All are polynomials in s with rational coefficients: where the type changes is a root of K_A, K_B or of the quadratic
 //! (AB)²(b² − 4c), isolated exactly.
 
+mod axis;
 mod certain;
 mod cone;
+mod fast;
+mod judged;
 mod near;
+mod one_spin;
 mod path;
 mod rotation;
+mod square;
 mod steady;
+mod stretches;
 mod tolerance;
 
+pub use axis::{AxisKind, MEANT, permanent_axes, permanent_multiplicity, principal_at};
+pub use bifdiag_schema::{AxisEnd, SpinType};
 pub use cone::{NearestAxis, PermanentAxis, angle_between, equally_near, nearest_permanent, permanent_axis};
+pub use fast::fastest_along;
+pub use judged::Judged;
 pub use near::{
-    BoxedBody, Near, SettledTypes, Vector, sampled_parts, sampled_shares, settled_types, settled_types_of_part,
-    settled_types_of_shares,
+    Near, SettledTypes, sampled_parts, sampled_shares, settled_types, settled_types_of_part, settled_types_of_shares,
 };
-pub use rotation::{AxisRotation, Judged, SpinChange, SpinType};
-pub use steady::{SteadyRotation, exact_spin, nearest_steady};
+pub use one_spin::OneSpin;
+pub use rotation::{AxisRotation, SpinChange};
+pub use square::{BoxedBody, Vector};
+pub use steady::{SteadyRotation, equally_near_steady, nearest_steady};
+pub use stretches::SpinStretch;
 pub use tolerance::{INPUTS, SAMPLES, SpinRange, sampled_bodies, spin_ranges};

@@ -2,65 +2,20 @@
 
 use std::cmp::Ordering;
 
-use bifdiag_numbers::enclosure::Enclosure;
 use bifdiag_numbers::polynomial::{Polynomial, Root, rational};
 use bifdiag_numbers::symmetric::{self, Real};
 use bifdiag_numbers::vector::dot;
-use bifdiag_numbers::wide::{Interval384, Wide};
 use bifdiag_numbers::{Number, Sign};
 use dashu_ratio::RBig;
 
 use super::cone::PermanentAxis;
 use crate::critical::Multiplicity;
-use crate::nonlinear::{Friction, Nonlinear, Question, Setting};
-use crate::stability::{Constants, Eigenvalues, LinearType, RESONANCES, Reduced, Signs, State};
-use bifdiag_body::{Axis, Body, BodyAxis};
+use crate::stability::{LinearType, Signs};
+use bifdiag_body::{Body, BodyAxis};
+use bifdiag_schema::SpinType;
 
 /// Digits of |r| where it is not rational.
 const DIGITS: usize = 60;
-
-/// The spectral type of such a rotation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum SpinType {
-    /// Two imaginary pairs, and U_l has a strict local minimum (across a circle of rotations: of the circle): stable.
-    Minimum,
-    /// Two imaginary pairs only: linearly stable (and for a symmetric top stable by a further integral).
-    Elliptic,
-    /// One real and one imaginary pair: unstable.
-    SaddleCentre,
-    /// Two real pairs: unstable.
-    Saddle,
-    /// A double real pair: unstable.
-    DoubleReal,
-    /// A complex quadruple: unstable.
-    Complex,
-    /// An eigenvalue zero, and no real one: open.
-    Zero,
-    /// An eigenvalue zero and a real pair: unstable.
-    ZeroReal,
-}
-
-impl SpinType {
-    /// No eigenvalue has a positive real part.
-    #[must_use]
-    pub fn is_stable(self) -> bool {
-        matches!(self, Self::Minimum | Self::Elliptic | Self::Zero)
-    }
-
-    /// As it is printed.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Minimum => "elliptic (local minimum)",
-            Self::Elliptic => "elliptic",
-            Self::SaddleCentre => "saddle-centre",
-            Self::Saddle => "saddle",
-            Self::DoubleReal => "double-real",
-            Self::Complex => "complex",
-            Self::Zero | Self::ZeroReal => "zero",
-        }
-    }
-}
 
 /// A spin at which the type changes.
 #[derive(Clone, Debug)]
@@ -84,22 +39,6 @@ impl SpinChange {
         self.squared.place_of(&(omega * omega))
     }
 }
-
-/// What is known of a rotation at one spin.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Judged {
-    /// The linear type.
-    pub kind: LinearType,
-    /// What is known of its stability.
-    pub nonlinear: Nonlinear,
-    /// What damping leaves of it.
-    pub friction: Friction,
-    /// The eigenvalues of the flow reduced by l, per unit of time.
-    pub eigenvalues: Eigenvalues,
-}
-
-/// Bits of enclosures where 384 do not decide.
-const WIDE_BITS: [usize; 2] = [1500, 6000];
 
 /// Rotation about a principal axis through the centre of mass with the vertical at one of its ends.
 #[derive(Clone, Debug, PartialEq)]
@@ -161,7 +100,7 @@ impl AxisRotation {
     }
 
     /// K_A, K_B and AB·b as polynomials in s.
-    fn polynomials(&self) -> [Vec<RBig>; 3] {
+    pub(super) fn polynomials(&self) -> [Vec<RBig>; 3] {
         let [c, a, b] = &self.moments;
         let stiffness = |moment: &RBig| vec![self.weight.clone(), c - moment];
         let (first, second) = (stiffness(a), stiffness(b));
@@ -173,7 +112,7 @@ impl AxisRotation {
     }
 
     /// (AB)²(b² − 4c) as a polynomial in s.
-    fn discriminant(&self) -> Vec<RBig> {
+    pub(super) fn discriminant(&self) -> Vec<RBig> {
         let [_, a, b] = &self.moments;
         let [first, second, whole] = self.polynomials();
         let product = rational::scale(&rational::mul(&first, &second), &(RBig::from(4) * a * b));
@@ -192,14 +131,14 @@ impl AxisRotation {
     }
 
     /// Signs of K_A and K_B at a positive s; where one is 0 at every s (along a circle of equilibria), positive.
-    fn stiffness(&self, s: &RBig) -> [Sign; 2] {
+    pub(super) fn stiffness(&self, s: &RBig) -> [Sign; 2] {
         let [first, second, _] = self.polynomials();
         let is_zero = |p: &[RBig]| p.iter().all(RBig::is_zero);
         [first, second].map(|p| if is_zero(&p) { Sign::Positive } else { sign_at(&p, s) })
     }
 
     /// The linear type at a positive s; across a circle or sphere of equilibria.
-    fn linear_type_at(&self, s: &RBig) -> LinearType {
+    pub(super) fn linear_type_at(&self, s: &RBig) -> LinearType {
         let [.., whole] = self.polynomials();
         let b = sign_at(&whole, s);
         if self.multiplicity() != Multiplicity::Points(1) {
@@ -218,8 +157,7 @@ impl AxisRotation {
             LinearType::Saddle => SpinType::Saddle,
             LinearType::DoubleReal => SpinType::DoubleReal,
             LinearType::Complex => SpinType::Complex,
-            LinearType::Zero => SpinType::Zero,
-            LinearType::ZeroReal => SpinType::ZeroReal,
+            LinearType::Zero | LinearType::ZeroReal => SpinType::Zero,
         }
     }
 
@@ -258,86 +196,26 @@ impl AxisRotation {
         changes
     }
 
+    /// The type at the slowest spins.
+    #[must_use]
+    pub fn slowest_type(&self) -> SpinType {
+        let any = || self.type_at(&RBig::ONE);
+        self.changes().first().map_or_else(any, |first| first.from)
+    }
+
+    /// A type as it is called for this rotation: with C = 2A = 2B, and of a free plate about its normal, both pairs agree at
+    /// every spin.
+    #[must_use]
+    pub fn own(&self, kind: SpinType) -> SpinType {
+        let [c, a, b] = &self.moments;
+        let is_double = *c == a + b && (a == b || self.weight.is_zero());
+        if kind == SpinType::Minimum && is_double { SpinType::DoubleMinimum } else { kind }
+    }
+
     /// The type at a spin Ω ≠ 0.
     #[must_use]
     pub fn type_at_spin(&self, omega: &RBig) -> Option<SpinType> {
         (!omega.is_zero()).then(|| self.type_at(&(omega * omega)))
-    }
-
-    /// What is known of the rotation at a spin Ω ≠ 0 (Proposition 13.6 of docs/mathematics.md): what
-    /// [`critical`](crate::critical::critical()) says of it at the same l.
-    #[must_use]
-    pub fn stability_at_spin(&self, omega: &RBig) -> Option<Judged> {
-        if omega.is_zero() {
-            return None;
-        }
-        let (s, [_, a, b]) = (omega * omega, &self.moments);
-        let (kind, stiffness) = (self.linear_type_at(&s), self.stiffness(&s));
-        let falling = stiffness.into_iter().map(|sign| u8::from(sign == Sign::Negative)).sum();
-        let setting =
-            Setting { index: falling, minimum: self.minimum(stiffness), integral: a == b || self.weight.is_zero() };
-        let is_set = self.multiplicity() != Multiplicity::Points(1);
-        let beyond = self
-            .beyond::<Interval384>(&s, (kind, setting), ())
-            .or_else(|| WIDE_BITS.into_iter().find_map(|bits| self.beyond::<Wide>(&s, (kind, setting), bits)));
-        let (c, state) = self.enclosed::<Interval384>(&s, ());
-        let reduced = Reduced::new(&c, &state);
-        let question = Question { c: &c, state: &state, reduced: &reduced, kind, setting };
-        let nonlinear = beyond.unwrap_or_else(|| question.undecided(self.resonances(&s)));
-        let friction = Friction::new(&reduced, kind, setting, is_set);
-        Some(Judged { kind, nonlinear, friction, eigenvalues: reduced.eigenvalues(kind, is_set, 1.0) })
-    }
-
-    /// The state with the first axis as that of rotation.
-    fn enclosed<E: Enclosure>(&self, s: &RBig, precision: E::Precision) -> (Constants<E>, State<E>) {
-        let squares = [&self.weight * &self.weight, RBig::ZERO, RBig::ZERO];
-        let c = Constants::exact(&self.moments, &squares, precision);
-        let number = |x: &RBig| E::rational(x, precision);
-        let state = State::about(&c, Axis::ALL[0], &number(s), &number(&(&self.weight / s)));
-        (c, state)
-    }
-
-    /// The verdict in some precision.
-    fn beyond<E: Enclosure>(
-        &self,
-        s: &RBig,
-        (kind, setting): (LinearType, Setting),
-        precision: E::Precision,
-    ) -> Option<Nonlinear> {
-        let (c, state) = self.enclosed::<E>(s, precision);
-        let reduced = Reduced::new(&c, &state);
-        Question { c: &c, state: &state, reduced: &reduced, kind, setting }.verdict(self.resonances(s))
-    }
-
-    /// Which of the resonances 1:2 and 1:3 between imaginary pairs hold.
-    fn resonances(&self, s: &RBig) -> [Option<bool>; 2] {
-        let [first, second, whole] = self.polynomials().map(|polynomial| value_at(&polynomial, s));
-        let [_, a, b] = &self.moments;
-        let (b2, c) = (&whole * &whole, first * second * a * b);
-        [1, 2].map(|k| {
-            let [m, n] = RESONANCES[k];
-            Some(RBig::from(m) * &b2 == RBig::from(n) * &c)
-        })
-    }
-
-    /// Whether U_l has a strict minimum where the Hessian is degenerate.
-    fn minimum(&self, stiffness: [Sign; 2]) -> Option<bool> {
-        // μ is at least the largest moment: K_A, K_B ≥ 0 and ρ = s(μ − C) ≥ 0.
-        if self.weight >= RBig::ZERO && stiffness.iter().all(|&sign| sign != Sign::Negative) {
-            return Some(true);
-        }
-        if stiffness.contains(&Sign::Negative) {
-            return Some(false);
-        }
-        // On the great circle to the axis A with K_A = ρ + sd = 0, d = C − A, with q = sin² of the angle:
-        // U = ½sC²/(C − dq) − ρ√(1 − q) = const + (sd/8)(4d/C − 1)q² + …
-        let [c, a, b] = &self.moments;
-        let soft = stiffness.into_iter().zip([a, b]).find(|(sign, _)| *sign == Sign::Zero);
-        let d = c - soft?.1;
-        match sign_of(&(&d * (RBig::from(4) * &d - c))) {
-            Sign::Zero => None,
-            sign => Some(sign == Sign::Positive),
-        }
     }
 
     /// l at a spin.
@@ -359,41 +237,14 @@ impl AxisRotation {
     pub fn h(&self, omega: f64) -> f64 {
         0.5 * self.moments[0].to_f64().value() * omega * omega - self.weight.to_f64().value()
     }
-
-    /// The frequencies |Im λ|, in rad over the unit of time, and the largest rate of growth Re λ at a spin.
-    #[must_use]
-    pub fn frequencies_and_growth(&self, omega: &RBig) -> ([f64; 2], f64) {
-        let [_, a, b] = self.moments.each_ref().map(|x| x.to_f64().value());
-        // Exact up to here: beside a root of the discriminant nothing of its sign is lost.
-        let s = omega * omega;
-        let at = |c: &[RBig]| c.iter().rev().fold(RBig::ZERO, |sum, c| sum * &s + c).to_f64().value();
-        let [first, second, whole] = self.polynomials().map(|c| at(&c));
-        let (half, product) = (0.5 * whole / (a * b), first * second / (a * b));
-        let discriminant = at(&self.discriminant()) / (4.0 * a * a * b * b);
-        if discriminant < 0.0 {
-            // λ² = −half ± i im. The smaller part of λ from the product of both, im/2.
-            let im = (-discriminant).sqrt();
-            let large = (0.5 * ((half * half + im * im).sqrt() + half.abs())).sqrt();
-            let small = 0.5 * im / large;
-            let (frequency, growth) = if half < 0.0 { (small, large) } else { (large, small) };
-            return ([frequency; 2], growth);
-        }
-        // Negative squares are frequencies, positive ones rates of growth: the larger one without cancellation, the other
-        // from the product.
-        let root = discriminant.sqrt();
-        let larger = -(half + if half < 0.0 { -root } else { root });
-        let smaller = if larger == 0.0 { 0.0 } else { product / larger };
-        let squares = if discriminant == 0.0 { [-half; 2] } else { [larger, smaller] };
-        (squares.map(|x| (-x).max(0.0).sqrt()), squares.into_iter().fold(0.0, f64::max).sqrt())
-    }
 }
 
 /// The value of a polynomial.
-fn value_at(coefficients: &[RBig], s: &RBig) -> RBig {
+pub(super) fn value_at(coefficients: &[RBig], s: &RBig) -> RBig {
     coefficients.iter().rev().fold(RBig::ZERO, |sum, c| sum * s + c)
 }
 
-fn sign_of(value: &RBig) -> Sign {
+pub(super) fn sign_of(value: &RBig) -> Sign {
     value.cmp(&RBig::ZERO).into()
 }
 
@@ -423,7 +274,7 @@ mod tests {
             rotation(["2", "2", "0.5"], ["0", "0", "3"], 2, Sign::Positive)
                 .changes()
                 .iter()
-                .all(|change| change.to.is_stable())
+                .all(|change| change.to.is_elliptic())
         );
     }
 

@@ -63,10 +63,27 @@ pub fn nearest_steady(body: &Body, omega: &RBig, up: &[RBig; 3]) -> Option<Stead
     (distance(&equilibrium) < 1e-6).then_some(SteadyRotation { gamma, angle, place: [h, l], is_exact, equilibrium })
 }
 
+/// The other steady axes at a spin that are as near to a direction as one of them, at this angle in radians.
+#[must_use]
+pub fn equally_near_steady(
+    body: &Body,
+    omega: &RBig,
+    up: [f64; 3],
+    (nearest, angle): ([f64; 3], f64),
+) -> Vec<[f64; 3]> {
+    /// Angles that differ by less are the same.
+    const TIE: f64 = 1e-11;
+    let found = RelativeEquilibria::new(body).ok().and_then(|all| Some(all.at_spin(omega).ok()?.list));
+    let axes = found.unwrap_or_default().into_iter().map(|point| point.gamma.map(|x| 0.0 - x));
+    let is_other =
+        |axis: &[f64; 3]| (angle_between(*axis, up) - angle).abs() < TIE && angle_between(*axis, nearest) > TIE;
+    axes.filter(is_other).collect()
+}
+
 /// The spin Ω ≥ 0 at which rotation with `up` pointing up is steady, where axis and spin are rational: then
 /// [`nearest_steady`] is exact at it. `None` too for an axis that is principal.
 #[must_use]
-pub fn exact_spin(body: &Body, up: &[RBig; 3]) -> Option<RBig> {
+pub(super) fn exact_spin(body: &Body, up: &[RBig; 3]) -> Option<RBig> {
     let Balance { left, right } = Balance::of(body, up)?;
     let squared = inner(&left, &left);
     if squared.is_zero() {

@@ -13,8 +13,9 @@ use bifdiag_numbers::interval::Interval;
 use dashu_ratio::RBig;
 
 use super::certain::AxisBox;
-use super::rotation::{AxisRotation, SpinChange, SpinType};
+use super::rotation::{AxisRotation, SpinChange};
 use bifdiag_body::Body;
+use bifdiag_schema::SpinType;
 
 /// The inputs that are varied, as they are reported.
 pub const INPUTS: [&str; 4] =
@@ -61,7 +62,7 @@ pub fn spin_ranges(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> Vec<SpinR
         let within = |change: &&SpinChange| range.omega[0] <= change.omega && change.omega <= range.omega[1];
         let mut between: Vec<SpinType> =
             sampled.iter().flatten().filter(within).flat_map(|change| [change.from, change.to]).collect();
-        between.sort();
+        between.sort_by_key(|kind| *kind as u8);
         between.dedup();
         between.retain(|found| Some(*found) != range.from && Some(*found) != range.to);
         let last = nominal.iter().rposition(|change| within(&change));

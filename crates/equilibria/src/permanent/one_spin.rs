@@ -1,0 +1,52 @@
+//! Rotation about an axis of Staude's cone, which is steady at one spin.
+
+use bifdiag_body::Body;
+use bifdiag_numbers::vector::dot;
+use bifdiag_schema::AxisEnd;
+use dashu_ratio::RBig;
+
+use super::axis::MEANT;
+use super::cone::NearestAxis;
+use super::steady::{exact_spin, nearest_steady};
+use crate::critical::Equilibrium;
+
+/// The spin at which rotation about an axis is steady.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OneSpin {
+    /// Which end is up then.
+    pub end: AxisEnd,
+    /// Ω.
+    pub omega: f64,
+    /// l there.
+    pub l: f64,
+    /// h there.
+    pub h: f64,
+    /// The relative equilibrium; `None` where it was not found.
+    pub equilibrium: Option<Equilibrium>,
+}
+
+impl OneSpin {
+    /// Of an axis on the cone, which was given as `exact`, of any length; `None` for one that is in equilibrium at rest.
+    #[must_use]
+    pub fn of(body: &Body, axis: &NearestAxis, exact: &[RBig; 3]) -> Option<Self> {
+        let s = axis.squared_spin.filter(|s| *s != 0.0)?;
+        let up = axis.axis.map(|x| s.signum() * x);
+        let rational = |x: f64| RBig::try_from(x).unwrap_or_default();
+        let exact_up = exact.each_ref().map(|x| x * rational(s.signum()));
+        let (exact_up, exact_omega) = match exact_spin(body, &exact_up) {
+            Some(omega) => (exact_up, omega),
+            None => (up.map(rational), rational(s.abs().sqrt())),
+        };
+        let omega = exact_omega.to_f64().value();
+        let (a, r) = (body.moments_f64(), body.center_f64());
+        let l = omega * dot(up, [0, 1, 2].map(|k| a[k] * up[k]));
+        let found = nearest_steady(body, &exact_omega, &exact_up).filter(|found| found.angle <= MEANT);
+        Some(Self {
+            end: AxisEnd::of_squared_spin(s),
+            omega,
+            l,
+            h: 0.5 * omega * l + dot(up, r),
+            equilibrium: found.map(|found| found.equilibrium),
+        })
+    }
+}

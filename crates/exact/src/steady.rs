@@ -1,0 +1,158 @@
+//! The steady rotation at one spin that is nearest to a direction, with the changes over the spin and the regions beside it.
+
+use std::cmp::Ordering;
+
+use bifdiag_body::{Body, Number};
+use bifdiag_diagram::atlas::Spot;
+use bifdiag_diagram::region_changes::{RotationChange, rotation_changes};
+use bifdiag_equilibria::critical::Multiplicity;
+use bifdiag_equilibria::permanent::{
+    AxisKind, AxisRotation, Judged, MEANT, PermanentAxis, SteadyRotation, angle_between, nearest_steady, permanent_axis,
+};
+use bifdiag_numbers::Sign;
+use bifdiag_numbers::vector::norm;
+use dashu_ratio::RBig;
+
+use crate::solver::Solver;
+
+/// Distances in h at which the regions beside a curve are looked up, relative to the size of the energies.
+const STEPS: [f64; 4] = [1e-9, 1e-12, 1e-15, 1e-18];
+
+/// How many of them are above the rounding of a point that is not exactly on the curve.
+const ROUNDED: usize = 2;
+
+/// A permanent axis nearer than this, in radians, to a steady rotation that was found in doubles is its axis.
+const SAME: f64 = 1e-12;
+
+/// Which steady rotation is asked for, in principal axes and the body's units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpinQuestion {
+    /// The axis that points up.
+    pub up: [f64; 3],
+    /// The same, exact, of any length.
+    pub exact_up: [RBig; 3],
+    /// Ω, exact.
+    pub omega: RBig,
+}
+
+/// A steady rotation.
+#[derive(Clone, Debug)]
+pub struct Steady {
+    /// Its axis, pointing up, in principal axes.
+    pub axis: [f64; 3],
+    /// The angle to the axis of the question in radians; 0 where they are meant to be one.
+    pub angle: f64,
+    /// h and l.
+    pub place: [f64; 2],
+    /// What it is one of.
+    pub multiplicity: Multiplicity,
+    /// Its stability.
+    pub judged: Judged,
+    /// |Im λ| of both pairs by size, per unit of time.
+    pub frequencies: [f64; 2],
+    /// The largest Re λ, if it is positive.
+    pub growth: Option<f64>,
+    /// Of an axis that is permanent at every spin: the changes at the next smaller spin, at this one and at the next larger one.
+    pub changes: [Option<RotationChange>; 3],
+    /// What lies just below and just above in h; `None` where it is not known.
+    pub beside: Option<[Spot; 2]>,
+}
+
+impl Steady {
+    /// The steady rotation whose axis is nearest to that of the question.
+    #[must_use]
+    pub fn nearest(solver: &Solver, question: &SpinQuestion) -> Option<Self> {
+        let SpinQuestion { up, exact_up, omega } = question;
+        let body = solver.body();
+        if let AxisKind::Permanent { axis, .. } = AxisKind::of(body, *up) {
+            return Self::about(solver, omega, axis, 0.0);
+        }
+        let found = nearest_steady(body, omega, exact_up)?;
+        let up = found.gamma.map(|x| 0.0 - x);
+        match permanent_axis(body, up).filter(|axis| angle_between(axis.direction, up) <= SAME) {
+            Some(axis) => Self::about(solver, omega, axis, found.angle),
+            None => Some(Self::beyond(solver, omega, found)),
+        }
+    }
+
+    /// Rotation about an axis that is permanent at every spin, at an angle to that of the question: exact, along its curve.
+    fn about(solver: &Solver, omega: &RBig, axis: PermanentAxis, angle: f64) -> Option<Self> {
+        let body = solver.body();
+        // γ points down.
+        let rotation = AxisRotation::about(body, axis, Sign::Negative)?;
+        let changes = changes_beside(&rotation_changes(&rotation, solver.atlas()), omega);
+        let Some(judged) = rotation.stability_at_spin(omega) else {
+            let up = axis.direction.map(|x| RBig::try_from(x).unwrap_or_default());
+            let found = SteadyRotation { angle, ..nearest_steady(body, omega, &up)? };
+            return Some(Self { changes, ..Self::beyond(solver, omega, found) });
+        };
+        let (frequencies, growth) = rotation.frequencies_and_growth(omega);
+        let (h, l) = rotation.point(omega);
+        Some(Self {
+            axis: axis.direction,
+            angle: meant(angle),
+            place: [h.to_f64(), l.to_f64()],
+            multiplicity: rotation.multiplicity(),
+            judged,
+            frequencies: by_size(frequencies),
+            growth: judged.kind.is_unstable().then_some(growth),
+            changes,
+            beside: beside(solver, [&h, &l], size(body, &l, omega), true),
+        })
+    }
+
+    /// Rotation about another axis, which is permanent at this spin.
+    fn beyond(solver: &Solver, omega: &RBig, found: SteadyRotation) -> Self {
+        let SteadyRotation { gamma, angle, place: [h, l], is_exact, equilibrium } = found;
+        let multiplicity = equilibrium.multiplicity;
+        let judged = Judged::from(equilibrium);
+        let pairs = judged.eigenvalues.pairs;
+        Self {
+            axis: gamma.map(|x| 0.0 - x),
+            angle: meant(angle),
+            place: [h.to_f64(), l.to_f64()],
+            multiplicity,
+            judged,
+            frequencies: by_size(pairs.map(|pair| pair[1])),
+            growth: Some(pairs.iter().map(|pair| pair[0]).fold(0.0, f64::max)).filter(|growth| *growth > 0.0),
+            changes: [None, None, None],
+            beside: beside(solver, [&h, &l], size(solver.body(), &l, omega), is_exact),
+        }
+    }
+}
+
+/// 0 where the two axes are meant to be one.
+fn meant(angle: f64) -> f64 {
+    if angle <= MEANT { 0.0 } else { angle }
+}
+
+fn by_size([p, q]: [f64; 2]) -> [f64; 2] {
+    [p.min(q), p.max(q)]
+}
+
+/// The size of the energies.
+fn size(body: &Body, l: &Number, omega: &RBig) -> f64 {
+    let size = norm(body.center_f64()) + 0.5 * l.to_f64() * omega.to_f64().value();
+    // At rest without weight there is no other energy to compare with.
+    if size > 0.0 { size } else { 1.0 }
+}
+
+/// The changes at the next smaller spin than Ω, at Ω itself, and at the next larger one.
+fn changes_beside(changes: &[RotationChange], omega: &RBig) -> [Option<RotationChange>; 3] {
+    let at = |place: Ordering| changes.iter().filter(move |change| change.place_of(omega) == place);
+    [at(Ordering::Greater).next_back(), at(Ordering::Equal).next(), at(Ordering::Less).next()].map(Option::<&_>::cloned)
+}
+
+/// The regions just below and just above a point of a curve: that curve is still the nearest one there, so that no other
+/// lies between.
+fn beside(solver: &Solver, [h, l]: [&Number; 2], size: f64, is_exact: bool) -> Option<[Spot; 2]> {
+    let curve = solver.classify(h, l).ok()?.margin.nearest;
+    let near = |step: RBig| {
+        let h = Number::from_rational(h.value() + step);
+        let found = solver.classify(&h, l).ok().filter(|found| found.margin.nearest == curve)?;
+        Some(solver.spot(&h, l, &found.answer)).filter(|spot| matches!(spot, Spot::Region(_) | Spot::Forbidden))
+    };
+    let steps = if is_exact { &STEPS[..] } else { &STEPS[..ROUNDED] };
+    let region = |side: f64| steps.iter().filter_map(|step| RBig::try_from(side * step * size).ok()).find_map(near);
+    Some([region(-1.0)?, region(1.0)?])
+}
