@@ -161,6 +161,8 @@ impl<'a> Maximum<'a> {
 
     /// K₁₁, K₁₂ twice and K₂₂ from tori of three sizes, each half the one before.
     fn twist_of_tori(&self, largest: f64) -> [f64; 4] {
+        // Where the tori that are the reference are smaller, rounding drowns the differences.
+        const SMALL: f64 = 0.1;
         let found = [1.0, 0.5, 0.25].map(|share| {
             let size = share * largest;
             // Actions in ratios 1 : 1/4 and 1/4 : 1.
@@ -175,8 +177,6 @@ impl<'a> Maximum<'a> {
                 }
                 mean
             };
-            // Where the tori that are the reference are smaller, rounding drowns the differences.
-            const SMALL: f64 = 0.1;
             let still = orbit(SMALL * size, SMALL * size);
             let (one, other) = (orbit(size, 0.5 * size), orbit(0.5 * size, size));
             let unit = size * size;
