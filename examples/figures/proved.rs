@@ -1,7 +1,7 @@
 //! How enclosures of proved motions widen: widths against time, of a regular and of a chaotic motion.
 
 use std::error::Error;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicU64};
 
 use bifdiag_body::{Body, Number};
 use bifdiag_enclosure::orbit::{ProofOptions, prove};
@@ -49,7 +49,7 @@ fn widths() -> Result<Chart, Box<dyn Error>> {
         times.dedup();
         let stop = AtomicBool::new(false);
         let series = PRECISIONS.iter().enumerate().map(|(name, (digits, _))| {
-            let options = ProofOptions { digits: Some(*digits), bound: BOUND, stop: &stop };
+            let options = ProofOptions { digits: Some(*digits), bound: BOUND, stop: &stop, steps: &AtomicU64::new(0) };
             let samples = prove(&body, &start, &times, &options).samples;
             let points = samples.iter().map(|sample| [sample.time.to_f64().value(), sample.width()]).collect();
             Series { name, points, joined: true, intervals: Vec::new() }

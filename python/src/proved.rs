@@ -1,6 +1,6 @@
 //! Motions with proved bounds as arrays.
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicU64};
 
 use bifdiag::Number;
 use bifdiag::documents::{EnclosureRow, ProofAsked, enclosure_rows, enclosures, proved_motion as document};
@@ -57,7 +57,7 @@ pub fn proved_motion<'py>(
     let exact = times.iter().map(|time| Number::from_f64(*time).map(|time| time.value().clone()));
     let exact = exact.collect::<Result<Vec<_>, _>>().map_err(|error| errors::input(&error))?;
     let stop = AtomicBool::new(false);
-    let options = ProofOptions { digits, bound, stop: &stop };
+    let options = ProofOptions { digits, bound, stop: &stop, steps: &AtomicU64::new(0) };
     let work = || {
         let motion = prove(&body.subject.body, &asked.start(), &exact, &options);
         let document = document(&body.subject, &asked, &times, &motion);

@@ -114,7 +114,7 @@ fn work(options: &Options) -> Result<(), Failure> {
         Some(Command::Section(arguments)) => section::run(arguments, &timings, quiet),
         Some(Command::Chaos(arguments)) => chaos::run(arguments, &timings, quiet),
         Some(Command::Sphere(arguments)) => sphere::run(arguments, &timings),
-        Some(Command::Orbit(arguments)) => orbit::run(arguments, &timings),
+        Some(Command::Orbit(arguments)) => orbit::run(arguments, &timings, quiet),
         Some(Command::Periodic(arguments)) => periodic::run(arguments, &timings, quiet),
         Some(Command::Explore(arguments)) => explore::run(arguments),
         Some(Command::Verify(arguments)) => verify::run(arguments, &timings),

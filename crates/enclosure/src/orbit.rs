@@ -1,6 +1,6 @@
 //! The motion at given times, in as many digits as its bounds need.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use bifdiag_body::Body;
 use bifdiag_numbers::directed::Big;
@@ -32,6 +32,8 @@ pub struct ProofOptions<'a> {
     pub bound: f64,
     /// Cancellation: once it is set, the motion ends.
     pub stop: &'a AtomicBool,
+    /// Counts steps, for whoever watches: those of every precision that is tried.
+    pub steps: &'a AtomicU64,
 }
 
 /// An interval with rational ends.
@@ -207,6 +209,7 @@ impl Problem<'_> {
             bits += i64::from(exponent);
             left -= step.length();
             steps += 1.0;
+            self.options.steps.fetch_add(1, Ordering::Relaxed);
             point = next;
         }
         usize::try_from(bits.max(0)).unwrap_or(0) + usize::try_from(libm::ilogb(1.0 + steps)).unwrap_or(0) + 8
@@ -231,6 +234,7 @@ impl Problem<'_> {
             };
             let length = RBig::try_from(step.length()).unwrap_or(RBig::ZERO);
             motion.steps += 1;
+            self.options.steps.fetch_add(1, Ordering::Relaxed);
             while let Some(time) = left.peek() {
                 let from_start = *time * &self.speed - &now;
                 if from_start > length {

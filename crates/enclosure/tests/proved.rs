@@ -4,7 +4,7 @@
 //! `MOTIONS=FILE cargo test --release --test proved oracle`.
 
 use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicU64};
 
 use bifdiag_body::{Body, Number};
 use bifdiag_enclosure::orbit::{Ends, ProofOptions, ProvedMotion, prove};
@@ -53,7 +53,12 @@ impl Case {
             phi: self.phi.as_deref().map_or(RBig::ZERO, exact),
         };
         let stop = AtomicBool::new(false);
-        prove(&body, &start, &[exact(&self.time)], &ProofOptions { digits, bound, stop: &stop })
+        prove(
+            &body,
+            &start,
+            &[exact(&self.time)],
+            &ProofOptions { digits, bound, stop: &stop, steps: &AtomicU64::new(0) },
+        )
     }
 }
 
@@ -117,7 +122,7 @@ fn the_past_is_enclosed_too() {
     let text = ["0.6", "0", "0.8"];
     let start = ExactStart { gamma: text.map(exact), omega: ["1", "0.3", "1"].map(exact), phi: exact("0.5") };
     let stop = AtomicBool::new(false);
-    let options = ProofOptions { digits: None, bound: 1e-12, stop: &stop };
+    let options = ProofOptions { digits: None, bound: 1e-12, stop: &stop, steps: &AtomicU64::new(0) };
     let times = ["-3", "-1.5", "0", "2"].map(exact);
     let there = prove(&paper(), &start, &times, &options);
     assert_eq!(there.samples.len(), 4);
@@ -143,7 +148,7 @@ fn the_past_is_enclosed_too() {
 fn followed(body: &Body, [gamma, omega]: [[&str; 3]; 2], time: &str, bound: f64, digits: Option<u32>) -> ProvedMotion {
     let start = ExactStart { gamma: gamma.map(exact), omega: omega.map(exact), phi: RBig::ZERO };
     let stop = AtomicBool::new(false);
-    prove(body, &start, &[exact(time)], &ProofOptions { digits, bound, stop: &stop })
+    prove(body, &start, &[exact(time)], &ProofOptions { digits, bound, stop: &stop, steps: &AtomicU64::new(0) })
 }
 
 /// A chaotic motion of the body `ten`: the derivative of its flow is e^21 large at t = 130, e^32 at t = 164 and e^50 at t = 270.
@@ -176,4 +181,21 @@ fn the_proof_ends_where_digits_do() {
     assert!(doubles.samples.is_empty() && doubles.proved[1] > 90.0 && doubles.proved[1] < 150.0, "{doubles:?}");
     let rising = followed(&paper(), start, "200", 1e-10, None);
     assert!(rising.samples.len() == 1 && rising.bits > 53 && rising.widest() <= 1e-10);
+}
+
+/// Whoever watches sees the steps of every precision that is tried.
+#[test]
+fn steps_are_counted_while_a_motion_is_proved() {
+    let body = Body::parse(&["2", "1.1", "1"], &["0.94868", "0", "0.61623"]).unwrap();
+    let number = |text: &str| exact(text);
+    let start =
+        ExactStart { gamma: ["0.6", "0", "0.8"].map(number), omega: ["1", "0.3", "1"].map(number), phi: RBig::ZERO };
+    let (stop, steps) = (AtomicBool::new(false), AtomicU64::new(0));
+    let options = ProofOptions { digits: None, bound: 1e-12, stop: &stop, steps: &steps };
+    let motion = prove(&body, &start, &[exact("30")], &options);
+    let counted = steps.load(std::sync::atomic::Ordering::Relaxed);
+    assert!(motion.end.is_none() && motion.steps > 10 && counted >= motion.steps, "{counted} {}", motion.steps);
+    stop.store(true, std::sync::atomic::Ordering::Relaxed);
+    assert!(prove(&body, &start, &[exact("30")], &options).end.is_some());
+    assert_eq!(steps.load(std::sync::atomic::Ordering::Relaxed), counted);
 }

@@ -1,6 +1,6 @@
 //! The return to the section with its derivative.
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicU64};
 
 use bifdiag_body::{Body, Number};
 use bifdiag_enclosure::orbit::{ProofOptions, prove};
@@ -43,7 +43,12 @@ fn the_return_lies_on_the_motion_and_on_the_section() {
             assert!(section(&body, &middles(&found)).abs() < 1e-12);
             let stop = AtomicBool::new(false);
             let time = RBig::try_from(0.5 * (found.time[0] + found.time[1])).unwrap();
-            let motion = prove(&body, &start, &[time], &ProofOptions { digits: None, bound: 1e-13, stop: &stop });
+            let motion = prove(
+                &body,
+                &start,
+                &[time],
+                &ProofOptions { digits: None, bound: 1e-13, stop: &stop, steps: &AtomicU64::new(0) },
+            );
             let sample = &motion.samples[0];
             for (x, [lo, hi]) in found.state.iter().zip(sample.gamma.iter().chain(&sample.omega)) {
                 let (lo, hi) = (lo.to_f64().value(), hi.to_f64().value());

@@ -20,10 +20,10 @@ use arguments::Problem;
 
 pub use arguments::{EXAMPLES, OrbitArguments};
 
-pub fn run(arguments: &OrbitArguments, timings: &Timings) -> Result<(), Failure> {
+pub fn run(arguments: &OrbitArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     let problem = Problem::new(arguments)?;
     if arguments.proved {
-        return proved::run(&problem, timings);
+        return proved::run(&problem, timings, quiet);
     }
     let stop = Arc::new(AtomicBool::new(false));
     let stopping = Arc::clone(&stop);

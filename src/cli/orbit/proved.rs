@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use bifdiag_body::Number;
 use bifdiag_documents::{EnclosureRow, ProofAsked, enclosure_rows, enclosures, proved_motion};
@@ -15,9 +15,9 @@ use crate::cli::export::{Columns, DataFormat, DataTarget, FileSet, Values, answe
 use crate::cli::failure::Failure;
 use crate::cli::input::{head, motion_units};
 use crate::cli::terminal::interrupt::stoppable;
-use crate::cli::terminal::{Report, Table, Timings, bound, counted, print, significant};
+use crate::cli::terminal::{Progress, Report, Table, Timings, bound, counted, print, significant};
 
-pub fn run(problem: &Problem<'_>, timings: &Timings) -> Result<(), Failure> {
+pub fn run(problem: &Problem<'_>, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     let Problem { arguments, subject, times, .. } = problem;
     let asked = asked(problem)?;
     let exact_times = times.iter().map(|time| number(*time).map(|time| time.value().clone()));
@@ -25,8 +25,12 @@ pub fn run(problem: &Problem<'_>, timings: &Timings) -> Result<(), Failure> {
     let stop = Arc::new(AtomicBool::new(false));
     let stopping = Arc::clone(&stop);
     let work = stoppable(move || stopping.store(true, Ordering::Relaxed));
-    let options = ProofOptions { digits: arguments.digits, bound: arguments.bound, stop: &stop };
-    let motion = timings.stage("proof", || prove(&subject.body, &asked.start(), &exact_times, &options));
+    let steps = AtomicU64::new(0);
+    let options = ProofOptions { digits: arguments.digits, bound: arguments.bound, stop: &stop, steps: &steps };
+    let progress = Progress::open("steps proved", quiet);
+    let start = asked.start();
+    let proof = || progress.watching(&steps, || prove(&subject.body, &start, &exact_times, &options));
+    let motion = timings.stage("proof", proof);
     let interrupted = !work.over();
     let mut document = proved_motion(subject, &asked, times, &motion);
     let mut files = FileSet::new(Path::new("."));

@@ -2,7 +2,7 @@
 
 use super::averages::INTEGRAL;
 use super::ladder::NARROW;
-use super::verdict::{AGREE, Evidence, LINEAR, OpenReason, OrbitVerdict, verdict};
+use super::verdict::{AGREE, Evidence, OpenReason, OrbitVerdict, verdict};
 use crate::field::{norm, sub};
 
 /// Where the two windows of a look begin and end, as parts of the time until then: those of other verdicts.
@@ -12,17 +12,19 @@ pub(super) const MOMENTS: usize = 3;
 /// The most pieces that are kept of an orbit; then they are joined in pairs. Each look has at least 60 in a window.
 const PIECES: usize = 640;
 /// Averages apart by no more than this part of the spread at [`SETTLED_LOOKS`] looks in a row are those of a regular orbit,
-/// whatever a tangent vector does.
-const SETTLED: f64 = 1e-4;
+/// whatever a tangent vector does. Those of an orbit in a thin chaotic layer agree to 1e-4 or 1e-5 for long.
+const SETTLED: f64 = 3e-7;
 const SETTLED_LOOKS: usize = 2;
+/// What a tangent vector does counts from so many steps on: before, chaos of one e-fold in 500 steps would not show.
+const TOLD: u32 = 1280;
 /// Growth within this of a linear one, at [`LINEAR_LOOKS`] looks in a row, is that of a regular orbit, however slowly its averages
 /// settle.
 const NEARLY_LINEAR: f64 = 0.2;
 const LINEAR_LOOKS: usize = 4;
-/// Averages further apart than this at two looks in a row, of which the second is at least the look [`RESTLESS_LOOK`], do not
-/// settle soon: a tangent vector is asked.
-const RESTLESS: f64 = 1e-2;
-const RESTLESS_LOOK: usize = 4;
+/// Where the averages have settled less closely, growth by no more than this beyond a linear one, at [`AGREE`] looks in a row.
+const HARDLY_MORE: f64 = 0.5;
+/// ln|δ| beyond which steady growth is chaos although the averages agree now and then by chance, as long as they do not settle.
+const VERY_MUCH: f64 = 60.0;
 
 /// What an orbit is, and what showed it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,17 +35,8 @@ pub struct Decision {
     pub time: f64,
     /// How often S = ⟨ω, r×γ⟩ changed its sign from one step to the next.
     pub crossings: u32,
-    /// Steps of the integrator that it took: of the orbit alone, and of the orbit with a tangent vector.
-    pub steps: [u32; 2],
-}
-
-/// How the way of an orbit ends.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Ending {
-    pub number: usize,
-    pub decision: Decision,
-    /// That is all: it does not ask for a tangent vector.
-    pub is_over: bool,
+    /// Steps of the integrator that it took.
+    pub steps: u32,
 }
 
 /// A piece of an orbit: one step, or several in a row.
@@ -86,8 +79,8 @@ impl Piece {
 
 /// An orbit in a lane.
 pub(super) struct Course {
-    number: usize,
-    with_tangent: bool,
+    /// Which it is.
+    pub number: usize,
     steps: u32,
     /// Of `together` steps each; the last may have fewer.
     pieces: Vec<Piece>,
@@ -103,10 +96,9 @@ pub(super) struct Course {
 
 impl Course {
     /// At its start, where S has this value.
-    pub fn new(number: usize, value: f64, with_tangent: bool) -> Self {
+    pub fn new(number: usize, value: f64) -> Self {
         Self {
             number,
-            with_tangent,
             steps: 0,
             pieces: Vec::with_capacity(PIECES),
             together: 1,
@@ -149,27 +141,23 @@ impl Course {
     }
 
     /// Looks at the orbit if it has come to the next of these numbers of steps; its end, if this is it.
-    pub fn look(&mut self, looks: &[usize]) -> Option<Ending> {
+    pub fn look(&mut self, looks: &[usize]) -> Option<Decision> {
         if looks.get(self.seen.len()) != Some(&(self.steps as usize)) {
             return None;
         }
         self.seen.push(self.evidence());
-        let is_last = self.seen.len() == looks.len();
         let verdict = self.verdict();
-        let is_over = !verdict.is_open() || self.with_tangent && is_last;
-        let asks = is_last || !self.with_tangent && self.is_restless();
-        (is_over || asks).then(|| self.ending(verdict, is_over))
+        let is_over = !verdict.is_open() || self.seen.len() == looks.len();
+        is_over.then(|| self.decision(verdict))
     }
 
     /// Where it could not be followed.
-    pub fn failed(&self) -> Ending {
-        self.ending(OrbitVerdict::Open(OpenReason::Unfinished), true)
+    pub fn failed(&self) -> Decision {
+        self.decision(OrbitVerdict::Open(OpenReason::Unfinished))
     }
 
-    fn ending(&self, verdict: OrbitVerdict, is_over: bool) -> Ending {
-        let steps = if self.with_tangent { [0, self.steps] } else { [self.steps, 0] };
-        let decision = Decision { verdict, time: self.time, crossings: self.crossings, steps };
-        Ending { number: self.number, decision, is_over }
+    fn decision(&self, verdict: OrbitVerdict) -> Decision {
+        Decision { verdict, time: self.time, crossings: self.crossings, steps: self.steps }
     }
 
     /// What is seen of the orbit where it is now.
@@ -212,24 +200,26 @@ impl Course {
         self.seen.len() >= looks && self.seen.iter().rev().take(looks).all(what)
     }
 
-    /// The averages do not settle soon.
-    fn is_restless(&self) -> bool {
-        self.seen.len() > RESTLESS_LOOK && self.saw(2, |seen| seen.apart > RESTLESS)
-    }
-
     /// What the looks at it say.
     fn verdict(&self) -> OrbitVerdict {
-        let is_linear = |seen: &Evidence| {
-            seen.growth.iter().zip(LINEAR).all(|(growth, linear)| (growth - linear).abs() <= NEARLY_LINEAR)
+        if self.saw(SETTLED_LOOKS, |seen| seen.apart <= SETTLED) {
+            return OrbitVerdict::Regular;
+        }
+        let Some(looks) = self.seen.last_chunk::<AGREE>().filter(|_| self.steps >= TOLD) else {
+            return OrbitVerdict::Open(OpenReason::TooShort { crossings: self.crossings as usize });
         };
-        if self.saw(SETTLED_LOOKS, |seen| seen.apart <= SETTLED)
-            || self.with_tangent && self.saw(LINEAR_LOOKS, is_linear)
+        if self.saw(LINEAR_LOOKS, |seen| seen.grows_linearly(NEARLY_LINEAR))
+            || looks.iter().all(|seen| seen.settled() && seen.grows_no_faster(HARDLY_MORE))
         {
             return OrbitVerdict::Regular;
         }
-        match self.seen.last_chunk::<AGREE>() {
-            Some(looks) if self.with_tangent => verdict(looks),
-            _ => OrbitVerdict::Open(OpenReason::TooShort { crossings: self.crossings as usize }),
+        match verdict(looks) {
+            OrbitVerdict::Open(OpenReason::GrowsButSettles)
+                if looks[AGREE - 1].log >= VERY_MUCH && looks.iter().all(|seen| seen.apart > SETTLED) =>
+            {
+                OrbitVerdict::Chaotic
+            }
+            other => other,
         }
     }
 }
@@ -279,7 +269,7 @@ mod tests {
     /// However many steps are joined in a piece, the mean of a periodic motion is that of it.
     #[test]
     fn averages_over_joined_pieces_converge() {
-        let mut course = Course::new(0, 1.0, false);
+        let mut course = Course::new(0, 1.0);
         for number in 0..30_000 {
             course.take(step(number, 2.1), 1.0);
             assert!(course.pieces.len() <= PIECES);
@@ -291,5 +281,47 @@ mod tests {
         for growth in seen.growth {
             assert!((growth / (0.375 * 6000.0) - 1.0).abs() < 1e-3, "{growth}");
         }
+    }
+
+    /// A course of many steps at whose looks this was seen.
+    fn judged(seen: &[Evidence]) -> OrbitVerdict {
+        let mut course = Course::new(0, 1.0);
+        (course.steps, course.seen) = (TOLD, seen.to_vec());
+        course.verdict()
+    }
+
+    fn seen(apart: f64, growth: [f64; 2], log: f64) -> Evidence {
+        Evidence { time: 1.0, apart, growth, log }
+    }
+
+    /// Averages in a thin chaotic layer agree to 1e-4 for long: alone they once made such an orbit regular.
+    #[test]
+    fn averages_alone_are_believed_only_where_they_settle_closely() {
+        let weak = |apart| judged(&[seen(apart, [2.3, 2.9], 14.0), seen(apart, [3.1, 3.3], 17.0)]);
+        assert!(weak(5e-5).is_open() && weak(4e-7).is_open());
+        assert_eq!(weak(2e-7), OrbitVerdict::Regular);
+    }
+
+    /// Growth over few steps would hide slow chaos.
+    #[test]
+    fn a_tangent_vector_is_believed_only_after_many_steps() {
+        let mut course = Course::new(0, 1.0);
+        course.seen = vec![seen(1e-3, [0.9, 0.5], 4.0); 8];
+        for (steps, expected) in [(TOLD - 1, false), (TOLD, true)] {
+            course.steps = steps;
+            assert_eq!(course.verdict() == OrbitVerdict::Regular, expected);
+        }
+    }
+
+    /// Steady growth far beyond the distance of two doubles is chaos, although averages agree at a look by chance; where they settle, it
+    /// is an unstable periodic orbit.
+    #[test]
+    fn steady_growth_is_chaos_unless_the_averages_settle() {
+        let grown = |apart| {
+            judged(&[seen(0.03, [9.0, 8.0], 30.0), seen(apart, [13.0, 11.0], 48.0), seen(0.02, [20.0, 15.0], 70.0)])
+        };
+        assert_eq!(grown(0.01), OrbitVerdict::Chaotic);
+        assert_eq!(grown(1e-4), OrbitVerdict::Chaotic);
+        assert!(grown(1e-7).is_open());
     }
 }

@@ -80,7 +80,7 @@ impl fmt::Display for OpenReason {
 }
 
 /// Linear growth of |δ|: what ln|δ| gains over the two windows of a look, the means of 1/t times their lengths.
-pub(super) const LINEAR: [f64; 2] = [0.866, 0.463];
+const LINEAR: [f64; 2] = [0.866, 0.463];
 /// Growth counts as linear, or less, up to this excess.
 const TOLERANCE: f64 = 0.3;
 /// Exponential growth: at least this much in each window.
@@ -111,8 +111,14 @@ impl Evidence {
         self.apart <= SETTLED
     }
 
-    fn linear(&self) -> bool {
-        self.growth.iter().zip(LINEAR).all(|(growth, linear)| (-TOLERANCE..=linear + TOLERANCE).contains(growth))
+    /// No faster than linearly, up to this excess.
+    pub(super) fn grows_no_faster(&self, excess: f64) -> bool {
+        self.growth.iter().zip(LINEAR).all(|(growth, linear)| (-excess..=linear + excess).contains(growth))
+    }
+
+    /// Linearly, within this.
+    pub(super) fn grows_linearly(&self, within: f64) -> bool {
+        self.growth.iter().zip(LINEAR).all(|(growth, linear)| (growth - linear).abs() <= within)
     }
 
     fn exponential(&self) -> bool {
@@ -129,7 +135,7 @@ impl Evidence {
 pub(super) fn verdict(looks: &[Evidence; AGREE]) -> OrbitVerdict {
     let all = |holds: fn(&Evidence) -> bool| looks.iter().all(holds);
     let settled = all(Evidence::settled);
-    let linear = all(Evidence::linear);
+    let linear = all(|seen| seen.grows_no_faster(TOLERANCE));
     let exponential = all(Evidence::exponential) && looks[AGREE - 1].log >= MUCH;
     match (linear, exponential) {
         (true, _) if settled => OrbitVerdict::Regular,
