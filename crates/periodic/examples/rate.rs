@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             for equilibrium in &critical(body, &l.parse()?)?.list {
                 let begun = processor_time();
                 let found = families(body, equilibrium, &options)?;
-                time += processor_time() - begun;
+                time += processor_time().saturating_sub(begun);
                 for family in found {
                     let orbits = &family.stretch.members;
                     members += orbits.len();
