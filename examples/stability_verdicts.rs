@@ -24,8 +24,11 @@ use support::random::SplitMix64;
 
 type Parts = ([f64; 3], [f64; 3]);
 
+/// What a number of a row is made into.
+type Maker = fn(f64) -> Parts;
+
 /// Bodies that are special for ε = 0.
-const ENDS: [(&str, fn(f64) -> Parts); 6] = [
+const ENDS: [(&str, Maker); 6] = [
     ("axis", |e| ([2.0, 1.1, 1.0], [1.0, e, 2.0 * e])),
     ("plane", |e| ([2.0, 1.1, 1.0], [0.94868, e, 0.61623])),
     ("symmetric", |e| ([1.0, 1.0 + e, 1.3], [0.3, 0.5, 0.7])),

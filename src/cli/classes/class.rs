@@ -142,9 +142,10 @@ fn report(class: &ClassDocument, document: &AtlasDocument, written: &[PathBuf]) 
         None => "",
     };
     let sections: Vec<&str> = document.regions.iter().filter_map(|region| region.signature.as_deref()).collect();
-    report.line(match sections.is_empty() {
-        true => "sections of its regions: none, since r = 0".to_owned(),
-        false => format!("sections of its regions: {}", sections.join(", ")),
+    report.line(if sections.is_empty() {
+        "sections of its regions: none, since r = 0".to_owned()
+    } else {
+        format!("sections of its regions: {}", sections.join(", "))
     });
     report.line(format!("types of components: {}", class.types.join(", ")));
     report.line(format!("share of {among}{of}: {}", share_in_words(class)));

@@ -58,15 +58,12 @@ pub(crate) fn parts(text: &str) -> Vec<Part> {
     while at < characters.len() {
         let end = word_end(&characters, at);
         let own: String = characters[at..end.max(at + 1)].iter().collect();
-        match symbols(&characters, at, end) {
-            Some((formula, end)) => {
-                add(formula, true);
-                at = end;
-            }
-            None => {
-                at += own.chars().count();
-                add(own, false);
-            }
+        if let Some((formula, end)) = symbols(&characters, at, end) {
+            add(formula, true);
+            at = end;
+        } else {
+            at += own.chars().count();
+            add(own, false);
         }
     }
     parts
