@@ -498,11 +498,12 @@ fn refusals_and_tables_say_what_is_so() {
     assert!(!border.stdout().contains("0.00000000"), "{}", border.stdout());
 }
 
-/// Every sample in the table of regions lies in its region, however thin that is.
+/// Every sample in the table of regions lies in its region, however thin that is; where none in doubles does, it is marked.
 #[test]
 fn printed_samples_lie_in_their_regions() {
-    let bodies = ["--A 1e9,2e9,1.5e9 --r 1e-3,1,2e-3", "--body ten", "--body paper", "--A 3,2,1 --r 0.1,1,0.2"];
-    let mut seen = 0;
+    let narrow = "--A 1,2,2.5 --r 1,1e-8,0";
+    let bodies = ["--A 1e9,2e9,1.5e9 --r 1e-3,1,2e-3", "--body ten", "--body paper", "--A 3,2,1 --r 0.1,1,0.2", narrow];
+    let (mut seen, mut marked) = (0, 0);
     for body in bodies {
         let atlas = bifdiag(&format!("{body} --no-plot")).succeeds().stdout();
         for line in atlas.lines().filter(|line| line.starts_with('R')) {
@@ -511,9 +512,12 @@ fn printed_samples_lie_in_their_regions() {
             let Some((h, l)) = pair.split_once(')').and_then(|(pair, _)| pair.split_once(", ")) else { continue };
             let id = line.split_whitespace().next().unwrap().trim_end_matches('*');
             let found = bifdiag(&format!("classify {body} --h={h} --l={l} --json")).succeeds().json();
-            assert_eq!(found["region"], id, "{body}: {line}");
+            let is_marked = line.contains('~');
+            assert_eq!(found["region"] != id, is_marked, "{body}: {line}");
             seen += 1;
+            marked += u32::from(is_marked);
         }
+        assert_eq!(atlas.contains("~ in doubles"), body == narrow, "{atlas}");
     }
-    assert!(seen > 30, "{seen}");
+    assert!(seen > 30 && marked == 2, "{seen} {marked}");
 }

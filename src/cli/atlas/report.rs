@@ -2,9 +2,10 @@
 
 use std::path::PathBuf;
 
-use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::atlas::{Atlas, Spot};
 use bifdiag_documents::Subject;
 use bifdiag_documents::words::counted;
+use bifdiag_exact::{Accuracy, Solver};
 use bifdiag_schema::{
     AtlasDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument, EventKind, RegionDocument,
     SampleDocument, StabilityChangeDocument,
@@ -15,6 +16,19 @@ use crate::cli::terminal::{Report, Table, significant};
 
 /// Significant digits of a place in the plane.
 const DIGITS: usize = 8;
+
+/// Regions whose samples, in doubles, lie elsewhere.
+fn strays(subject: &Subject, document: &AtlasDocument) -> Vec<String> {
+    let is_narrow = |region: &&RegionDocument| region.sample.margin.h <= region.sample.margin.error_bound;
+    let solver = Solver::new(subject.body.clone(), Accuracy::Exact);
+    let is_inside = |region: &RegionDocument| {
+        let found = solver.row(region.sample.l, &[region.sample.h]);
+        let spot = found.and_then(Result::ok).and_then(|spots| spots.first().copied());
+        matches!(spot, Some(Spot::Region(id)) if id.to_string() == region.id)
+    };
+    let narrow = document.regions.iter().filter(is_narrow);
+    narrow.filter(|region| !is_inside(region)).map(|region| region.id.clone()).collect()
+}
 
 /// The table of regions fits a terminal of this width.
 const TABLE_WIDTH: usize = 100;
@@ -28,7 +42,11 @@ pub fn text(subject: &Subject, atlas: &Atlas, document: &AtlasDocument, written:
     if document.regions.is_empty() && document.summary.undecided.is_empty() {
         report.line("no point of the window is accessible: all of it lies below the lowest curve; there is no picture");
     } else {
-        report.line(region_table(subject, document));
+        let strays = strays(subject, document);
+        report.line(region_table(subject, document, &strays));
+        if !strays.is_empty() {
+            report.line("~ in doubles the sample lies outside its region, which is narrower than they resolve there");
+        }
     }
     report.line("");
     if let Some(table) = event_table(&document.events, &bifdiag_documents::atlas::events(atlas)) {
@@ -77,17 +95,26 @@ pub fn text(subject: &Subject, atlas: &Atlas, document: &AtlasDocument, written:
 }
 
 /// The table of regions, with as many digits as fit.
-fn region_table(subject: &Subject, document: &AtlasDocument) -> String {
+fn region_table(subject: &Subject, document: &AtlasDocument, strays: &[String]) -> String {
     let width = |region: &RegionDocument| document.h_width(&region.id);
     let least_moment = subject.body.moments_f64().into_iter().fold(f64::INFINITY, f64::min);
-    table_of(&document.regions, least_moment, &width)
+    let sample = |region: &RegionDocument, digits| {
+        let sample = inner_sample(&region.sample, least_moment, digits);
+        if strays.contains(&region.id) { format!("~{sample}") } else { sample }
+    };
+    table_of(&document.regions, &sample, &width)
 }
 
-fn table_of(regions: &[RegionDocument], least_moment: f64, width: &dyn Fn(&RegionDocument) -> Option<f64>) -> String {
-    let with = |digits, sample: &dyn Fn(&SampleDocument, usize) -> String| region_rows(regions, width, sample, digits);
-    let fits = |digits: &usize| with(*digits, &short_sample).width() <= TABLE_WIDTH;
+fn table_of(
+    regions: &[RegionDocument],
+    sample: &dyn Fn(&RegionDocument, usize) -> String,
+    width: &dyn Fn(&RegionDocument) -> Option<f64>,
+) -> String {
+    let with = |digits, sample: &dyn Fn(&RegionDocument, usize) -> String| region_rows(regions, width, sample, digits);
+    let short = |region: &RegionDocument, digits| short_sample(&region.sample, digits);
+    let fits = |digits: &usize| with(*digits, &short).width() <= TABLE_WIDTH;
     let digits = [6, 5, 4, 3].into_iter().find(fits).unwrap_or(2);
-    with(digits, &|sample, digits| inner_sample(sample, least_moment, digits)).text()
+    with(digits, sample).text()
 }
 
 /// A sample with this many digits.
@@ -111,7 +138,7 @@ fn inner_sample(sample: &SampleDocument, least_moment: f64, digits: usize) -> St
 fn region_rows(
     regions: &[RegionDocument],
     width: &dyn Fn(&RegionDocument) -> Option<f64>,
-    sample: &dyn Fn(&SampleDocument, usize) -> String,
+    sample: &dyn Fn(&RegionDocument, usize) -> String,
     digits: usize,
 ) -> Table {
     let mut table = Table::new(&["id", "signature", "U", "E", "P", "genus", "sample (h, l)", "width", "l-range"]);
@@ -128,7 +155,7 @@ fn region_rows(
             column(&|component| component.energy_surface.clone()),
             column(&|component| component.section.clone().unwrap_or_else(|| "-".to_owned())),
             column(&|component| component.genus.map_or_else(|| "-".to_owned(), |genus| genus.to_string())),
-            sample(&region.sample, digits),
+            sample(region, digits),
             number(width(region), "inf"),
             format!("{}..{}", number(from, "?"), number(to, "inf")),
         ]);
@@ -223,7 +250,8 @@ mod tests {
             region("R3", &[component(3, poles(true, false)), component(1, poles(false, true))], [-1e-7 / 3.0, 0.1]),
             region("R4", &[component(2, None)], [1.0, 2.0]),
         ];
-        let text = table_of(&regions, 1.0, &|region| Some(region.sample.h / 7.0));
+        let sample = |region: &RegionDocument, digits| inner_sample(&region.sample, 1.0, digits);
+        let text = table_of(&regions, &sample, &|region| Some(region.sample.h / 7.0));
         assert!(text.lines().all(|line| line.chars().count() <= TABLE_WIDTH), "{text}");
         for name in ["S2+S2+S2+S2+", "(S1xS2)#(S1xS2)", "M3", "RP3"] {
             assert!(text.contains(name), "{name} is missing in\n{text}");

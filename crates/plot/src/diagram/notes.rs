@@ -86,8 +86,9 @@ pub(super) fn notes(atlas: &AtlasDocument, magnified: &Magnifications, width: f6
         let items = regions.iter().map(|&index| {
             let region = &atlas.regions[index];
             let kind = region_type(region);
-            let wide =
-                atlas.h_width(&region.id).map_or_else(String::new, |wide| format!(", {} wide", short_number(wide, 2)));
+            let wide = atlas
+                .h_width(&region.id)
+                .map_or_else(String::new, |wide| format!(", at most {} wide", short_number(wide, 2)));
             let [h, l] = [region.sample.h, region.sample.l].map(|value| short_number(value, 8));
             format!("{} ({kind}) at {H} = {h}, {L} = {l}{wide}", region.id)
         });

@@ -61,11 +61,17 @@ impl<P: LabelledPlane> Division<'_, P> {
         let Some(partners) = kept.cloned().or_else(joined) else {
             let at: Vec<PlanePoint> = changes.iter().map(|&k| round[k].at).collect();
             let middle = crossing(&at).unwrap_or_else(|| mean(at.iter().copied()));
+            let corners = |number: usize| way(&round, &changes, number).chain([middle]).collect::<Vec<PlanePoint>>();
+            let rays: Vec<Vec<PlanePoint>> = (0..changes.len()).map(corners).collect();
+            // A side of the rectangle can show what nothing inside does.
+            let inner: Vec<PlanePoint> = rays.iter().map(|ray| self.place(mean(ray.iter().copied()))).collect();
+            let shown = self.plane.labels(&inner);
             for (number, &from) in changes.iter().enumerate() {
-                let corners = places(way(&round, &changes, number).chain([middle]).collect());
-                subdivision.borders.push([round[from].at, middle].map(|at| self.place(at)));
-                subdivision.pieces.extend(round[from].after.clone().map(|label| (label, corners)));
+                if shown[number] != shown[(number + changes.len() - 1) % changes.len()] {
+                    subdivision.borders.push([round[from].at, middle].map(|at| self.place(at)));
+                }
             }
+            subdivision.pieces.extend(shown.into_iter().zip(rays.into_iter().map(places)));
             return;
         };
         let bend = self.bends.get(&cell.from).copied().filter(|_| changes.len() == 2);

@@ -202,6 +202,21 @@ mod tests {
     }
 
     #[test]
+    fn sides_with_lands_of_their_own_have_no_area() {
+        let plane = Lands {
+            land: |[x, y]| match (x == 0.0, y == 0.0) {
+                (true, true) => 3,
+                (true, false) => 2,
+                (false, true) => 1,
+                (false, false) => 0,
+            },
+            zeros: |[x, y]| vec![x, y],
+        };
+        let places = (0..400).map(|k| [1e-4 + 1e-3 * f64::from(k % 20), 1e-4 + 1e-3 * f64::from(k / 20)]);
+        assert_eq!(wrong(&plane, places), Vec::<PlanePoint>::new());
+    }
+
+    #[test]
     fn a_corner_on_a_node_is_sharp() {
         // The lines x = 3/4 and y = 3/4 belong to what is beyond.
         let plane = Lands { land: |[x, y]| u8::from(x >= 0.75 || y >= 0.75), zeros: |[x, y]| vec![x - 0.75, y - 0.75] };
