@@ -9,7 +9,7 @@ const POINT: &str = "chaos --body paper --h 5.3 --l 3.25";
 #[test]
 fn a_point_has_a_share_with_its_error() {
     let found = bifdiag(&format!("{POINT} --error 0.06 --json")).succeeds().json();
-    assert_eq!((found["region"].as_str(), found["steps"].as_u64()), (Some("R3"), Some(40_960)));
+    assert_eq!((found["region"].as_str(), found["steps"].as_u64()), (Some("R3"), Some(20_480)));
     let [component] = &found["components"].as_array().unwrap()[..] else { panic!("{found}") };
     let number = |name: &str| component[name].as_f64().unwrap();
     // 129 of 400 orbits that were followed for eight times as long are chaotic, 249 are regular.

@@ -199,7 +199,7 @@ class Motions(Given):
         l: Number,
         *,
         error: float = 0.03,
-        steps: int = 40_960,
+        steps: int = 20_480,
         seed: int = 0,
         threads: int | None = None,
     ) -> ChaosPoint: ...
@@ -211,7 +211,7 @@ class Motions(Given):
         window: Window | None = None,
         cells: int | tuple[int, int] = (200, 200),
         error: float = 0.03,
-        steps: int = 40_960,
+        steps: int = 20_480,
         seed: int = 0,
         threads: int | None = None,
     ) -> ChaosMap: ...
@@ -224,7 +224,7 @@ class Motions(Given):
         window: Window | None = None,
         cells: int | tuple[int, int] | None = None,
         error: float = 0.03,
-        steps: int = 40_960,
+        steps: int = 20_480,
         seed: int = 0,
         threads: int | None = None,
     ) -> ChaosPoint | ChaosMap:

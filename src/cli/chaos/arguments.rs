@@ -79,7 +79,7 @@ pub struct ShareArguments {
     #[arg(long, value_name = "E", default_value_t = 0.03, value_parser = values::share_error, help_heading = "Orbits")]
     pub error: f64,
     /// Steps of the integrator after which an orbit stays open
-    #[arg(long, value_name = "N", default_value_t = 40_960, value_parser = clap::value_parser!(u32).range(160..=1 << 24))]
+    #[arg(long, value_name = "N", default_value_t = 20_480, value_parser = clap::value_parser!(u32).range(160..=1 << 24))]
     #[arg(help_heading = "Orbits", hide_short_help = true)]
     pub steps: u32,
     /// Another choice of the orbits, equally spread

@@ -41,7 +41,7 @@ pub struct DecisionOptions {
 
 impl Default for DecisionOptions {
     fn default() -> Self {
-        Self { steps: 40_960, tolerance: TOLERANCE, instructions: InstructionSet::Best }
+        Self { steps: 20_480, tolerance: TOLERANCE, instructions: InstructionSet::Best }
     }
 }
 
