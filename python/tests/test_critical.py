@@ -44,6 +44,8 @@ def test_many_momenta_are_one_array(paper):
 def test_wrong_momenta_are_told(paper):
     with pytest.raises(bifdiag.InputError, match=r"l\[1\] = nan is not finite"):
         paper.critical([1, float("nan")])
+    with pytest.raises(bifdiag.InputError, match=r"l\[1\] is masked"):
+        paper.critical(np.ma.masked_array([1.0, 2, 3], [0, 1, 0]))
     with pytest.raises(bifdiag.InputError, match="str"):
         paper.critical(None)
 

@@ -97,7 +97,7 @@ def test_a_file_that_gives_no_part_is_told(tmp_path):
     mesh.write_text(TETRAHEDRON.replace("f 2 3 4\n", ""))
     with pytest.raises(bifdiag.InputError, match="open"):
         bifdiag.Body.from_part(mesh, mass=1)
-    with pytest.raises(bifdiag.InputError, match="nothing"):
+    with pytest.raises(FileNotFoundError, match="nothing"):
         bifdiag.Body.from_part(tmp_path / "nothing.stl", mass=1)
     with pytest.raises(bifdiag.BodyError, match="cannot exist"):
         bifdiag.Body.from_inertia([[1, 0, 0], [0, 1, 0], [0, 0, 3]], [0, 0, 1], 1, about="centre of mass")

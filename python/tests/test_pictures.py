@@ -44,6 +44,7 @@ def test_a_diagram_takes_what_it_is_told(atlas):
     ax = atlas.plot(h=(2, 5), l=(2, 4), labels=False, regions=False, color="red")
     assert (ax.get_xlim(), ax.get_ylim()) == ((2, 5), (2, 4)) and not ax.texts and not ax.patches
     assert {line.get_color() for line in ax.lines} == {"red"}
+    assert {line.get_linewidth() for line in atlas.plot(lw=3).lines} == {3}
 
 
 def test_unstable_stretches_are_dashed(atlas):
@@ -139,6 +140,8 @@ def test_colours_of_verdicts_are_told(paper):
 
 
 def test_a_body_and_its_sphere_are_drawn(paper):
+    with pytest.raises(bifdiag.InputError, match='projection="3d"'):
+        paper.plot(plt.subplots()[1])
     ax = paper.plot()
     assert {text.get_text() for text in ax.texts} == {"$A_1$", "$A_2$", "$A_3$"}
     com = np.array(ax.lines[-1].get_data_3d())[:, -1]

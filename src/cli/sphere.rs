@@ -137,15 +137,15 @@ fn is_pole_line(classes: &[Components]) -> bool {
 
 /// The point, its region and what is special about it.
 fn caption(site: &Site, answer: &Answer) -> String {
-    let region = site.region.as_ref().map_or_else(String::new, |region| format!(",  region {region}"));
+    let region = site.region.as_ref().map_or_else(String::new, |region| format!(", region {region}"));
     let special = match answer {
-        Answer::Critical(classes) if is_pole_line(classes) => ",  on a pole line: a pole lies on ∂U, P changes here",
-        Answer::Critical(_) => ",  on a curve: U changes here",
-        Answer::Undecided(_) => ",  not decided",
+        Answer::Critical(classes) if is_pole_line(classes) => ", on a pole line: a pole lies on ∂U, P changes here",
+        Answer::Critical(_) => ", on a curve: U changes here",
+        Answer::Undecided(_) => ", not decided",
         Answer::Regular(_) | Answer::Forbidden => "",
     };
     let [h, l] = [("h", site.h.text()), ("l", site.l.text())].map(|(name, text)| told(name, text, 6));
-    format!("U(γ) ≤ h on the Poisson sphere:  {h},  {l}{region}{special}")
+    format!("U(γ) ≤ h on the Poisson sphere: {h}, {l}{region}{special}")
 }
 
 /// Hands over what is to be drawn of U; without components (on a curve) all of it has one tint.

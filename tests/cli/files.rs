@@ -107,7 +107,7 @@ fn json_goes_to_stdout_and_to_files_only_if_asked() {
 fn a_sphere_of_a_point_and_of_a_region() {
     let place = tempdir().unwrap();
     let point = bifdiag("sphere --body paper --h 4.45 --l 3.25 --format svg,png").inside(place.path()).succeeds();
-    point.printing("h = 4.45,  l = 3.25").printing("written: bifdiag-out/sphere.svg");
+    point.printing("h = 4.45, l = 3.25").printing("written: bifdiag-out/sphere.svg");
     assert_eq!(names(&place.path().join("bifdiag-out")), ["sphere.png", "sphere.svg"]);
     let svg = plain(&fs::read_to_string(place.path().join("bifdiag-out/sphere.svg")).unwrap());
     assert!(svg.contains("2: 1 boundary circle, pole −r̂;  E = S³, P = T² (genus 1)"));

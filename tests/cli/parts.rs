@@ -292,6 +292,19 @@ fn a_part_is_shown_and_drawn_as_it_was_understood() {
     );
 }
 
+/// The tensor of a turned inertial block has fractions of hundreds of digits: decimals are printed.
+#[test]
+fn a_turned_tensor_is_printed_in_decimals() {
+    let directory = tempfile::tempdir().unwrap();
+    let inertial = "<origin xyz='0 0 0.1' rpy='0.1 0.2 0.3'/><mass value='2'/>\
+                    <inertia ixx='0.01' iyy='0.02' izz='0.015' ixy='0.001' ixz='0' iyz='0'/>";
+    let arm = format!("<robot name='a'><link name='leg'><inertial>{inertial}</inertial></link></robot>");
+    fs::write(directory.path().join("arm.urdf"), arm).unwrap();
+    let told = bifdiag("body --part arm.urdf --link leg --g 9.81").inside(directory.path()).succeeds();
+    assert!(told.stdout().lines().all(|line| line.len() < 120), "{}", told.stdout());
+    told.printing("0.0304800");
+}
+
 /// A motion is printed in the units of the part, and says in which; a body in numbers has none.
 #[test]
 fn motions_of_parts_say_their_units() {

@@ -507,7 +507,8 @@ fn a_sphere_on_which_u_is_constant_has_no_pattern() {
     let sphere = |line: &str| bifdiag(&format!("sphere {line}")).inside(directory.path()).succeeds();
     sphere("--A 1,1,1 --r 0,0,0 --h 0.5 --l 1 --out s");
     let svg = std::fs::read_to_string(directory.path().join("s/sphere.svg")).unwrap();
-    assert!(svg.len() < 300_000 && svg.matches("\"#222222\">1<").count() == 1, "{} bytes", svg.len());
+    // It is on a curve, where no component has a number.
+    assert!(svg.len() < 300_000 && !svg.contains(">1<"), "{} bytes", svg.len());
     // Rounded numbers are told to be, with a minus sign.
     sphere("--A 2,2,1 --r 0,0,1 --h=-0.2600090312791064 --l 1.1 --out s");
     let svg = std::fs::read_to_string(directory.path().join("s/sphere.svg")).unwrap();

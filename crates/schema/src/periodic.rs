@@ -196,7 +196,7 @@ pub struct PeriodicDocument {
     pub l: String,
     /// The most crossings of P in a period that were asked for, inward and outward.
     pub crossings: u32,
-    /// The isolated orbits, each once, by their crossings, then by their periods; each starts where it is highest.
+    /// The isolated orbits, each once, by their crossings, then by their periods; each starts where its centre of mass is lowest.
     pub orbits: Vec<PeriodicOrbitDocument>,
     /// One orbit of each continuum of orbits of one period, such as a resonant torus of an integrable body.
     pub continua: Vec<PeriodicOrbitDocument>,

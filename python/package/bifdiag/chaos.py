@@ -11,7 +11,7 @@ from .errors import InputError
 from .exact import Number
 from .optional import needed
 from .records import ChaosPoint
-from .tables import Table
+from .tables import StoredTable
 
 if TYPE_CHECKING:
     import xarray
@@ -22,7 +22,7 @@ STEPS = (160, 2**24)
 """The fewest and the most steps of an orbit."""
 
 
-class ChaosMap(Table):
+class ChaosMap(StoredTable):
     """The chaotic share over a window of the (h, l) plane, a row for each component of E in each region in each cell; made
     by ``Body.chaos(window=…)``.
 

@@ -83,6 +83,10 @@ def doubles(values: Any, name: str, *, check: bool = True) -> np.ndarray | None:
     InputError
         For what is no number, and, if they are to be checked, for numbers that are not finite or out of range.
     """
+    masked = np.ma.getmaskarray(values) if check and isinstance(values, np.ma.MaskedArray) else None
+    if masked is not None and masked.any():
+        first = ", ".join(str(place) for place in np.argwhere(masked)[0])
+        raise InputError(f"{name}[{first}] is masked; leave masked numbers out: {name}.compressed()")
     array = np.asarray(values)
     match array.dtype.kind:
         case "f" if array.dtype.itemsize > 8:

@@ -8,11 +8,11 @@ import numpy.typing as npt
 
 from . import _core, exact, pictures
 from .errors import InputError
-from .tables import Table
+from .tables import StoredTable
 from .times import times
 
 
-class Motion(Table):
+class Motion(StoredTable):
     """A motion in space: a row for each time; made by `Body.orbit`.
 
     The frame in space is right-handed and its **third axis points down**, along gravity, as γ does; the first two are

@@ -9,10 +9,10 @@ import numpy.typing as npt
 from . import _core, exact, pictures
 from .errors import InputError
 from .exact import Number
-from .tables import Table
+from .tables import StoredTable
 
 
-class _Orbits(Table):
+class _Orbits(StoredTable):
     h: npt.NDArray[np.float64]
     l: npt.NDArray[np.float64]
     gamma: npt.NDArray[np.float64]

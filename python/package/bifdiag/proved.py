@@ -9,13 +9,13 @@ import numpy.typing as npt
 from . import _core, exact
 from .errors import InputError
 from .exact import Number
-from .tables import Table
+from .tables import StoredTable
 from .times import span, times
 
 Ends = npt.NDArray[np.float64]
 
 
-class ProvedMotion(Table):
+class ProvedMotion(StoredTable):
     """Enclosures of a motion, a row for each time; made by ``Body.orbit(..., proved=True)``.
 
     The exact motion from exactly the numbers that were given lies between the lower and the upper ends: a theorem with its

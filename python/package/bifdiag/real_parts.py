@@ -122,8 +122,12 @@ class RealParts(Given):
         BodyError
             If the part cannot exist.
         InputError
-            If the file does not define a part: it is missing, the mesh is open or inside out, its mass is not given, …
+            If the file does not define a part: the mesh is open or inside out, its mass is not given, …
+        OSError
+            If the file cannot be read; FileNotFoundError if it is not there.
         """
+        with open(path, "rb"):
+            pass
         weight = [
             None if value is None else exact.text(value, name) for name, value in (("density", density), ("mass", mass))
         ]

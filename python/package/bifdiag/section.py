@@ -11,13 +11,13 @@ from . import _core, exact, pictures
 from .behaviour import table
 from .errors import InputError
 from .exact import Number
-from .tables import Table
+from .tables import StoredTable
 
 ORBITS, CROSSINGS = 10**6, 2**31 - 1
 """The most orbits and crossings."""
 
 
-class Section(Table):
+class Section(StoredTable):
     """A Poincaré section: a row for each crossing, in the order of the orbits; made by `Body.section`.
 
     It contains the states with energy h and momentum l at which S = d⟨γ, r⟩/dt vanishes, that is, at which the centre of

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     import xarray
 
 
-AnyTable = TypeVar("AnyTable", bound="Table")
+AnyTable = TypeVar("AnyTable", bound="StoredTable")
 
 
 class Table:
@@ -31,11 +31,6 @@ class Table:
     meta : dict
         The document of the run: body, point, parameters and outcome.
     """
-
-    NAMES: ClassVar[tuple[str, ...]] = ()
-    """The columns of a file."""
-    KIND: ClassVar[str] = "table"
-    """What a file of them is, one of `files.SOURCES`."""
 
     meta: dict[str, Any]
 
@@ -70,39 +65,6 @@ class Table:
     def columns(self) -> tuple[str, ...]:
         """The names of the columns."""
         return tuple(self._columns)
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the same bytes as the command line with ``--data FILE.npz``."""
-        with zipfile.ZipFile(path, "w", zipfile.ZIP_STORED, allowZip64=True) as archive:
-            for name, column in [*self._columns.items(), ("meta", np.array(self._meta))]:
-                buffer = io.BytesIO()
-                np.lib.format.write_array(buffer, np.asarray(column), version=(1, 0), allow_pickle=False)
-                entry = zipfile.ZipInfo(f"{name}.npy", (1980, 1, 1, 0, 0, 0))
-                entry.create_system, entry.create_version, entry.extract_version = 3, 10, 10
-                entry.external_attr = 0o100644 << 16
-                archive.writestr(entry, buffer.getvalue())
-
-    @classmethod
-    def load(cls: type[AnyTable], path: str | os.PathLike[str]) -> AnyTable:
-        """Reads a file written by `save` or by the command line with ``--data FILE.npz``.
-
-        Raises
-        ------
-        InputError
-            If the file is not such an archive; the message says what it is.
-        OSError
-            If the file cannot be read; FileNotFoundError if it is not there.
-        """
-        files.require(path, cls.KIND)
-        try:
-            with np.load(Path(path), allow_pickle=False) as archive:
-                arrays = {name: archive[name] for name in archive.files}
-        except (ValueError, zipfile.BadZipFile, TypeError) as error:
-            raise InputError(f"{path} is no archive of arrays: {error}") from error
-        missing = [name for name in (*cls.NAMES, "meta") if name not in arrays]
-        if missing:
-            raise InputError(f"{path} is no {cls.KIND}: it has no array {missing[0]!r}")
-        return cls(arrays, str(arrays.pop("meta")))
 
     def flat(self) -> dict[str, npt.NDArray[Any]]:
         """The columns, with vectors and complex numbers split: ``gamma_1``, ``gamma_2``, ``gamma_3``."""
@@ -148,6 +110,48 @@ class Table:
         return same and all(_equal(column, other._columns[name]) for name, column in self._columns.items())
 
     __hash__ = None  # type: ignore[assignment]
+
+
+class StoredTable(Table):
+    """A table that the command line writes as an archive, too."""
+
+    NAMES: ClassVar[tuple[str, ...]] = ()
+    """The columns of a file."""
+    KIND: ClassVar[str]
+    """What a file of them is, one of `files.SOURCES`."""
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the same bytes as the command line with ``--data FILE.npz``."""
+        with zipfile.ZipFile(path, "w", zipfile.ZIP_STORED, allowZip64=True) as archive:
+            for name, column in [*self._columns.items(), ("meta", np.array(self._meta))]:
+                buffer = io.BytesIO()
+                np.lib.format.write_array(buffer, np.asarray(column), version=(1, 0), allow_pickle=False)
+                entry = zipfile.ZipInfo(f"{name}.npy", (1980, 1, 1, 0, 0, 0))
+                entry.create_system, entry.create_version, entry.extract_version = 3, 10, 10
+                entry.external_attr = 0o100644 << 16
+                archive.writestr(entry, buffer.getvalue())
+
+    @classmethod
+    def load(cls: type[AnyTable], path: str | os.PathLike[str]) -> AnyTable:
+        """Reads a file written by `save` or by the command line with ``--data FILE.npz``.
+
+        Raises
+        ------
+        InputError
+            If the file is not such an archive; the message says what it is.
+        OSError
+            If the file cannot be read; FileNotFoundError if it is not there.
+        """
+        files.require(path, cls.KIND)
+        try:
+            with np.load(Path(path), allow_pickle=False) as archive:
+                arrays = {name: archive[name] for name in archive.files}
+        except (ValueError, zipfile.BadZipFile, TypeError) as error:
+            raise InputError(f"{path} is no archive of arrays: {error}") from error
+        missing = [name for name in (*cls.NAMES, "meta") if name not in arrays]
+        if missing:
+            raise InputError(f"{path} is no {cls.KIND}: it has no array {missing[0]!r}")
+        return cls(arrays, str(arrays.pop("meta")))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self._columns, self._meta)

@@ -17,9 +17,11 @@ use crate::cli::terminal::{Report, Table, significant};
 /// Significant digits of a place in the plane.
 const DIGITS: usize = 8;
 
-/// Regions whose samples, in doubles, lie elsewhere.
+/// Regions whose samples, in doubles, lie elsewhere; regions of `--accuracy fast` are not looked at, for it has others.
 fn strays(subject: &Subject, document: &AtlasDocument) -> Vec<String> {
-    let is_narrow = |region: &&RegionDocument| region.sample.margin.h <= region.sample.margin.error_bound;
+    let is_narrow = |region: &&RegionDocument| {
+        document.accuracy == Accuracy::Exact && region.sample.margin.h <= region.sample.margin.error_bound
+    };
     let solver = Solver::new(subject.body.clone(), Accuracy::Exact);
     let is_inside = |region: &RegionDocument| {
         let found = solver.row(region.sample.l, &[region.sample.h]);

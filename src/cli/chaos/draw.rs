@@ -68,7 +68,7 @@ fn panel(map: &ChaosMapDocument, painted: &[Painted], component: u32, most: u32)
         0 => "component 0 of E".to_owned(),
         _ => format!("component {component} of E, in {}", regions.iter().copied().collect::<Vec<_>>().join(", ")),
     };
-    ChaosPanel { h, l, name, cells: cells.filter(inside).collect(), labels: labels(map, component) }
+    ChaosPanel { h, l, name, cells: cells.filter(inside).collect(), labels: labels(map, painted, component) }
 }
 
 /// The part of the window where a region has this component, and a margin.
@@ -151,8 +151,8 @@ fn is_uniform(solver: &Solver, cells: &Cells, [i, j]: [u64; 2]) -> Result<bool, 
 }
 
 /// The name of each region with this component in the middle of where it is widest: a cell of it is farthest from any other cell.
-/// A region without a whole cell has its name at the one of which it has most.
-fn labels(map: &ChaosMapDocument, component: u32) -> Vec<([f64; 2], String)> {
+/// A region without a whole cell has its name amid its own squares in the one of which it has most.
+fn labels(map: &ChaosMapDocument, painted: &[Painted], component: u32) -> Vec<([f64; 2], String)> {
     let mut regions: BTreeMap<&str, BTreeSet<[u64; 2]>> = BTreeMap::new();
     let own = || map.rows.iter().filter(|row| row.component == component);
     for row in own().filter(|row| row.part >= 1.0) {
@@ -169,7 +169,13 @@ fn labels(map: &ChaosMapDocument, component: u32) -> Vec<([f64; 2], String)> {
     let cells = cells(map);
     let label = |(region, own): (&str, BTreeSet<[u64; 2]>)| {
         let [i, j] = innermost(own);
-        (cells.place(i as f64 + 0.5, j as f64 + 0.5), region.to_owned())
+        let [low, high] = [0.0, 1.0].map(|more| cells.place(i as f64 + more, j as f64 + more));
+        let middle = |one: &Painted| [one.h, one.l].map(|[from, to]| 0.5 * (from + to));
+        let is_in = |at: [f64; 2]| (0..2).all(|axis| low[axis] <= at[axis] && at[axis] <= high[axis]);
+        let squares: Vec<[f64; 2]> =
+            painted.iter().filter(|one| one.region == region).map(middle).filter(|at| is_in(*at)).collect();
+        let place = squares.get(squares.len() / 2).copied();
+        (place.unwrap_or_else(|| cells.place(i as f64 + 0.5, j as f64 + 0.5)), region.to_owned())
     };
     regions.into_iter().map(label).collect()
 }

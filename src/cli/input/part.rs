@@ -427,12 +427,14 @@ pub fn shown(text: &str) -> String {
 
 /// A number that was computed of a part: a decimal, exactly where it is a short one, else with so many digits.
 pub fn shown_of_part(text: &str, digits: usize) -> String {
-    let Ok(value) = text.parse::<Number>() else { return text.to_owned() };
-    let short = decimal::short(value.value());
+    // Fractions of a turned tensor have hundreds of digits, more than a number that may be given.
+    let parsed = text.parse::<Number>().map(|number| number.value().clone()).or_else(|_| text.parse::<RBig>());
+    let Ok(value) = parsed else { return text.to_owned() };
+    let short = decimal::short(&value);
     if short.len() <= digits + 2 && !short.contains('/') {
         return short;
     }
-    let rounded = significant(value.to_f64(), digits);
-    let is_whole = rounded.parse::<Number>().is_ok_and(|number| number == value);
+    let rounded = significant(value.to_f64().value(), digits);
+    let is_whole = rounded.parse::<Number>().is_ok_and(|number| *number.value() == value);
     if is_whole { rounded } else { format!("{rounded}…") }
 }

@@ -158,7 +158,11 @@ fn text(subject: &Subject, document: &PeriodicFamiliesDocument, written: &[PathB
         }
     }
     report.line("");
-    report.line("T period; crossings of P in a period; trace the sum of the two multipliers");
+    report.line(if document.families.is_empty() {
+        "no family begins here: no equilibrium has a pair of imaginary eigenvalues"
+    } else {
+        "T period; crossings of P in a period; trace the sum of the two multipliers"
+    });
     motion_units(subject, &mut report);
     report.written(written);
     report.text()

@@ -21,6 +21,9 @@ pub(super) struct Located {
     pub place: f64,
 }
 
+/// Where two families cross an orbit is known to the square root of its defect only: the other family closes as well.
+const CROSSING: f64 = 4e-7;
+
 /// What vanishes at a special orbit.
 type Test = fn(&Setting<'_>, &Member) -> f64;
 
@@ -73,7 +76,11 @@ fn locate(
         let Ok(member) = setting.ahead(known.0, (place - known.1) * distance) else { break };
         let value = test(setting, &member);
         let moved = best.as_ref().map_or(f64::INFINITY, |last| (last.place - place).abs());
-        let error = best.as_ref().map_or(f64::INFINITY, |last| (parameter(&last.member) - parameter(&member)).abs());
+        let moved_by = |last: &Located| (parameter(&last.member) - parameter(&member)).abs();
+        let mut error = best.as_ref().map_or((parameter(to) - parameter(from)).abs(), moved_by);
+        if kind == OrbitEventKind::Branch {
+            error = error.max(CROSSING);
+        }
         best = Some(Located { kind, member, error, place });
         if moved <= 1e-12 || value == 0.0 {
             break;

@@ -44,6 +44,11 @@ const STRAIGHT: f64 = 0.97;
 /// of sign are seen one by one; but no step is made shorter than so for it.
 const TURN: f64 = 1.0;
 const FINE: f64 = 1e-3;
+/// Where another family crosses, or only comes near, a long step would change over to it: towards the trace 2 and away from it
+/// its distance changes by no more than this factor in a step, and by half of it if all goes on as it did; nearer than that the
+/// families do meet.
+const NEARING: f64 = 3.0;
+const MEET: f64 = 1e-3;
 /// A step near an end is at most this share of the distance that is left.
 const SHARE: f64 = 0.4;
 /// An orbit so small has shrunk to an equilibrium.
@@ -117,7 +122,10 @@ impl<'a> Course<'a> {
         while found.members.len() < self.options.members && !self.options.stop.load(Ordering::Relaxed) {
             let setting = self.setting();
             let next = setting.ahead(&last, step).ok();
-            let is_fine = |next: &Member| next.straight > STRAIGHT && (turn(&last, next) < TURN || step < FINE);
+            let is_fine = |next: &Member| {
+                let seen = turn(&last, next) < TURN && nearing(&last, next) < NEARING;
+                next.straight > STRAIGHT && !next.is_beyond_an_end(&last) && (seen || step < FINE)
+            };
             let Some(next) = next.filter(is_fine) else {
                 step *= 0.5;
                 if step < SHORTEST {
@@ -152,7 +160,7 @@ impl<'a> Course<'a> {
                 found.end = end;
                 break;
             }
-            let pace = pace(next.corrections).min(0.7 * TURN / turn(&last, &next));
+            let pace = pace(next.corrections).min(0.7 * TURN / turn(&last, &next)).min(towards_two(&last, &next));
             step = (step * pace).min(LONGEST).min(longest_step(&last, &next));
             last = next;
         }
@@ -194,6 +202,23 @@ impl<'a> Course<'a> {
 fn turn(before: &Member, member: &Member) -> f64 {
     let [was, is] = [before, member].map(|member| member.orbit.trace.clamp(-3.0, 3.0));
     (is - was).abs()
+}
+
+/// How far the trace is from 2.
+fn from_two(member: &Member) -> f64 {
+    (member.orbit.trace - 2.0).abs().clamp(MEET, 3.0)
+}
+
+/// By which factor the trace has come nearer to 2, or gone away.
+fn nearing(before: &Member, member: &Member) -> f64 {
+    let [was, is] = [before, member].map(from_two);
+    (was / is).max(is / was)
+}
+
+/// How much longer the next step may be so that the trace does not come too near to 2 in it.
+fn towards_two(before: &Member, member: &Member) -> f64 {
+    let [was, is] = [before, member].map(from_two);
+    if is < was && is > MEET { 0.5 * is / (was - is) } else { f64::INFINITY }
 }
 
 /// How much longer the next step may be.

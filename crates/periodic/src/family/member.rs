@@ -95,6 +95,16 @@ impl Member {
         (nodes[nodes.len() / 2] - nodes[0]).norm()
     }
 
+    /// Between it and the member before, with the same nodes, lies an orbit of half the period, or an equilibrium: the two nodes
+    /// that are half a period apart have changed places.
+    pub fn is_beyond_an_end(&self, before: &Self) -> bool {
+        let apart = |member: &Self| {
+            let nodes = &member.shot.ring.nodes;
+            nodes[nodes.len() / 2] - nodes[0]
+        };
+        self.past.is_some() && apart(self).dot(&apart(before)) < 0.0
+    }
+
     /// How fast what is not held changes along the family.
     pub fn rate(&self, space: &Space, held: Keep) -> f64 {
         let [_, of_l, of_h] = space.gradients(&self.shot.ring.nodes[0]);

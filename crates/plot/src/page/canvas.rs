@@ -35,6 +35,17 @@ pub enum Anchor {
     End,
 }
 
+impl Anchor {
+    /// Which part of the text is before it.
+    fn share(self) -> f64 {
+        match self {
+            Self::Start => 0.0,
+            Self::Middle => 0.5,
+            Self::End => 1.0,
+        }
+    }
+}
+
 /// Where a picture is drawn; all positions and sizes in pixels. The first failure is kept for the end, so that drawing code
 /// need not handle it.
 pub struct Canvas {
@@ -276,6 +287,12 @@ impl Canvas {
         if text.is_empty() {
             return;
         }
+        // Of an index that goes back below its exponent some programs forget the way back when they look for the middle.
+        let (at, anchor) = if parts(text).iter().any(|part| part.is_formula && stacked(&part.text).is_some()) {
+            ([at[0] - anchor.share() * text::text_width(text, size), at[1]], Anchor::Start)
+        } else {
+            (at, anchor)
+        };
         let [x, y] = at.map(to_units);
         let text: String = parts(text).iter().map(|part| set(part, size)).collect();
         let size = (size * UNITS * 100.0).round() / 100.0;

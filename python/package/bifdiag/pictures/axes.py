@@ -42,8 +42,17 @@ def space(ax: Any, figsize: Size | None = None) -> Any:
     """Likewise axes of three dimensions."""
     if ax is not None:
         refuse_size(figsize)
+        if not hasattr(ax, "plot_surface"):
+            raise InputError('ax has two dimensions; make axes of three by fig.add_subplot(projection="3d")')
         return ax
     return pyplot().figure(layout="constrained", figsize=figsize).add_subplot(projection="3d")
+
+
+def line_style(given: dict[str, Any]) -> dict[str, Any]:
+    """What is given of lines, by whole names: ``linewidth`` for ``lw``."""
+    line = needed("matplotlib.lines", "plot").Line2D
+    named: dict[str, Any] = needed("matplotlib.cbook", "plot").normalize_kwargs(given, line)
+    return named
 
 
 def refuse_size(figsize: Size | None) -> None:

@@ -9,7 +9,7 @@ import numpy.typing as npt
 from ..errors import InputError
 from ..exact import span
 from ..optional import needed
-from .axes import Array, Size, axes
+from .axes import Array, Size, axes, line_style
 from .straight import straight
 
 if TYPE_CHECKING:
@@ -108,6 +108,7 @@ def diagram(
         if view == "straight":
             raise InputError("h and l are ranges of the plane; the straightened plane is drawn as a whole")
         view = "plane"
+    line = line_style(line)
     # The grounds of regions are pale whatever the style sheet says.
     ink = "black" if regions else needed("matplotlib", "plot").rcParams["text.color"]
     if view == "straight" or (view == "auto" and atlas._inner.view() == "straight"):

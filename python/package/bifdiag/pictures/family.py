@@ -3,7 +3,7 @@
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
-from .axes import Size, axes
+from .axes import Size, axes, line_style
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -49,7 +49,7 @@ def family(
     """
     ax = axes(ax, figsize)
     along = found[found.free]
-    style: dict[str, Any] = {"color": "C0", "linewidth": 1.2} | line
+    style: dict[str, Any] = {"color": "C0", "linewidth": 1.2} | line_style(line)
     first = 0
     for kind, members in groupby(found.stability.tolist()):
         # Up to the first member of the next stretch, so that no gap is left.
