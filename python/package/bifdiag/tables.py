@@ -111,6 +111,9 @@ class Table:
 
     __hash__ = None  # type: ignore[assignment]
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._columns, self._meta)
+
 
 class StoredTable(Table):
     """A table that the command line writes as an archive, too."""
@@ -152,9 +155,6 @@ class StoredTable(Table):
         if missing:
             raise InputError(f"{path} is no {cls.KIND}: it has no array {missing[0]!r}")
         return cls(arrays, str(arrays.pop("meta")))
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self._columns, self._meta)
 
 
 def _split(name: str, values: npt.NDArray[Any]) -> dict[str, npt.NDArray[Any]]:
