@@ -38,7 +38,7 @@ const ORDER: [(&str, &str); 15] = [
          section words",
     ),
     ("crates/verify/src", "refused numbers equilibria order topology stability document"),
-    ("crates/plot/src", "page animation campbell periods steady diagram map section chaos sphere part"),
+    ("crates/plot/src", "page animation steady campbell periods diagram map section chaos sphere part"),
     (
         "src/cli",
         "failure terminal input export batch listings explain part spin atlas show classify critical verify section chaos sphere \

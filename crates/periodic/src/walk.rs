@@ -40,7 +40,7 @@ pub fn walk(space: &Space, shot: &Shot, reversors: &[Reversor], places: &[Phase]
     let known = RESIDUAL / (shot.reduced().trace() - 2.0).abs();
     let mut walker = Walker {
         space,
-        fixed: if known > FIXED[0] { known.min(FIXED[1]) } else { FIXED[0] },
+        fixed: known.clamp(FIXED[0], FIXED[1]),
         reversors,
         places,
         largest: 0.0,

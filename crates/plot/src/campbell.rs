@@ -6,6 +6,7 @@ use crate::page::{
     Anchor, CHART_TEXT, Canvas, Chart, Dash, INK, Legend, Picture, PlotError, Point, Rect, Symbol, Theme, render, rgb,
     rgbs, short_number, text_width,
 };
+use crate::steady::Steadiness;
 
 /// Frequencies over the spin.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,20 +28,7 @@ pub struct CampbellRow {
     /// The largest rate of growth in 1/s.
     pub growth: f64,
     /// What is known of the stability.
-    pub known: Known,
-}
-
-/// What is known of the stability of a rotation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Known {
-    /// Stable, also with friction.
-    Lasting,
-    /// Stable as long as there is no friction.
-    Frictionless,
-    /// Neither is known.
-    Open,
-    /// Unstable.
-    Unstable,
+    pub known: Steadiness,
 }
 
 const LEFT: f64 = 74.0;
@@ -54,28 +42,24 @@ const COLORS: [RGBColor; 2] = rgbs([0x12_50_a8, 0xc2_14_2d]);
 const SUMS: [RGBColor; 2] = rgbs([0x7f_a8_e0, 0xe8_8f_9a]);
 const ONCE: RGBColor = rgb(0xa8_a8_a8);
 
-impl Known {
-    const ALL: [Self; 4] = [Self::Lasting, Self::Frictionless, Self::Open, Self::Unstable];
+fn width(known: Steadiness) -> f64 {
+    if known == Steadiness::Frictionless { 0.8 } else { 2.0 }
+}
 
-    fn width(self) -> f64 {
-        if self == Self::Frictionless { 0.8 } else { 2.0 }
+fn pattern(known: Steadiness, color: RGBColor) -> Vec<Dash> {
+    match known {
+        Steadiness::Lasting | Steadiness::Frictionless => vec![(Some(color), 1.0)],
+        Steadiness::Open => vec![(Some(color), 2.0), (None, 3.0)],
+        Steadiness::Unstable => vec![(Some(color), 7.0), (None, 5.0)],
     }
+}
 
-    fn pattern(self, color: RGBColor) -> Vec<Dash> {
-        match self {
-            Self::Lasting | Self::Frictionless => vec![(Some(color), 1.0)],
-            Self::Open => vec![(Some(color), 2.0), (None, 3.0)],
-            Self::Unstable => vec![(Some(color), 7.0), (None, 5.0)],
-        }
-    }
-
-    fn meaning(self) -> &'static str {
-        match self {
-            Self::Lasting => "stable, with friction too",
-            Self::Frictionless => "stable without friction",
-            Self::Open => "stability not decided",
-            Self::Unstable => "unstable",
-        }
+fn meaning(known: Steadiness) -> &'static str {
+    match known {
+        Steadiness::Lasting => "stable, with friction too",
+        Steadiness::Frictionless => "stable without friction",
+        Steadiness::Open => "stability not decided",
+        Steadiness::Unstable => "unstable",
     }
 }
 
@@ -128,7 +112,7 @@ pub fn draw_campbell(campbell: &Campbell, theme: Theme) -> Result<Picture, PlotE
             }
             for (color, runs) in lines {
                 for (known, points) in runs {
-                    chart.line(canvas, points, &known.pattern(*color), known.width());
+                    chart.line(canvas, points, &pattern(*known, *color), width(*known));
                 }
             }
             changes(canvas, chart, &campbell.changes, number == 0);
@@ -138,22 +122,22 @@ pub fn draw_campbell(campbell: &Campbell, theme: Theme) -> Result<Picture, PlotE
 }
 
 /// A colour and what is drawn in it.
-type Curve = (RGBColor, Vec<(Known, Vec<Point>)>);
+type Curve = (RGBColor, Vec<(Steadiness, Vec<Point>)>);
 
 /// What lines mean.
 fn entries(rows: &[CampbellRow], has_changes: bool) -> Vec<(Symbol, String)> {
-    let line = |color: RGBColor, known: Known, text: &str| {
-        (Symbol::Line(known.pattern(color), known.width()), text.to_owned())
+    let line = |color: RGBColor, known: Steadiness, text: &str| {
+        (Symbol::Line(pattern(known, color), width(known)), text.to_owned())
     };
     let mut entries = vec![
-        line(COLORS[0], Known::Lasting, "one mode; in space the spin minus its frequency"),
-        line(COLORS[1], Known::Lasting, "the other"),
-        line(SUMS[0], Known::Lasting, "the spin plus its frequency"),
-        line(SUMS[1], Known::Lasting, "the same of the other (a body symmetric about the axis shows one of both)"),
-        line(ONCE, Known::Frictionless, "once per turn"),
+        line(COLORS[0], Steadiness::Lasting, "one mode; in space the spin minus its frequency"),
+        line(COLORS[1], Steadiness::Lasting, "the other"),
+        line(SUMS[0], Steadiness::Lasting, "the spin plus its frequency"),
+        line(SUMS[1], Steadiness::Lasting, "the same of the other (a body symmetric about the axis shows one of both)"),
+        line(ONCE, Steadiness::Frictionless, "once per turn"),
     ];
-    let is_there = |known: &Known| rows.iter().any(|row| row.known == *known);
-    entries.extend(Known::ALL.into_iter().filter(is_there).map(|known| line(INK, known, known.meaning())));
+    let is_there = |known: &Steadiness| rows.iter().any(|row| row.known == *known);
+    entries.extend(Steadiness::ALL.into_iter().filter(is_there).map(|known| line(INK, known, meaning(known))));
     if has_changes {
         entries.push((Symbol::Line(CHANGE.to_vec(), 1.2), "the type changes".to_owned()));
     }
@@ -184,8 +168,8 @@ fn changes(canvas: &Canvas, chart: &Chart, changes: &[f64], are_told: bool) {
 }
 
 /// Runs of equally known stability without gaps, each with the first point of the next.
-fn runs(rows: &[CampbellRow], value: impl Fn(&CampbellRow) -> f64) -> Vec<(Known, Vec<Point>)> {
-    let mut runs: Vec<(Known, Vec<Point>)> = Vec::new();
+fn runs(rows: &[CampbellRow], value: impl Fn(&CampbellRow) -> f64) -> Vec<(Steadiness, Vec<Point>)> {
+    let mut runs: Vec<(Steadiness, Vec<Point>)> = Vec::new();
     let mut is_open = false;
     for row in rows {
         let point = [row.spin, value(row)];
@@ -211,13 +195,18 @@ fn runs(rows: &[CampbellRow], value: impl Fn(&CampbellRow) -> f64) -> Vec<(Known
 mod tests {
     use super::*;
 
-    fn row(spin: f64, slow: f64, known: Known) -> CampbellRow {
-        CampbellRow { spin, frequencies: [slow, 1.0], growth: if known == Known::Unstable { 0.5 } else { 0.0 }, known }
+    fn row(spin: f64, slow: f64, known: Steadiness) -> CampbellRow {
+        CampbellRow {
+            spin,
+            frequencies: [slow, 1.0],
+            growth: if known == Steadiness::Unstable { 0.5 } else { 0.0 },
+            known,
+        }
     }
 
     #[test]
     fn a_pair_that_does_not_oscillate_leaves_a_gap() {
-        let (stable, unstable) = (Known::Lasting, Known::Unstable);
+        let (stable, unstable) = (Steadiness::Lasting, Steadiness::Unstable);
         let rows = [row(1.0, 0.5, stable), row(2.0, f64::NAN, unstable), row(3.0, 0.5, stable), row(4.0, 0.6, stable)];
         let lengths = |which: usize| {
             runs(&rows, |row| row.frequencies[which]).iter().map(|(_, points)| points.len()).collect::<Vec<_>>()
@@ -228,14 +217,15 @@ mod tests {
     #[test]
     fn growth_has_a_panel_only_where_something_grows() {
         let picture = |known| {
-            let rows = vec![row(30.0, 0.5, Known::Lasting), row(60.0, 0.6, known)];
+            let rows = vec![row(30.0, 0.5, Steadiness::Lasting), row(60.0, 0.6, known)];
             draw_campbell(&Campbell { rows, changes: vec![45.0] }, Theme::Light).unwrap().svg
         };
         for name in ["seen from the body", "seen from space"] {
-            assert!(picture(Known::Lasting).contains(name), "{name}");
+            assert!(picture(Steadiness::Lasting).contains(name), "{name}");
         }
         assert!(
-            !picture(Known::Lasting).contains("rate of growth") && picture(Known::Unstable).contains("rate of growth")
+            !picture(Steadiness::Lasting).contains("rate of growth")
+                && picture(Steadiness::Unstable).contains("rate of growth")
         );
     }
 }

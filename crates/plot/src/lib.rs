@@ -18,7 +18,7 @@ mod sphere;
 mod steady;
 
 pub use animation::{AnimatedCrossing, AnimationScene, draw_animation, draw_frame};
-pub use campbell::{Campbell, CampbellRow, Known, draw_campbell};
+pub use campbell::{Campbell, CampbellRow, draw_campbell};
 pub use chaos::{ChaosCell, ChaosPanel, ChaosScene, draw_chaos};
 pub use diagram::{
     CurveSource, DiagramOptions, DiagramTitle, DiagramView, LegendPlace, MarkedPoints, StraightDiagram, StraightLabel,

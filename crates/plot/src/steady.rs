@@ -43,7 +43,7 @@ const SIZE: [f64; 2] = [650.0, 520.0];
 const ROW: f64 = 13.0;
 
 impl Steadiness {
-    const ALL: [Self; 4] = [Self::Lasting, Self::Frictionless, Self::Open, Self::Unstable];
+    pub(crate) const ALL: [Self; 4] = [Self::Lasting, Self::Frictionless, Self::Open, Self::Unstable];
 
     fn color(self) -> RGBColor {
         match self {

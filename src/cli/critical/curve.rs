@@ -106,12 +106,10 @@ fn runs(
         family.stretches.iter().map(|stretch| stretch.from.map_or(0.0, |place| rpm(place.omega))).collect();
     let run = |(number, stretch): (usize, &bifdiag_equilibria::critical::SteadyStretch)| {
         let until = starts.get(number + 1).copied().unwrap_or(f64::INFINITY);
-        let kind = match stretch.verdict {
+        let kind = match stretch.verdict_with(are_known) {
             Some((NonlinearVerdict::Stable, Reason::Energy)) => Steadiness::Lasting,
             Some((NonlinearVerdict::Stable, _)) => Steadiness::Frictionless,
             Some((NonlinearVerdict::Unstable, _)) => Steadiness::Unstable,
-            // What is left to the normal form, Arnold's theorem decides but at isolated spins.
-            None if are_known => Steadiness::Frictionless,
             Some((NonlinearVerdict::Open, _)) | None => Steadiness::Open,
         };
         let here = points.iter().copied().filter(|[at, _]| (starts[number]..=until).contains(at));

@@ -57,6 +57,13 @@ pub fn listed(axis: [f64; 3]) -> String {
     format!("({})", axis.map(|x| significant(x, 6)).join(", "))
 }
 
+/// What is said of axes in principal axes that are as near as the one that is reported; nothing where there is none.
+pub fn as_near(subject: &Subject, others: Vec<[f64; 3]>) -> Option<String> {
+    let verb = if others.len() == 1 { "is" } else { "are" };
+    let axes: Vec<String> = others.into_iter().map(|axis| listed(subject.to_given(axis))).collect();
+    (!axes.is_empty()).then(|| format!("as near {verb} {}", axes.join(", ")))
+}
+
 /// What is said of a permanent axis that is followed in place of the given one.
 pub fn followed_text(nearest: &NearestAxisDocument) -> String {
     let angle = significant(nearest.angle_deg, 3);

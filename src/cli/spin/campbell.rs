@@ -11,7 +11,7 @@ use bifdiag_equilibria::permanent::{
     AxisKind, AxisRotation, PermanentAxis, angle_between, fastest_along, permanent_axis,
 };
 use bifdiag_numbers::Sign;
-use bifdiag_plot::{Campbell, CampbellRow, Known, draw_campbell};
+use bifdiag_plot::{Campbell, CampbellRow, Steadiness, draw_campbell};
 use clap::Args;
 
 use super::axis::{AxisArgument, axis, followed_text, one_of, principal_near};
@@ -120,12 +120,9 @@ fn permanent(subject: &Subject, axis: PermanentAxis, kind: &AxisKind, largest: &
     });
     let nearest = bifdiag_documents::nearest_axis(subject, kind).filter(|nearest| nearest.angle_deg > REPORTED);
     let rows = rows(&rotation, largest, subject);
-    let gap = |spin: &Spin| {
-        let [p, q] = rotation.frequencies_and_growth(&(spin.exact_rad_per_s() * subject.unit_of_time())).0;
-        (p - q).abs() / (p + q)
-    };
+    let pair = |spin: &Spin| rotation.frequencies_and_growth(&(spin.exact_rad_per_s() * subject.unit_of_time())).0;
     Ok(Followed {
-        crossings: crossings(&rows, largest, gap),
+        crossings: crossings(&rows, largest, pair),
         rows,
         changes: changes.collect(),
         notes: nearest.iter().map(followed_text).collect(),
@@ -182,11 +179,10 @@ fn moving(subject: &Subject, given: [f64; 3], largest: &Spin) -> Result<Followed
         let right = format!("the rotation near this axis begins at {} rpm; give a larger spin", significant(start, 8));
         return Err(Failure::input(format!("--to: {right}")));
     }
-    let gap = |spin: &Spin| {
-        let [p, q] = at(spin).ok().flatten().map_or([f64::NAN; 2], |point| point.eigenvalues.pairs.map(|pair| pair[1]));
-        (p - q).abs() / (p + q)
+    let pair = |spin: &Spin| {
+        at(spin).ok().flatten().map_or([f64::NAN; 2], |point| point.eigenvalues.pairs.map(|pair| pair[1]))
     };
-    let crossings = crossings(&rows, largest, gap);
+    let crossings = crossings(&rows, largest, pair);
     Ok(Followed { rows, crossings, changes: changes.collect(), notes: vec![note] })
 }
 
@@ -244,7 +240,7 @@ struct Row {
     /// The slower one first; NaN for pairs of eigenvalues that are real or zero.
     frequencies: [f64; 2],
     growth: f64,
-    known: Known,
+    known: Steadiness,
 }
 
 fn rows(rotation: &AxisRotation, largest: &Spin, subject: &Subject) -> Vec<Row> {
@@ -254,7 +250,7 @@ fn rows(rotation: &AxisRotation, largest: &Spin, subject: &Subject) -> Vec<Row> 
         let omega = spin.exact_rad_per_s() * subject.unit_of_time();
         let (frequencies, growth) = rotation.frequencies_and_growth(&omega);
         let judged = rotation.stability_at_spin(&omega);
-        let known = judged.map_or(Known::Open, |judged| known(judged.nonlinear.verdict, judged.friction.survives));
+        let known = judged.map_or(Steadiness::Open, |judged| known(judged.nonlinear.verdict, judged.friction.survives));
         let grows = judged.is_none_or(|judged| judged.kind.is_unstable());
         Row {
             rpm: spin.in_rpm(),
@@ -270,22 +266,23 @@ fn rows(rotation: &AxisRotation, largest: &Spin, subject: &Subject) -> Vec<Row> 
 const CROSSED: f64 = 1e-6;
 
 /// The spins in rpm at which the frequencies of a rotation without growth are equal: least gaps between three spins of the table
-/// that vanish. The gap is that of frequencies at a spin, in parts of their sum.
-fn crossings(rows: &[Row], largest: &Spin, gap: impl Fn(&Spin) -> f64) -> Vec<f64> {
+/// that vanish. `pair` are the frequencies at a spin, in any unit.
+fn crossings(rows: &[Row], largest: &Spin, pair: impl Fn(&Spin) -> [f64; 2]) -> Vec<f64> {
     // So fine that a gap which vanishes is less than CROSSED.
     const FINE: u32 = 1 << 24;
-    let own = |row: &Row| (row.frequencies[1] - row.frequencies[0]) / (row.frequencies[0] + row.frequencies[1]);
+    // In parts of their sum.
+    let gap = |[p, q]: [f64; 2]| (p - q).abs() / (p + q);
     let top = largest.in_rpm();
     let mut found = Vec::new();
     for three in rows.windows(3).filter(|three| three.iter().all(|row| row.growth == 0.0)) {
-        let [before, here, after] = [0, 1, 2].map(|k| own(&three[k]));
+        let [before, here, after] = [0, 1, 2].map(|k| gap(three[k].frequencies));
         if !(here <= before && here < after) {
             continue;
         }
         let count = |row: &Row| (row.rpm / top * f64::from(FINE)).round();
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to FINE")]
         let [mut low, mut high] = [count(&three[0]) as u32, count(&three[2]) as u32];
-        let at = |k: u32| gap(&largest.part(k, FINE));
+        let at = |k: u32| gap(pair(&largest.part(k, FINE)));
         while high - low > 2 {
             let third = (high - low) / 3;
             let [left, right] = [low + third, high - third];
@@ -311,12 +308,12 @@ fn modes(rows: &[Row], crossings: &[f64]) -> Vec<CampbellRow> {
     rows.iter().map(row).collect()
 }
 
-fn known(verdict: NonlinearVerdict, survives_friction: Option<bool>) -> Known {
+fn known(verdict: NonlinearVerdict, survives_friction: Option<bool>) -> Steadiness {
     match verdict {
-        NonlinearVerdict::Stable if survives_friction == Some(true) => Known::Lasting,
-        NonlinearVerdict::Stable => Known::Frictionless,
-        NonlinearVerdict::Open => Known::Open,
-        NonlinearVerdict::Unstable => Known::Unstable,
+        NonlinearVerdict::Stable if survives_friction == Some(true) => Steadiness::Lasting,
+        NonlinearVerdict::Stable => Steadiness::Frictionless,
+        NonlinearVerdict::Open => Steadiness::Open,
+        NonlinearVerdict::Unstable => Steadiness::Unstable,
     }
 }
 
@@ -334,8 +331,8 @@ fn columns(rows: &[Row]) -> Columns {
         ("frequency1_hz", floats(|row| row.frequencies[0])),
         ("frequency2_hz", floats(|row| row.frequencies[1])),
         ("growth_per_s", floats(|row| row.growth)),
-        ("stable", flags(|row| matches!(row.known, Known::Lasting | Known::Frictionless))),
-        ("survives_friction", flags(|row| row.known == Known::Lasting)),
+        ("stable", flags(|row| matches!(row.known, Steadiness::Lasting | Steadiness::Frictionless))),
+        ("survives_friction", flags(|row| row.known == Steadiness::Lasting)),
     ];
     let columns = columns.into_iter().map(|(name, values)| Column { name, values }).collect();
     Columns { columns, meta: String::new() }

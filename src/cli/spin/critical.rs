@@ -189,10 +189,8 @@ fn as_near(report: &mut Report, subject: &Subject, document: &CriticalSpinDocume
     if !subject.body.is_euler() {
         let others =
             equally_near(&subject.body, subject.to_principal(document.axis), subject.to_principal(nearest.axis));
-        if !others.is_empty() {
-            let axes: Vec<String> = others.into_iter().map(|axis| listed(subject.to_given(axis))).collect();
-            let verb = if axes.len() == 1 { "is" } else { "are" };
-            report.line(format!("as near {verb} {}", axes.join(", ")));
+        if let Some(others) = super::axis::as_near(subject, others) {
+            report.line(others);
         }
         return;
     }

@@ -10,7 +10,7 @@ use bifdiag_schema::{AxisEnd, StateDocument, SteadyDocument};
 use clap::Args;
 use dashu_ratio::RBig;
 
-use super::axis::{AxisArgument, axis, listed};
+use super::axis::{AxisArgument, as_near, axis, listed};
 use super::steady::{changes, report_steady};
 use crate::cli::export::answer;
 use crate::cli::failure::{Failure, failed, incomplete};
@@ -234,10 +234,8 @@ fn other_text(
         listed(nearest.axis)
     ));
     let others = equally_near_steady(&subject.body, &question.omega, question.up, (steady.axis, steady.angle));
-    if !others.is_empty() {
-        let verb = if others.len() == 1 { "is" } else { "are" };
-        let axes: Vec<String> = others.into_iter().map(|axis| listed(subject.to_given(axis))).collect();
-        report.line(format!("as near {verb} {}; what follows is of the first", axes.join(", ")));
+    if let Some(others) = as_near(subject, others) {
+        report.line(format!("{others}; what follows is of the first"));
     }
     report_steady(report, nearest);
 }

@@ -287,14 +287,15 @@ impl Canvas {
         if text.is_empty() {
             return;
         }
+        let parts = parts(text);
         // Of an index that goes back below its exponent some programs forget the way back when they look for the middle.
-        let (at, anchor) = if parts(text).iter().any(|part| part.is_formula && stacked(&part.text).is_some()) {
+        let (at, anchor) = if parts.iter().any(|part| part.is_formula && stacked(&part.text).is_some()) {
             ([at[0] - anchor.share() * text::text_width(text, size), at[1]], Anchor::Start)
         } else {
             (at, anchor)
         };
         let [x, y] = at.map(to_units);
-        let text: String = parts(text).iter().map(|part| set(part, size)).collect();
+        let text: String = parts.iter().map(|part| set(part, size)).collect();
         let size = (size * UNITS * 100.0).round() / 100.0;
         let anchor = match anchor {
             Anchor::Start => "",
