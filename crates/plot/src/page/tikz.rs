@@ -9,9 +9,13 @@ use resvg::usvg::{Color, Group, Node, Paint, Path, Stroke, Text, TextAnchor, Tre
 use super::error::PlotError;
 use super::formula::{Part, parts};
 use super::geometry::POINTS;
+use super::text::text_width;
 
 /// What the preamble of a document needs.
 const PREAMBLE: &str = "\\usepackage{tikz}\n\\usetikzlibrary{patterns.meta}\n";
+
+/// A text no wider than its place in the picture, whatever fonts the document has: labels were placed by the widths of ours.
+const FIT: &str = r"\def\bifdiagfit#1#2{\setbox8\hbox{#2}\ifdim\wd8>#1\relax\resizebox{#1}{!}{\box8}\else\box8\fi}%";
 
 /// A document of its own.
 pub(crate) fn document(tree: &Tree, title: &str) -> Result<String, PlotError> {
@@ -27,7 +31,7 @@ pub(crate) fn picture(tree: &Tree, title: &str) -> Result<String, PlotError> {
     let mut out = String::new();
     let _ok = writeln!(out, "% {}", title.replace('\n', " "));
     let _ok = writeln!(out, "% The preamble needs {}", PREAMBLE.trim().replace('\n', " "));
-    out.push_str("\\begingroup%\n");
+    let _ok = writeln!(out, "\\begingroup%\n{FIT}");
     for (color, name) in &writer.colors {
         // The ends of lines would be spaces beside the picture.
         let _ok = writeln!(out, "\\definecolor{{{name}}}{{HTML}}{{{color}}}%");
@@ -184,14 +188,13 @@ impl Writer {
                 _ => continue,
             };
             let size = span.font_size().get() * scale(transform) * POINTS;
+            let width = length(text_width(chunk.text().trim(), f64::from(size)) as f32);
             let at = place(Point::from_xy(x, y), transform);
             let size = format!("\\fontsize{{{}bp}}{{{}bp}}\\selectfont", length(size), length(1.2 * size));
-            let content = tex(chunk.text().trim());
+            let content = format!("\\bifdiagfit{{{width}bp}}{{{size} {}}}", tex(chunk.text().trim()));
             self.line(
                 depth,
-                &format!(
-                    "\\node[anchor={anchor}, inner sep=0pt, outer sep=0pt, text={color}] at {at} {{{size} {content}}};"
-                ),
+                &format!("\\node[anchor={anchor}, inner sep=0pt, outer sep=0pt, text={color}] at {at} {{{content}}};"),
             );
         }
     }
@@ -304,7 +307,22 @@ const SYMBOLS: [(char, &str); 34] = [
 
 #[cfg(test)]
 mod tests {
-    use super::tex;
+    use resvg::usvg::{Options, Tree};
+
+    use super::{picture, tex};
+    use crate::page::text::{database, text_width};
+
+    #[test]
+    fn a_text_is_no_wider_than_the_place_it_was_given() -> Result<(), Box<dyn std::error::Error>> {
+        let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="50" height="20"><text x="1" y="9" font-size="10">R4</text></svg>"#;
+        let tree = Tree::from_str(svg, &Options { fontdb: database(), ..Options::default() })?;
+        let tikz = picture(&tree, "a label")?;
+        let (_, rest) = tikz.split_once("{\\bifdiagfit{").ok_or("no fitted text")?;
+        let (width, _) = rest.split_once("bp}").ok_or("no width")?;
+        assert!((width.parse::<f64>()? - text_width("R4", 10.0) * f64::from(super::POINTS)).abs() < 0.01, "{width}");
+        assert!(tikz.contains("\\def\\bifdiagfit"), "the document has no such command of its own");
+        Ok(())
+    }
 
     #[test]
     fn texts_become_formulas() {

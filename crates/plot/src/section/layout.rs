@@ -212,18 +212,25 @@ fn draw_ticks(canvas: &Canvas, panel: &SheetPanel) {
         marks.line(&[[x, rect.bottom()], [x, rect.bottom() + MARK]], false);
         canvas.text(&label, [x, rect.bottom() + 17.0], TICK_SIZE, INK, Anchor::Middle);
     }
-    for (value, label) in ticks(panel.window[1]) {
-        let [_, y] = panel.position([corner_x, value]);
-        marks.line(&[[rect.x - MARK, y], [rect.x, y]], false);
+    let beside: Vec<(f64, String)> = ticks(panel.window[1])
+        .into_iter()
+        .map(|(value, label)| (panel.position([corner_x, value])[1], label))
+        .collect();
+    for (y, label) in &beside {
+        marks.line(&[[rect.x - MARK, *y], [rect.x, *y]], false);
         if is_left {
-            canvas.text(&label, [rect.x - 9.0, y + 0.36 * TICK_SIZE], TICK_SIZE, INK, Anchor::End);
+            canvas.text(label, [rect.x - 9.0, y + 0.36 * TICK_SIZE], TICK_SIZE, INK, Anchor::End);
         }
     }
     canvas.draw(&marks, &canvas.stroke(Ink { color: INK, width: 0.9 }));
     canvas.text(psi, [rect.x + 0.5 * rect.width, rect.bottom() + 33.0], CAPTION_SIZE, INK, Anchor::Middle);
     if is_left {
-        let name_at = rect.y + 0.5 * rect.height + 0.36 * CAPTION_SIZE;
-        canvas.text(theta, [rect.x - 36.0, name_at], CAPTION_SIZE, INK, Anchor::End);
+        // Between two ticks: beside one it would read as a factor of the number.
+        let name_at = match beside.as_slice() {
+            [(first, _), (second, _), ..] => 0.5 * (first + second),
+            _ => rect.y + 0.25 * rect.height,
+        };
+        canvas.text(theta, [rect.x - 9.0, name_at + 0.36 * CAPTION_SIZE], CAPTION_SIZE, INK, Anchor::End);
     }
 }
 
