@@ -3,7 +3,7 @@
 use bifdiag_diagram::topology::signature;
 use bifdiag_dynamics::field::{Integrals, State};
 use bifdiag_dynamics::integrator::DEFAULT_TOLERANCE;
-use bifdiag_dynamics::poincare::PoincareSection;
+use bifdiag_dynamics::poincare::{Further, PoincareSection};
 use bifdiag_dynamics::section::chaos::{
     ChaosMeasure, Evidence, Judgement, OpenReason, OrbitVerdict, RotationAngle, RotationNumber,
 };
@@ -41,6 +41,20 @@ pub fn section(subject: &Subject, section: &PoincareSection, region: Option<&str
     let followed = orbits.len() == section.starts.len() && section.whole_orbits() == orbits.len();
     let summary = summary(&orbits);
     let mut notes = notes(followed, &summary, &orbits);
+    if let Some(Further { orbits: open, crossings }) = &section.further {
+        let numbers = open.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
+        let left = orbits.iter().filter(|orbit| open.contains(&orbit.orbit) && orbit.verdict == VerdictName::Open);
+        notes.push(format!(
+            "without a verdict after {} crossings, followed for it alone over up to {crossings}: {} {numbers}; {}",
+            section.options.crossings,
+            if open.len() == 1 { "orbit" } else { "orbits" },
+            match left.count() {
+                0 => "none stays open".to_owned(),
+                1 => "one stays open".to_owned(),
+                many => format!("{many} stay open"),
+            }
+        ));
+    }
     if followed && section.chaos_interrupted {
         notes.push("the run was interrupted: verdicts or Lyapunov exponents are missing".to_owned());
     }

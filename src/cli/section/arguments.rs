@@ -20,6 +20,7 @@ Examples:
   bifdiag section --body paper --h 5.3 --l 3.25 --condition angular-momentum
   bifdiag section --body paper --h 4.45 --l 3.25 --color lyapunov --format png
   bifdiag section --body paper --region R4 --crossings 4000 --verdict early
+  bifdiag section --body kovalevskaya --region R1,R3 --crossings 200
   bifdiag section --atlas bifdiag-out/atlas.json --region all --out sections
 
 --starts FILE.csv has the heading theta,psi,sheet and a point of the PP-torus on each line (other columns are passed over, \
@@ -66,7 +67,7 @@ pub enum ColorArgument {
 
 /// How orbits are judged.
 const VERDICTS: [Named<VerdictsName>; 4] = [
-    ("whole", "Over the whole of each orbit", VerdictsName::Whole),
+    ("whole", "Over the whole of each orbit; open ones are followed further for it alone", VerdictsName::Whole),
     ("early", "Each orbit ends where its verdict is found", VerdictsName::Early),
     (
         "only",
@@ -86,9 +87,9 @@ pub struct SectionArguments {
     /// Take the body and the points from an atlas.json (-: stdin), of all regions or that of --region
     #[arg(long, value_name = "FILE", help_heading = "Point", hide_short_help = true)]
     pub atlas: Option<PathBuf>,
-    /// Instead of --h and --l: the sample of a region such as R4, or of all
-    #[arg(long, value_name = "ID|all", help_heading = "Point")]
-    pub region: Option<String>,
+    /// Instead of --h and --l: the sample of a region such as R4, of several in one picture, or of all
+    #[arg(long, value_name = "ID,…|all", value_delimiter = ',', help_heading = "Point")]
+    pub region: Vec<String>,
     /// Number of orbits, spread evenly over the section (default: 24)
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = values::orbits)]
     #[arg(help_heading = "Orbits")]

@@ -3,6 +3,7 @@
 mod arguments;
 mod crossings;
 mod outputs;
+mod picture;
 mod plan;
 mod report;
 mod sites;

@@ -6,7 +6,7 @@ use bifdiag_dynamics::poincare::PoincareError;
 use bifdiag_schema::VerdictsName;
 
 use super::arguments::{ColorArgument, SectionArguments};
-use super::sites::{ALL, Seed, Sites, load, poincare_failure};
+use super::sites::{Seed, Sites, load, poincare_failure};
 use crate::cli::export::{DataFormat, DataTarget, directory};
 use crate::cli::failure::Failure;
 
@@ -62,9 +62,9 @@ impl<'a> Plan<'a> {
         Ok(Self { arguments, sites, starts: starts(arguments)?, verdict: verdict(arguments)?, directory })
     }
 
-    /// True where the sites come from an atlas, or are all regions: JSON is a list.
+    /// True where the sites come from an atlas, or several regions were asked for: JSON is a list.
     pub fn is_list(&self) -> bool {
-        self.arguments.atlas.is_some() || self.arguments.region.as_deref() == Some(ALL)
+        self.arguments.atlas.is_some() || self.sites.all || self.sites.is_listed()
     }
 
     /// The file into which crossings go as they are found: where nothing else needs them.

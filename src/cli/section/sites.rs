@@ -38,6 +38,11 @@ pub struct Sites {
 }
 
 impl Sites {
+    /// Whether the user named several regions, for comparison.
+    pub fn is_listed(&self) -> bool {
+        !self.all && self.list.len() > 1
+    }
+
     /// Of the options.
     pub fn new(arguments: &SectionArguments) -> Result<Self, Failure> {
         let point = [("--h", arguments.point.energy.is_some()), ("--l", arguments.point.momentum.is_some())];
@@ -47,16 +52,16 @@ impl Sites {
                 Some(option) => Err(Failure::input(format!(
                     "--atlas and {option} both say what to integrate; leave out {option}, or leave out --atlas"
                 ))),
-                None => Self::of_file(path, arguments.region.as_deref().unwrap_or(ALL)),
+                None => Self::of_file(path, &arguments.region),
             };
         }
         let subject = arguments.body.subject()?;
-        if let Some(region) = &arguments.region {
+        if !arguments.region.is_empty() {
             return match point().next() {
                 Some(option) => {
                     Err(Failure::input(format!("--region and {option} both say where; leave out one of them")))
                 }
-                None => Self::of_body(subject, region),
+                None => Self::of_body(subject, &arguments.region),
             };
         }
         let missing = |missing, example| {
@@ -69,18 +74,17 @@ impl Sites {
     }
 
     /// The samples of a body's own atlas.
-    fn of_body(subject: Subject, wanted: &str) -> Result<Self, Failure> {
+    fn of_body(subject: Subject, wanted: &[String]) -> Result<Self, Failure> {
         let atlas = bifdiag_exact::atlas(&subject.body, Accuracy::Exact).map_err(Failure::input)?;
         let samples = atlas.regions().ids().map(|region| {
             let sample = atlas.sample(region);
             (region.to_string(), sample.h, sample.l)
         });
-        let list = chosen(samples.collect(), wanted)?;
-        Ok(Self { subject, list, all: wanted == ALL })
+        Ok(Self { subject, list: chosen(samples.collect(), wanted)?, all: is_all(wanted) })
     }
 
     /// The samples of an atlas.json.
-    fn of_file(path: &Path, wanted: &str) -> Result<Self, Failure> {
+    fn of_file(path: &Path, wanted: &[String]) -> Result<Self, Failure> {
         let file = path.display();
         let wrong = |error: &dyn Display| Failure::input(format!("--atlas {file}: {error}"));
         let text = read(path)
@@ -99,32 +103,37 @@ impl Sites {
         let units = units.map_err(|error: UnitsError| wrong(&format!("the units of its part: {error}")))?;
         let subject = Subject { body, part: atlas.body.part, units };
         let samples = atlas.regions.into_iter().map(|region| (region.id, region.sample.h, region.sample.l));
-        let list = chosen(samples.collect(), wanted)?;
-        Ok(Self { subject, list, all: wanted == ALL })
+        Ok(Self { subject, list: chosen(samples.collect(), wanted)?, all: is_all(wanted) })
     }
 }
 
-/// What `--region` says for every region.
-pub const ALL: &str = "all";
+/// Whether `--region` asks for every region; an atlas without it is asked for all.
+fn is_all(wanted: &[String]) -> bool {
+    wanted.iter().all(|id| id == "all")
+}
 
-/// The wanted ones of regions with their samples.
-fn chosen(samples: Vec<(String, f64, f64)>, wanted: &str) -> Result<Vec<Site>, Failure> {
-    let known: Vec<String> = samples.iter().map(|(id, ..)| id.clone()).collect();
-    let chosen = samples.into_iter().filter(|(id, ..)| wanted == ALL || wanted == id);
+/// The wanted ones of regions with their samples, in the order in which they were named.
+fn chosen(samples: Vec<(String, f64, f64)>, wanted: &[String]) -> Result<Vec<Site>, Failure> {
+    let known: Vec<&str> = samples.iter().map(|(id, ..)| id.as_str()).collect();
+    let unknown = wanted.iter().find(|id| !is_all(wanted) && !known.contains(&id.as_str()));
+    if unknown.is_some() || known.is_empty() {
+        let known = match &known[..] {
+            [] => "there is none".to_owned(),
+            known => format!("it has {}, or give all", known.join(", ")),
+        };
+        let wanted = unknown.map_or("all", String::as_str);
+        return Err(Failure::input(format!("--region {wanted}: the body has no such region; {known}")));
+    }
+    let place = |(id, ..): &(String, f64, f64)| wanted.iter().position(|wanted| wanted == id);
+    let mut chosen: Vec<(String, f64, f64)> =
+        samples.into_iter().filter(|sample| is_all(wanted) || place(sample).is_some()).collect();
+    chosen.sort_by_key(place);
     // The samples of an atlas are finite.
     let site = |(id, h, l)| {
         let [h, l] = [h, l].map(Number::from_f64);
         Some(Site { region: Some(id), h: h.ok()?, l: l.ok()? })
     };
-    let list: Vec<Site> = chosen.filter_map(site).collect();
-    if list.is_empty() {
-        let known = match &known[..] {
-            [] => "there is none".to_owned(),
-            known => format!("it has {}, or give all", known.join(", ")),
-        };
-        return Err(Failure::input(format!("--region {wanted}: the body has no such region; {known}")));
-    }
-    Ok(list)
+    Ok(chosen.into_iter().filter_map(site).collect())
 }
 
 /// A starting point and the line of the file on which it stands, from 1.

@@ -77,7 +77,8 @@ impl Progress {
     /// So much is done.
     pub fn set(&self, position: u64) {
         if let Some(bar) = &self.bar {
-            self.show(bar, position);
+            // Orbits may be followed further than was foreseen.
+            self.show(bar, position.min(bar.length().unwrap_or(position)));
         }
     }
 

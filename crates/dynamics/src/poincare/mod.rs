@@ -53,10 +53,21 @@ pub struct PoincareSection {
     pub chaos: Vec<ChaosMeasure>,
     /// The verdict on each of `orbits`, where these alone were asked for.
     pub verdicts: Vec<Judgement>,
+    /// Orbits that were open, and how far they were followed for their verdicts alone.
+    pub further: Option<Further>,
     /// Orbits were ended where their verdict was found.
     pub early: bool,
     /// The measurement of chaos was stopped.
     pub chaos_interrupted: bool,
+}
+
+/// Orbits without a verdict that were followed beyond the crossings that were asked for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Further {
+    /// Their numbers.
+    pub orbits: Vec<u32>,
+    /// Crossings of those that were followed longest.
+    pub crossings: usize,
 }
 
 impl PoincareSection {
@@ -210,6 +221,7 @@ impl SectionSetting {
             component_of_start: self.components_at(&gammas),
             chaos: Vec::new(),
             verdicts: Vec::new(),
+            further: None,
             early: false,
             chaos_interrupted: false,
         })
@@ -218,8 +230,11 @@ impl SectionSetting {
     /// Adds Lyapunov exponents, rotation numbers and verdicts. The orbits are integrated once more; where `monitor` stops that,
     /// they have no exponent and the section is not complete.
     ///
+    /// Orbits that stay open are followed further for their verdicts alone, to twice as many crossings, four times, …, as long
+    /// as all this adds no more crossings than the section has.
+    ///
     /// # Errors
-    /// Those of [`chaos_measures`].
+    /// Those of [`chaos_measures`] and [`verdicts`].
     pub fn measure(
         &self,
         section: &mut PoincareSection,
@@ -227,7 +242,42 @@ impl SectionSetting {
         monitor: &Monitor,
     ) -> Result<(), SectionError> {
         section.chaos = chaos_measures(&self.torus, &section.orbits, options, monitor)?;
+        self.follow_open(section, options, monitor)?;
         section.chaos_interrupted = monitor.stop.load(Ordering::Relaxed);
+        Ok(())
+    }
+
+    /// Looks for the verdicts of open orbits in more crossings.
+    fn follow_open(
+        &self,
+        section: &mut PoincareSection,
+        options: &ChaosOptions,
+        monitor: &Monitor,
+    ) -> Result<(), SectionError> {
+        let mut left = section.options.crossings * section.orbits.len();
+        let mut crossings = section.options.crossings;
+        while !monitor.is_stopped() {
+            let is_open = |place: &usize| {
+                let (orbit, measure) = (&section.orbits[*place], &section.chaos[*place]);
+                orbit.report.end == OrbitEnd::Crossings && measure.judgement.verdict.is_open()
+            };
+            let open: Vec<usize> = (0..section.chaos.len()).filter(is_open).collect();
+            crossings *= 2;
+            let Some(rest) = left.checked_sub(open.len() * crossings).filter(|_| !open.is_empty()) else { break };
+            left = rest;
+            let numbers: Vec<u32> = open.iter().map(|&place| section.orbits[place].orbit).collect();
+            let mut states = Vec::with_capacity(open.len());
+            for &number in &numbers {
+                states.push(self.state(section.starts[number as usize])?);
+            }
+            let orbits = sweep(&self.torus, &states, &SweepOptions { crossings, ..section.options }, monitor)?;
+            let found = verdicts(&self.torus, &orbits, options, monitor)?;
+            for (place, judgement) in open.into_iter().zip(found) {
+                section.chaos[place].judgement = judgement;
+            }
+            let further = section.further.get_or_insert(Further { orbits: numbers, crossings });
+            further.crossings = crossings;
+        }
         Ok(())
     }
 
