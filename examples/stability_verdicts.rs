@@ -53,6 +53,8 @@ struct Tally {
     at_point: Vec<f64>,
     of_body: Vec<f64>,
     of_curve: Vec<f64>,
+    /// The body whose curves took longest, and how long.
+    slowest: Option<(f64, String)>,
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -93,6 +95,9 @@ fn report(name: &str, bodies: impl Iterator<Item = Body>) -> Result<(), Box<dyn 
         times.sort_by(f64::total_cmp);
         let at = |share: usize| times.get((times.len() * share / 100).min(times.len() - 1)).copied().unwrap_or(0.0);
         println!("  {what}: median {:.3} ms, 95 % {:.3} ms, worst {:.3} ms", at(50), at(95), at(100));
+    }
+    if let Some((time, body)) = &tally.slowest {
+        println!("  slowest curves: {time:.3} ms each, {body}");
     }
     Ok(())
 }
@@ -150,7 +155,11 @@ impl Tally {
             places.push(change.l);
         }
         if of_normal_forms > 0 {
-            self.of_curve.push(time / of_normal_forms as f64);
+            let of_curve = time / of_normal_forms as f64;
+            self.of_curve.push(of_curve);
+            if self.slowest.as_ref().is_none_or(|(slowest, _)| of_curve > *slowest) {
+                self.slowest = Some((of_curve, in_words(body)));
+            }
         }
         places.retain(|l| *l > 0.0);
         places.sort_by(f64::total_cmp);

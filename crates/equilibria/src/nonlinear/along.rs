@@ -3,6 +3,7 @@
 //! The resonances are roots of polynomials, isolated exactly; so are the zeros of Arnold's determinant, whose polynomial is
 //! known by enclosed values (`zeros`).
 
+use std::cell::LazyCell;
 use std::cmp::Ordering;
 
 use dashu_ratio::RBig;
@@ -14,6 +15,7 @@ use crate::curves::{CriticalSet, CurveId};
 use crate::stability::exact::{ExactBody, FamilyChart, StabilityProfile, StationKind, compare};
 use crate::stability::{Constants, LinearType, LinearTypes, Reduced, State};
 use bifdiag_body::Body;
+use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
 use bifdiag_numbers::polynomial::{Polynomial, Root};
 use bifdiag_numbers::wide::{Interval128, Interval384};
@@ -75,12 +77,11 @@ impl<'a> Verdicts<'a> {
     /// Judges every curve.
     #[must_use]
     pub fn new(body: &Body, set: &'a CriticalSet) -> Self {
-        let types = LinearTypes::new(body, set);
-        let mut found = Self { set, types, changes: Vec::new(), is_complete: true };
+        let mut found = Self { set, types: LinearTypes::new(body, set), changes: Vec::new(), is_complete: true };
         let is_integrable = set.frame.is_euler() || set.is_lagrange();
         let has_maxima = || set.curves.iter().any(|curve| curve.is_critical() && curve.index == Some(2));
         if !is_integrable && has_maxima() {
-            match StabilityProfile::new(body, set) {
+            match found.types.take_profile(body) {
                 Some(profile) => found.along(&profile),
                 None => found.is_complete = false,
             }
@@ -129,6 +130,7 @@ impl<'a> Verdicts<'a> {
                 continue;
             }
             let pieces = known.pieces(chart.is_reversed);
+            let resonances = LazyCell::new(|| resonances(chart));
             for k in (0..known.types.len()).filter(|&k| known.types[k] == LinearType::Elliptic) {
                 let Some(piece) = pieces.iter().position(|piece| piece.contains(&k)) else { continue };
                 let curve = curves[piece];
@@ -148,26 +150,31 @@ impl<'a> Verdicts<'a> {
                     }
                 }
                 let ends = [before, after].map(|station| station.map(|station| station.root.clone()));
-                let is_whole = self.inside(&family, ends).is_some();
+                let is_whole =
+                    resonances.as_ref().and_then(|resonances| self.inside(&family, ends, resonances)).is_some();
                 self.is_complete &= is_whole;
             }
         }
     }
 
-    /// Resonances and zeros on an elliptic stretch; `None` where something stays open.
-    fn inside(&mut self, family: &OnFamily<'_>, ends: [Option<Root>; 2]) -> Option<()> {
+    /// Resonances, of these of the family, and zeros on an elliptic stretch; `None` where something stays open.
+    fn inside(
+        &mut self,
+        family: &OnFamily<'_>,
+        ends: [Option<Root>; 2],
+        resonances: &[(Failing, Vec<Root>)],
+    ) -> Option<()> {
         let [mut from, mut to] = ends;
         let chart = family.chart;
         // At ω₁ = 2ω₂ the polynomial of the determinant vanishes if the determinant has no pole.
         let mut poles = Vec::new();
-        for (n, kind) in [(1, Failing::Resonance12), (2, Failing::Resonance13)] {
-            for mut root in chart.roots(&chart.resonances[n])? {
-                root.refine(BITS[0]);
+        for (kind, roots) in resonances {
+            for mut root in roots.iter().cloned() {
                 let is_after = from.as_mut().is_none_or(|end| compare(&mut root, end) == Ordering::Greater);
                 let is_before = to.as_mut().is_none_or(|end| compare(&mut root, end) == Ordering::Less);
                 if is_after && is_before {
-                    self.changes.push(family.resonance(&root, kind, false));
-                    poles.extend((n == 1).then_some(root));
+                    self.changes.push(family.resonance(&root, *kind, false));
+                    poles.extend((*kind == Failing::Resonance12).then_some(root));
                 }
             }
         }
@@ -185,6 +192,17 @@ impl<'a> Verdicts<'a> {
         self.changes.extend(zeros(family.body, chart, [&first, &last], judged)?);
         Some(())
     }
+}
+
+/// All resonances 1:2 and 1:3 of a family; `None` where their roots are too close.
+fn resonances(chart: &FamilyChart) -> Option<Vec<(Failing, Vec<Root>)>> {
+    let narrow = |mut root: Root| {
+        root.refine(BITS[0]);
+        root
+    };
+    let [_, two, three] = &chart.resonances;
+    let of = |kind, polynomial| Some((kind, chart.roots(polynomial)?.into_iter().map(narrow).collect()));
+    Some(vec![of(Failing::Resonance12, two)?, of(Failing::Resonance13, three)?])
 }
 
 /// A curve on its family.
@@ -240,22 +258,27 @@ impl OnFamily<'_> {
     }
 
     /// The equilibria over a range of t.
-    fn over(&self, [lo, hi]: &[RBig; 2]) -> (Constants<Interval384>, State<Interval384>) {
+    fn over<E: Enclosure<Precision = ()>>(&self, [lo, hi]: &[RBig; 2]) -> (Constants<E>, State<E>) {
         let c = self.body.constants(());
         let state = self.chart.state_over(self.body, &c, [lo, hi]);
         (c, state)
     }
 
+    /// The sign of D₆ over a range of t.
+    fn sixth<E: Enclosure<Precision = ()>>(&self, range: &[RBig; 2]) -> Option<Sign> {
+        let (c, state) = self.over::<E>(range);
+        let reduced = Reduced::new(&c, &state);
+        let (kind, setting) = (LinearType::Elliptic, MAXIMUM);
+        Question { c: &c, state: &state, reduced: &reduced, kind, setting }.sixth()?.strict_sign()
+    }
+
     /// The point at a zero of the determinant; `None` if a narrower range can tell more, and there is one.
     fn zero(&self, range: &[RBig; 2], is_last: bool) -> Option<VerdictChange> {
-        let (c, state) = self.over(range);
+        let (c, state) = self.over::<Interval384>(range);
         if !is_last && !state.is_sharp(&c) {
             return None;
         }
-        let reduced = Reduced::new(&c, &state);
-        let (kind, setting) = (LinearType::Elliptic, MAXIMUM);
-        let sixth = Question { c: &c, state: &state, reduced: &reduced, kind, setting }.sixth();
-        let verdict = match sixth.and_then(|value| value.strict_sign()) {
+        let verdict = match self.sixth::<Interval128>(range).or_else(|| self.sixth::<Interval384>(range)) {
             Some(_) => (NonlinearVerdict::Stable, Reason::Arnold),
             None if !is_last => return None,
             None => (NonlinearVerdict::Open, Reason::Degenerate),

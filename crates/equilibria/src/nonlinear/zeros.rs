@@ -13,7 +13,7 @@ use crate::stability::exact::{ExactBody, Family, FamilyChart};
 use crate::stability::{Constants, Reduced};
 use bifdiag_numbers::enclosure::Enclosure;
 use bifdiag_numbers::form::EnclosedForm;
-use bifdiag_numbers::wide::{Interval128, Interval192, Interval384, Interval1024};
+use bifdiag_numbers::wide::{Interval128, Interval256, Interval640, Interval1024};
 
 /// The zeros of D₄ between two places of a family inside of which it is elliptic, by rising t, as they are judged from ranges of
 /// t that hold one each; `None` where enclosures do not isolate all of them, or one is at an end. A range that is not judged
@@ -25,12 +25,34 @@ pub(super) fn zeros<T>(
     judged: impl Fn(&[RBig; 2], bool) -> Option<T>,
 ) -> Option<Vec<T>> {
     let all = |zeros: Vec<[RBig; 2]>, is_last: bool| zeros.iter().map(|zero| judged(zero, is_last)).collect();
-    // Interpolation costs two bits for each degree at most; beside special bodies N has many sizes.
-    enclosed::<Interval128>(body, chart, range)
+    if let Some(found) = enclosed::<Interval128>(body, chart, range).and_then(|zeros| all(zeros, false)) {
+        return Some(found);
+    }
+    let bits = bits_that_part(body, chart, range);
+    let medium = if bits <= 256 { enclosed::<Interval256>(body, chart, range) } else { None };
+    let large = || if bits <= 640 { enclosed::<Interval640>(body, chart, range) } else { None };
+    medium
         .and_then(|zeros| all(zeros, false))
-        .or_else(|| all(enclosed::<Interval192>(body, chart, range)?, false))
-        .or_else(|| all(enclosed::<Interval384>(body, chart, range)?, false))
+        .or_else(|| all(large()?, false))
         .or_else(|| all(enclosed::<Interval1024>(body, chart, range)?, true))
+}
+
+/// About as many bits as part N from 0 at the ends: interpolation costs two for each degree at most, and beside special bodies N
+/// is smaller there by many orders than inside.
+fn bits_that_part(body: &ExactBody, chart: &FamilyChart, [lo, hi]: [&RBig; 2]) -> usize {
+    let c: Constants<Interval128> = body.constants(());
+    let known = chart.zeros_of_degeneracy(body);
+    let near = RBig::ONE / RBig::from(1u64 << 40);
+    let half = RBig::ONE / RBig::from(2);
+    let value = |u: &RBig| rest(body, chart, &c, &known, &(lo + (hi - lo) * u));
+    let Some(inside) = value(&half) else { return 0 };
+    let ends = [near.clone(), RBig::ONE - near];
+    let apart = ends.iter().filter_map(|u| {
+        let [from, to] = (value(u)? / inside.clone()).bounds();
+        let (_, exponent) = libm::frexp(from.abs().max(to.abs()));
+        usize::try_from(-exponent).ok()
+    });
+    2 * (chart.degree_of_determinant(body) - known.len()) + apart.max().unwrap_or(0)
 }
 
 fn enclosed<E>(body: &ExactBody, chart: &FamilyChart, [lo, hi]: [&RBig; 2]) -> Option<Vec<[RBig; 2]>>
@@ -43,11 +65,7 @@ where
     let width = hi - lo;
     let places: Vec<RBig> =
         spread_places(degree + 1).into_iter().map(|u| RBig::try_from(u).unwrap_or(RBig::ZERO)).collect();
-    let values = places.iter().map(|u| {
-        let t = lo + &width * u;
-        let distance = known.iter().fold(RBig::ONE, |product, zero| product * (&t - zero));
-        Some(numerator(body, chart, &c, &t)? / E::rational(&distance, ()))
-    });
+    let values = places.iter().map(|u| rest(body, chart, &c, &known, &(lo + &width * u)));
     let values: Vec<E> = values.collect::<Option<_>>()?;
     let places: Vec<E> = places.iter().map(|u| E::rational(u, ())).collect();
     let roots = EnclosedForm::through(&places, &values).simple_roots()?;
@@ -65,6 +83,15 @@ fn spread_places(count: usize) -> Vec<f64> {
         sine * sine
     };
     (0..1 << bits).map(reversed).filter(|number| *number < count).map(node).collect()
+}
+
+/// N over its zeros that are none of the determinant.
+fn rest<E>(body: &ExactBody, chart: &FamilyChart, c: &Constants<E>, known: &[RBig], t: &RBig) -> Option<E>
+where
+    E: Enclosure<Precision = ()>,
+{
+    let distance = known.iter().fold(RBig::ONE, |product, zero| product * (t - zero));
+    Some(numerator(body, chart, c, t)? / E::rational(&distance, ()))
 }
 
 /// N at t, where there are two distinct imaginary pairs.

@@ -26,6 +26,8 @@ pub struct LinearTypes<'a> {
     along: Table<CurveId, Option<Along>>,
     /// Where one curve goes over into another.
     between: Vec<StabilityChange>,
+    /// The exact roots, where f64 left something open.
+    profile: Option<StabilityProfile>,
     is_quick: bool,
 }
 
@@ -37,15 +39,22 @@ impl<'a> LinearTypes<'a> {
     #[must_use]
     pub fn new(body: &Body, set: &'a CriticalSet) -> Self {
         let Some(along) = quick(body, set) else { return Self::exact(body, set) };
-        Self { set, between: between(set, &along), along: along.into_iter().map(Some).collect(), is_quick: true }
+        let between = between(set, &along);
+        Self { set, between, along: along.into_iter().map(Some).collect(), profile: None, is_quick: true }
     }
 
     /// Decides the type along every curve by exact roots alone; nothing where roots are closer than 2^-4000.
     #[must_use]
     pub fn exact(body: &Body, set: &'a CriticalSet) -> Self {
-        let (along, between) = StabilityProfile::new(body, set)
-            .map_or_else(|| (set.curves.map(|_| None), Vec::new()), |profile| profile.along(set));
-        Self { set, along, between, is_quick: false }
+        let profile = StabilityProfile::new(body, set);
+        let unknown = || (set.curves.map(|_| None), Vec::new());
+        let (along, between) = profile.as_ref().map_or_else(unknown, |profile| profile.along(set));
+        Self { set, along, between, profile, is_quick: false }
+    }
+
+    /// The exact roots, isolated now if f64 was enough so far.
+    pub(crate) fn take_profile(&mut self, body: &Body) -> Option<StabilityProfile> {
+        if self.is_quick { StabilityProfile::new(body, self.set) } else { self.profile.take() }
     }
 
     /// True where f64 with bounds decided everything.

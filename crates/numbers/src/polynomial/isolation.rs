@@ -5,6 +5,7 @@
 
 use std::sync::Arc;
 
+use dashu_base::BitTest;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
@@ -80,6 +81,13 @@ impl Polynomial {
     /// All real roots in (0, ∞).
     #[must_use]
     pub fn positive_roots(&self) -> Option<Vec<Root>> {
+        // Halving begins at 1: roots in another unit would take a halving for each bit of it.
+        let unit = self.mean_root();
+        let found = self.composed(&RBig::ZERO, &unit).positive_roots_about_one()?;
+        Some(found.into_iter().map(|root| root.times(&unit)).collect())
+    }
+
+    fn positive_roots_about_one(&self) -> Option<Vec<Root>> {
         let mut found = self.roots_in_unit()?;
         if self.sign_at(&RBig::ONE) == Sign::Zero && !self.is_zero() {
             let mut root = Root { polynomial: Arc::new(self.squarefree()), lo: RBig::ONE, hi: RBig::ONE, odd: true };
@@ -94,6 +102,18 @@ impl Polynomial {
             found.push(Root { polynomial, lo: RBig::ONE / root.hi, hi: RBig::ONE / root.lo, odd: root.odd });
         }
         Some(found)
+    }
+
+    /// A power of two near the geometric mean of the sizes of all complex roots but 0.
+    fn mean_root(&self) -> RBig {
+        let size = |c: &IBig| i64::try_from(c.bit_len()).unwrap_or(i64::MAX);
+        let ends = self.c.iter().position(|c| !c.is_zero()).zip(self.c.last());
+        let exponent = ends.map_or(0, |(first, last)| {
+            let count = i64::try_from(self.degree() - first).unwrap_or(i64::MAX);
+            (size(&self.c[first]) - size(last)) / count.max(1)
+        });
+        let power = RBig::from(IBig::ONE << usize::try_from(exponent.unsigned_abs()).unwrap_or(usize::MAX));
+        if exponent < 0 { RBig::ONE / power } else { power }
     }
 }
 
@@ -135,6 +155,15 @@ fn isolate(polynomial: &Arc<Polynomial>, splits: usize) -> Option<Vec<Root>> {
 }
 
 impl Root {
+    /// The root of p(t/unit).
+    fn times(self, unit: &RBig) -> Self {
+        if *unit == RBig::ONE {
+            return self;
+        }
+        let polynomial = Arc::new(self.polynomial.composed(&RBig::ZERO, &(RBig::ONE / unit)));
+        Self { polynomial, lo: self.lo * unit, hi: self.hi * unit, odd: self.odd }
+    }
+
     /// An end of the isolating interval may be a root of its own (a neighbour's, or at 0): moves the ends inward until
     /// they are not.
     fn with_clean_ends(mut self) -> Self {
@@ -192,6 +221,13 @@ mod tests {
         Polynomial::from_rationals(&product)
     }
 
+    /// Ascending.
+    fn of_rationals(roots: &[(i64, u32)]) -> Vec<RBig> {
+        let mut list: Vec<RBig> = roots.iter().map(|&(p, q)| RBig::from_parts(p.into(), q.into())).collect();
+        list.sort();
+        list
+    }
+
     proptest! {
         #[test]
         fn planted_roots_are_isolated(mut roots in proptest::collection::vec((1i64..400, 1u32..40), 1..7)) {
@@ -219,6 +255,24 @@ mod tests {
                 prop_assert!(root.is_root_of(&polynomial));
                 prop_assert!(holds(&root.enclosed::<Interval>(()), &at));
                 prop_assert!(holds(&root.enclosed::<Interval384>(()), &at));
+            }
+        }
+    }
+
+    /// The roots of a body whose numbers have 17 digits are about 10^17 in whole numbers.
+    #[test]
+    fn roots_in_another_unit_are_isolated_about_one() {
+        let near = [(3, 7), (2, 1), (5, 2), (1, 90)];
+        let there: Vec<RBig> = of_rationals(&near);
+        for unit in [RBig::ONE, RBig::from(IBig::ONE << 57), RBig::ONE / RBig::from(IBig::ONE << 200)] {
+            let polynomial = with_roots(&near).composed(&RBig::ZERO, &(RBig::ONE / &unit));
+            let ratio = polynomial.mean_root() / &unit;
+            assert!(RBig::ONE < &ratio * RBig::from(8) && ratio < RBig::from(2), "{ratio} {unit}");
+            let found = polynomial.positive_roots().unwrap();
+            assert_eq!(found.len(), there.len());
+            for (root, at) in found.iter().zip(&there) {
+                let at = at * &unit;
+                assert!(root.lo <= at && at <= root.hi && root.is_root_of(&polynomial) && root.odd);
             }
         }
     }
