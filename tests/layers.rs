@@ -25,7 +25,7 @@ const ORDER: [(&str, &str); 15] = [
          answers solver steady state spins",
     ),
     ("crates/dynamics/src", "field integrator motion section poincare"),
-    ("crates/enclosure/src", "bound scalar field set step start orbit return_map"),
+    ("crates/enclosure/src", "bound scalar field set step start integrals orbit return_map"),
     ("crates/chaos/src", "liouville share point cells block map"),
     ("crates/periodic/src", "flow reversor shooting walk orbit family catalogue chart section_map proof list"),
     (

@@ -239,7 +239,7 @@ fn the_proof_has_as_many_digits_as_are_asked() {
     let [lo, hi] = [0, 1].map(|side| many["enclosures"]["gamma"][1][0][side].as_str().unwrap().to_owned());
     assert_eq!(lo[..55], hi[..55]);
     assert!(many["widest"].as_f64().unwrap() <= 1e-60);
-    let ended = bifdiag(&format!("{line} --times 0:200:3 --digits 15")).fails();
+    let ended = bifdiag(&format!("{line} --times 0:1000:3 --digits 15")).fails();
     ended.printing("proved to t = ").printing("from there enclosures outrun 53 bits: --digits 25");
     bifdiag(&format!("{line} --digits 3")).refused().telling("from 5 to 250");
     bifdiag(&format!("{line} --bound 0")).refused().telling("from 1e-140 to 1");

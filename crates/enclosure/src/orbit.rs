@@ -11,6 +11,7 @@ use thiserror::Error;
 
 use crate::bound::{frobenius, norm};
 use crate::field::{ATTITUDE, Equations, QuadraticField};
+use crate::integrals::Integrals;
 use crate::scalar::{DoubleDouble, Float, Scalar};
 use crate::set::{FlowSet, identity, product};
 use crate::start::ExactStart;
@@ -22,6 +23,8 @@ pub const MOST_DIGITS: u32 = 250;
 pub const MOST_BITS: usize = 832;
 /// The longest step, in the time of the motion's fastest frequency.
 const LONGEST: f64 = 4.0;
+/// After so many steps the integrals tighten the set: more often its roundings count, less often chaos gets ahead.
+const TIGHTENED: u64 = 8;
 
 /// What to prove.
 #[derive(Clone, Copy, Debug)]
@@ -90,6 +93,9 @@ pub struct ProvedMotion {
     pub bits: usize,
     /// Steps.
     pub steps: u64,
+    /// The logarithm of the norm of the flow's derivative up to where it is proved, as it was computed: λt of a chaotic motion.
+    /// Nothing is proved by it.
+    pub growth: f64,
     /// Why samples are missing.
     pub end: Option<ProofEnd>,
 }
@@ -121,6 +127,7 @@ pub fn prove(body: &Body, start: &ExactStart, times: &[RBig], options: &ProofOpt
         proved: [0.0 - backward.proved[1], forward.proved[1]],
         bits: backward.bits.max(forward.bits),
         steps: backward.steps + forward.steps,
+        growth: backward.growth.max(forward.growth),
         end: backward.end.or(forward.end),
     }
 }
@@ -216,10 +223,11 @@ impl Problem<'_> {
     }
 
     fn run<S: Scalar>(&self, precision: S::Precision, bits: usize) -> ProvedMotion {
-        let mut motion = ProvedMotion { samples: Vec::new(), proved: [0.0; 2], bits, steps: 0, end: None };
+        let mut motion = ProvedMotion { samples: Vec::new(), proved: [0.0; 2], bits, steps: 0, growth: 0.0, end: None };
         let field =
             QuadraticField::<S, ATTITUDE>::new(&Equations::attitude(self.body, &self.speed), precision, accuracy(bits));
         let mut set = self.start.attitude::<S>(&self.speed, precision, bits);
+        let integrals = Integrals::new(self.body, self.start, &self.speed, bits);
         // In units of 1/speed.
         let mut now = RBig::ZERO;
         let mut left = self.times.iter().peekable();
@@ -254,7 +262,12 @@ impl Problem<'_> {
             }
             now += length;
             match step.end() {
-                Some(end) if self.width(&end.component_radii()) <= self.options.bound => set = end,
+                Some(end) if self.width(&end.component_radii()) <= self.options.bound => {
+                    motion.growth = libm::log(frobenius(&end.shape.frame));
+                    let is_time = motion.steps.is_multiple_of(TIGHTENED);
+                    let tight = if is_time { integrals.tightened(&end, precision) } else { None };
+                    set = tight.unwrap_or(end);
+                }
                 _ => {
                     motion.end = Some(ProofEnd::Wide);
                     break;

@@ -37,7 +37,7 @@ struct Ellipsoid<const N: usize> {
 /// All F e + Σ Eᵢuᵢ with |e_j| ≤ radius_j, ‖uᵢ‖ ≤ 1.
 #[derive(Clone, Debug)]
 pub struct Shape<const N: usize> {
-    /// F: the derivative of the flow since the start.
+    /// F: the derivative of the flow since the start, without what integrals have cut off.
     pub frame: Matrix<N>,
     /// Radii of the box of the start.
     pub radii: [f64; N],
@@ -68,6 +68,20 @@ impl<const N: usize> Shape<N> {
         let along = columns(&self.frame);
         let box_part = (0..N).map(|j| along[j] * self.radii[j]).sum::<f64>();
         up(box_part + self.ellipsoids.iter().map(|e| norm(&columns(&e.matrix))).sum::<f64>())
+    }
+
+    /// The columns of F with its radii and of all Eᵢ, in units of a power of two near the largest, so that their squares exist.
+    pub(crate) fn generators(&self) -> impl Iterator<Item = [f64; N]> {
+        let unit = -libm::ilogb(norm(&self.component_radii()));
+        let columns = move |matrix: &Matrix<N>, factors: [f64; N]| {
+            let mut columns = transposed(matrix);
+            for (column, factor) in columns.iter_mut().zip(factors) {
+                *column = column.map(|x| libm::ldexp(x * factor, unit));
+            }
+            columns
+        };
+        let first = columns(&self.frame, self.radii);
+        first.into_iter().chain(self.ellipsoids.iter().flat_map(move |e| columns(&e.matrix, [1.0; N])))
     }
 
     /// The image under M, and a bound of how far its points are from where they should be, by rounding.
@@ -233,7 +247,7 @@ pub(crate) fn inverse_bound<const N: usize>(matrix: &Matrix<N>) -> f64 {
 }
 
 /// The inverse, rounded, by Gauss and Jordan with pivots.
-fn inverse<const N: usize>(matrix: &Matrix<N>) -> Option<Matrix<N>> {
+pub(crate) fn inverse<const N: usize>(matrix: &Matrix<N>) -> Option<Matrix<N>> {
     let (mut left, mut right) = (*matrix, identity());
     for k in 0..N {
         let pivot = (k..N).max_by(|i, j| left[*i][k].abs().total_cmp(&left[*j][k].abs()))?;

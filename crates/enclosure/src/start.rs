@@ -60,12 +60,12 @@ impl ExactStart {
         enclosed(&[w, x, y, z, a, b, c], precision)
     }
 
-    fn velocity(&self, speed: &RBig, bits: usize) -> [Wide; 3] {
+    pub(crate) fn velocity(&self, speed: &RBig, bits: usize) -> [Wide; 3] {
         self.omega.each_ref().map(|x| Wide::rational(&(x / speed), bits))
     }
 
     /// γ of length 1.
-    fn vertical(&self, bits: usize) -> [Wide; 3] {
+    pub(crate) fn vertical(&self, bits: usize) -> [Wide; 3] {
         let square = self.gamma.iter().fold(RBig::ZERO, |sum, x| sum + x * x);
         let length = Wide::rational(&square, bits).sqrt();
         self.gamma.each_ref().map(|x| Wide::rational(x, bits) / length.clone())
