@@ -13,6 +13,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::columns::{array, vectors};
+use crate::picture::describe;
 use crate::straightened::Straightened;
 use crate::texts::{Numbers, json, number};
 use crate::{errors, places, work};
@@ -81,6 +82,11 @@ impl Atlas {
         documents::atlas::attach_part(&mut document, &self.subject);
         Ok(document)
     }
+}
+
+fn themed(is_dark: bool) -> plot::DiagramOptions {
+    let theme = if is_dark { plot::Theme::Dark } else { plot::Theme::Light };
+    plot::DiagramOptions { theme, ..plot::DiagramOptions::default() }
 }
 
 fn window([h, l]: Ranges) -> WindowDocument {
@@ -155,12 +161,33 @@ impl Atlas {
         Ok(if chosen == DiagramView::Straight { "straight" } else { "plane" })
     }
 
+    /// What the picture of the plane shows with its insets; of a window what one panel of so many pixels shows.
+    fn picture<'py>(
+        &self,
+        python: Python<'py>,
+        is_dark: bool,
+        panel: Option<(Ranges, [f64; 2])>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let drawn = python.detach(|| {
+            let document = self.document(&DocumentOptions::default())?;
+            let source = Curves(self.atlas());
+            let options = plot::DiagramOptions { view: DiagramView::Plane, no_samples: true, ..themed(is_dark) };
+            let found = match panel {
+                Some((ranges, size)) => plot::describe_panel(&document, Some(&source), window(ranges), size, &options),
+                None => plot::describe(&document, Some(&source), &options),
+            };
+            found.map_err(|error| errors::range(&error))
+        })?;
+        let out = PyDict::new(python);
+        describe(&out, &drawn)?;
+        Ok(out)
+    }
+
     /// Where everything lies in the straightened plane.
-    fn straightened(&self, python: Python<'_>) -> PyResult<Straightened> {
+    fn straightened(&self, python: Python<'_>, is_dark: bool) -> PyResult<Straightened> {
         python.detach(|| {
             let document = self.document(&DocumentOptions::default())?;
-            let found =
-                plot::straight_diagram(&document, Some(&Curves(self.atlas())), &plot::DiagramOptions::default());
+            let found = plot::straight_diagram(&document, Some(&Curves(self.atlas())), &themed(is_dark));
             Ok(Straightened(found.map_err(|error| errors::range(&error))?))
         })
     }

@@ -13,6 +13,7 @@ mod errors;
 mod motion;
 mod part;
 mod periodic;
+mod picture;
 mod places;
 mod proved;
 mod section;

@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::columns::vectors;
+use crate::picture::describe;
 
 /// Where everything of an atlas lies in the straightened plane, in the unit square.
 #[pyclass(frozen, module = "bifdiag._core")]
@@ -13,23 +14,20 @@ pub struct Straightened(pub StraightDiagram);
 
 #[pymethods]
 impl Straightened {
-    /// `regions`, `curves`, `levels`, `events`, `labels`, `momenta`, `energies`, `l_end`.
+    /// `regions`, `points` (of each stroke), `levels`, `events`, `momenta`, `energies`, `l_end`, and what is drawn.
     fn drawing<'py>(&self, python: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let line = |points: &Vec<[f64; 2]>| vectors(python, points.iter().copied());
         let lines = |all: &Vec<Vec<[f64; 2]>>| all.iter().map(line).collect::<PyResult<Vec<_>>>();
         let drawn = &self.0;
         let out = PyDict::new(python);
         out.set_item("regions", drawn.regions.iter().map(lines).collect::<PyResult<Vec<_>>>()?)?;
-        let curve = |one: &bifdiag::plot::StraightStretch| Ok::<_, PyErr>((one.curve, one.stretch, line(&one.points)?));
-        out.set_item("curves", drawn.curves.iter().map(curve).collect::<PyResult<Vec<_>>>()?)?;
+        out.set_item("points", lines(&drawn.strokes)?)?;
         out.set_item("levels", lines(&drawn.levels)?)?;
         out.set_item("events", drawn.events.clone())?;
-        let labels: Vec<_> =
-            drawn.labels.iter().map(|label| (label.region, label.lines.clone(), label.at, label.tip)).collect();
-        out.set_item("labels", labels)?;
         out.set_item("momenta", drawn.momenta.clone())?;
         out.set_item("energies", drawn.energies.clone())?;
         out.set_item("l_end", drawn.l_end)?;
+        describe(&out, &drawn.described)?;
         Ok(out)
     }
 

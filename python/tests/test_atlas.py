@@ -134,7 +134,7 @@ def test_threads_change_nothing(atlas):
         ([True], 1, "bool"),
         ([1j], 1, "complex"),
         (["x"], 1, "not a number"),
-        ([None], 1, "NoneType"),
+        (None, 1, "NoneType"),
         (np.array([1], dtype="M8[s]"), 1, "datetime"),
         (1e200, 1, "range"),
         (np.ma.array([[1, 2], [3, 4]], mask=[[0, 0], [1, 0]]), 1, r"h\[1, 0\]"),

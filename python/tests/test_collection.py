@@ -16,8 +16,10 @@ def test_records_have_names_and_places(atlas):
     assert [*reversed(atlas.regions)] == [*atlas.regions][::-1]
     with pytest.raises(bifdiag.InputError, match="'R12'; the ids are R1, R2"):
         atlas.regions["R12"]
-    with pytest.raises(bifdiag.InputError, match="no ids"):
-        atlas.events["cusp"]
+    with pytest.raises(bifdiag.InputError, match="no ids; take them by place"):
+        atlas.stability_changes["cusp"]
+    with pytest.raises(IndexError, match="no record 99; there are 9"):
+        atlas.regions[99]
     again = pickle.loads(pickle.dumps(atlas.regions))
     assert again == atlas.regions and again["R5"] == atlas.regions["R5"]
 
@@ -52,3 +54,23 @@ def test_polars_reads_lists(atlas):
     pl = pytest.importorskip("polars")
     assert pl.DataFrame(atlas.regions)["signature"].to_list() == [region.signature for region in atlas.regions]
     assert pl.DataFrame(atlas.body.critical([1, 2])).height == len(atlas.body.critical([1, 2]))
+
+
+def test_events_have_the_ids_of_the_command(atlas, command, tmp_path):
+    assert atlas.events.ids == ("E1", "E2", "E3", "E4", "E5") and atlas.events["E2"] is atlas.events[1]
+    told = command("--body=paper", cwd=tmp_path)
+    for name, event in zip(atlas.events.ids, atlas.events, strict=True):
+        (line,) = (line for line in told.splitlines() if line.split()[:1] == [name])
+        assert event.kind in line and f"{event.l:.4g}"[:4] in line
+        assert name in repr(atlas.events)
+    assert atlas.events.flat()["id"].tolist() == list(atlas.events.ids)
+    with pytest.raises(bifdiag.InputError, match="the ids are E1, E2"):
+        atlas.events["cusp"]
+    last = pickle.loads(pickle.dumps(atlas.events[3:]))
+    assert last.ids == ("E4", "E5") and last["E5"] == atlas.events[4]
+
+
+def test_slices_are_lists_too(atlas):
+    some = atlas.regions[1:3]
+    assert type(some) is type(atlas.regions) and some.ids == ("R2", "R3") and some["R3"] == atlas.regions[2]
+    assert some.flat()["id"].tolist() == ["R2", "R3"] and len(atlas.curves[::2]) == -(-len(atlas.curves) // 2)

@@ -42,10 +42,14 @@ def test_many_momenta_are_one_array(paper):
 
 
 def test_wrong_momenta_are_told(paper):
-    with pytest.raises(bifdiag.InputError, match=r"l\[1\] = nan is not finite"):
-        paper.critical([1, float("nan")])
+    with pytest.raises(bifdiag.InputError, match=r"l\[1\] = nan is no finite number"):
+        paper.critical([1, float("nan")], invalid="raise")
     with pytest.raises(bifdiag.InputError, match=r"l\[1\] is masked"):
-        paper.critical(np.ma.masked_array([1.0, 2, 3], [0, 1, 0]))
+        paper.critical(np.ma.masked_array([1.0, 2, 3], [0, 1, 0]), invalid="raise")
+    with pytest.raises(bifdiag.InputError, match=r"^l = nan is no finite number in range$"):
+        paper.critical(float("nan"))
+    with pytest.raises(bifdiag.InputError, match=r"l\[1\]: `x` is not a number"):
+        paper.critical(["1", "x"])
     with pytest.raises(bifdiag.InputError, match="str"):
         paper.critical(None)
 
@@ -113,3 +117,47 @@ def test_ten_thousand_momenta_are_quick(paper):
 
     # Measured 0.08 s; 1.6 s through documents.
     assert min(seconds() for _ in range(3)) < 0.8
+
+
+def test_gaps_leave_the_rest_as_it_is(paper):
+    l = np.array([1, np.nan, 3.25, np.inf, 1e200, 2])
+    found, kept = paper.critical(l), paper.critical([1, 3.25, 2])
+    assert found.meta["invalid"] == [1, 3, 4] and sorted(set(found.l_index.tolist())) == [0, 2, 5]
+    assert np.array_equal(found.l, l[found.l_index]) and found.h.tolist() == kept.h.tolist()
+    assert found.stable_by.tolist() == kept.stable_by.tolist() and "l_index 1, 3, 4" in repr(found)
+    masked = paper.critical(np.ma.masked_array([[1.0, 2], [3, 4]], [[0, 1], [0, 0]]))
+    assert sorted(set(masked.l_index.tolist())) == [0, 2, 3] and masked.meta["invalid"] == [1]
+    assert paper.critical(["3.25", None]).h.tolist() == paper.critical("3.25").h.tolist()
+    assert pickle.loads(pickle.dumps(found)) == found and len(paper.critical([np.nan])) == 0
+
+
+def test_the_index_of_pandas_is_kept(paper):
+    pd = pytest.importorskip("pandas")
+    l = pd.Series([1.0, None, 3.25], index=pd.Index(["a", "b", "c"], name="case"))
+    found = paper.critical(l)
+    frame = found.to_pandas()
+    assert frame.index.name == "case" and frame.index.tolist() == [l.index[k] for k in found.l_index]
+    assert (frame.loc["c", "l"] == 3.25).all() and "b" not in frame.index
+    some = pickle.loads(pickle.dumps(found[found["index"] == 0]))
+    assert some.to_pandas().index.tolist() == ["a", "c"][: len(some)] + ["c"] * (len(some) - 2)
+    pytest.importorskip("xarray")
+    assert (
+        found.to_xarray()["case"].dims == ("row",) and found.to_xarray()["case"].to_numpy().tolist() == frame.index.tolist()
+    )
+
+
+def test_dimensions_of_xarray_are_kept(paper):
+    xr = pytest.importorskip("xarray")
+    values = [[1, 2, np.nan], [3, 3.25, 4]]
+    l = xr.DataArray(values, dims=("spin", "trial"), coords={"spin": [10, 20], "site": ("trial", list("pqr")), "run": 7})
+    found = paper.critical(l)
+    data = found.to_xarray()
+    for row in range(len(found)):
+        spin, trial = data["spin"].item(row), data["trial"].item(row)
+        assert l.sel(spin=spin).isel(trial=trial).item() == data["l"].item(row)
+        assert data["site"].item(row) == "pqr"[trial]
+    pd = pytest.importorskip("pandas")
+    assert isinstance(found.to_pandas().index, pd.MultiIndex) and found.to_pandas().index.names == ["spin", "trial"]
+    line = xr.DataArray([1.0, 2], dims="l", coords={"l": [1.0, 2]})
+    assert "l" in paper.critical(line).to_xarray().coords and paper.critical(line).to_pandas().index.name == "l"
+    assert paper.critical(xr.DataArray(3.25)).h.tolist() == paper.critical(3.25).h.tolist()

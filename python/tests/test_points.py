@@ -18,17 +18,17 @@ def points():
 def test_margins_and_types_are_those_of_single_points(atlas, points):
     h, l = points
     found = atlas.classify(h, l)
-    assert (found.region == atlas.region(h, l)).all() and (found.margin == atlas.margin(h, l)).all()
+    assert (found.code == atlas.region(h, l)).all() and (found.margin == atlas.margin(h, l)).all()
     for place, (x, y) in enumerate(zip(h, l, strict=True)):
         one = atlas.classify(x, y)
         assert (found.margin[place], found.error_bound[place]) == (one.margin.h, one.margin.error_bound)
         assert (found.nearest[place], found.status[place]) == (one.margin.nearest, one.status)
-        assert (found.id[place], found.signature[place]) == (one.region, one.signature or None)
+        assert (found.region[place], found.signature[place]) == (one.region, one.signature or None)
         if one.status == "regular":
-            assert found.components[found.region[place]] == one.components
+            assert found.components[found.code[place]] == one.components
         assert atlas.margin(x, y) == one.margin.h
     again = pickle.loads(pickle.dumps(found))
-    assert (again.region == found.region).all() and again.components == found.components
+    assert (again.code == found.code).all() and again.components == found.components
     assert (atlas.classify(h, l, threads=2).margin == found.margin).all()
     with pytest.raises(AttributeError, match="margin"):
         found.margins  # noqa: B018
@@ -45,7 +45,12 @@ def test_types_broadcast(atlas):
 def test_points_on_curves_are_critical():
     kovalevskaya = bifdiag.Body.preset("kovalevskaya").atlas()
     found = kovalevskaya.classify(np.array([-0.99, 9.0]), np.array([0.2, 0.2]))
-    assert found.region.tolist()[0] == -2 and found.status[0] == "critical" and found.signature[0] is None
+    assert (
+        found.code.tolist()[0] == -2
+        and found.region[0] is None
+        and found.status[0] == "critical"
+        and found.signature[0] is None
+    )
     assert found.margin[0] < 1e-12
 
 
@@ -77,6 +82,8 @@ def test_dimensions_of_xarray_are_kept(atlas):
     assert found.sel(h=3.8, l=3.25).item() == 4 and atlas.margin(h, 3.25).dims == ("h",)
     data = atlas.classify(h, l).to_xarray()
     assert data["margin"].dims == ("h", "l") and data["l"].to_numpy().tolist() == [3.25, 1, 2]
+    sites = xr.DataArray([1.0, 2], dims="trial", coords={"site": ("trial", ["p", "q"])})
+    assert atlas.region(3.8, sites)["site"].to_numpy().tolist() == ["p", "q"]
     with pytest.raises(bifdiag.InputError, match="both with theirs"):
         atlas.region(h, [1, 2, 3])
 
@@ -100,3 +107,31 @@ def test_types_are_handed_to_arrow(atlas, points):
     pa = pytest.importorskip("pyarrow")
     table = pa.table(atlas.classify(*points))
     assert table.num_rows == 200 and table["region"].null_count == (atlas.region(*points) < 0).sum()
+
+
+def test_every_table_of_types_has_the_same_columns(atlas, points):
+    pd, xr = pytest.importorskip("pandas"), pytest.importorskip("xarray")
+    found = atlas.classify(*points)
+    frame, data = found.to_pandas(), found.to_xarray()
+    assert isinstance(frame, pd.DataFrame) and isinstance(data, xr.Dataset)
+    assert sorted(frame.columns) == sorted(data.variables)
+    for name in ("code", "region", "status", "signature", "nearest"):
+        here = getattr(found, name).tolist()
+        assert [None if value != value else value for value in frame[name].tolist()] == here
+        assert [None if value != value else value for value in data[name].to_numpy().tolist()] == here
+    # A name of a region leads to it.
+    known = frame.dropna(subset="region")
+    assert all(
+        atlas.regions[name].signature == signature for name, signature in zip(known.region, known.signature, strict=True)
+    )
+
+
+def test_the_place_of_what_is_wrong_is_told(atlas):
+    assert atlas.region([0, None, 3.8], 3.25).tolist() == [-1, -4, 4]
+    for answer in (atlas.region, atlas.margin, atlas.classify):
+        with pytest.raises(bifdiag.InputError, match=r"^h\[2\]: `x` is not a number"):
+            answer(["4", "9/2", "x"], 2)
+        with pytest.raises(bifdiag.InputError, match=r"^l\[1, 0\] = \[\] is a list"):
+            answer(1, np.array([[1, 2], [[], 4]], dtype=object))
+    with pytest.raises(bifdiag.InputError, match="threads"):
+        atlas.region(1, 2, threads=-1)

@@ -95,7 +95,7 @@ def test_wrong_questions_are_refused(paper):
         ({"tolerance": 1e-9}, "no tolerance"),
         ({"l": [1, 0, 0]}, "either l"),
         ({"gamma": [0, 0, 0]}, "no direction"),
-        ({"t": [1, 0]}, "rise"),
+        ({"t": [1, 0]}, "sort the times"),
         ({"phi": "x"}, "not a number"),
     ]:
         with pytest.raises(bifdiag.InputError, match=told):

@@ -244,10 +244,85 @@ def test_motions_agree_with_the_command_line(paper, command):
         ({"gamma": [0, 0, 0], "l": [1, 0, 0], "t": 1}, "no direction"),
         ({"gamma": [0, 0, 1], "t": 1}, "either l"),
         ({"gamma": [0, 0, 1], "l": [1, 0], "t": 1}, "shape"),
-        ({"gamma": [0, 0, 1], "l": [1, 0, 0], "t": [2, 1]}, "rise"),
+        ({"gamma": [0, 0, 1], "l": [1, 0, 0], "t": [2, 1]}, "sort the times"),
         ({"gamma": [0, 0, 1], "l": [1, 0, np.inf], "t": 1}, "finite"),
     ],
 )
 def test_wrong_motions_are_told(paper, arguments, message):
     with pytest.raises(bifdiag.InputError, match=message):
         paper.orbit(**arguments)
+
+
+def test_many_starts_are_one_table(paper):
+    rng = np.random.default_rng(5)
+    gamma, l = rng.normal(size=(2, 3, 3)), rng.normal(size=3)
+    times = np.linspace(0, 2, 5)
+    found = paper.orbit(gamma, l, times)
+    assert len(found) == 2 * 3 * 5 and found.columns[0] == "orbit" and len(found.meta["energy"]) == 6
+    for number, start in enumerate(gamma.reshape(-1, 3)):
+        one, part = paper.orbit(start, l, times), found[found.orbit == number]
+        assert all(np.array_equal(one[name], part[name]) for name in one.columns)
+        assert found.meta["energy"][number] == one.meta["energy"]
+    assert np.ptp(found.energy.reshape(6, 5), axis=1).max() < 1e-12 and "of 6 orbits" in repr(found)
+    assert pickle.loads(pickle.dumps(found)) == found and len(paper.orbit(np.empty((0, 3)), l)) == 0
+    turning = paper.orbit([0.6, 0, 0.8], omega=np.eye(3), t=1)
+    assert turning.orbit.max() == 2 and len(paper.orbit([[0.6, 0, 0.8]], l, 1)) == 201
+    for wrong, message in [
+        ((5, 3), "do not broadcast"),
+        ((4,), "three numbers are needed"),
+        ((), "three numbers are needed"),
+    ]:
+        with pytest.raises(bifdiag.InputError, match=message):
+            paper.orbit(gamma, np.ones(wrong), times)
+    with pytest.raises(bifdiag.InputError):
+        paper.orbit(gamma, l, times, proved=True)
+
+
+def test_many_motions_are_saved_and_labelled(paper, tmp_path):
+    xr = pytest.importorskip("xarray")
+    found = paper.orbit(np.eye(3), [0.1, 0.2, 0.3], t=[0, 1, 2, 3])
+    found.save(tmp_path / "many.npz")
+    assert bifdiag.Motion.load(tmp_path / "many.npz") == found
+    data = found.to_xarray()
+    assert isinstance(data, xr.Dataset) and data["gamma"].dims == ("orbit", "time", "axis")
+    here = data["gamma"].sel(orbit=1, time=2, axis=3).item()
+    assert here == found[(found.orbit == 1) & (found.time == 2)].gamma[0, 2]
+    one = found[found.orbit == 2].to_xarray()
+    assert one["quaternion"].sel(component="w").shape == (1, 4)
+    alone = paper.orbit([1, 0, 0], [0.1, 0.2, 0.3], t=[0, 1, 2, 3]).to_xarray()
+    assert alone["theta"].dims == ("time",) and float(alone["theta"].interp(time=0.5)) > 0
+    with pytest.raises(bifdiag.InputError, match="different times"):
+        found[:6].to_xarray()
+
+
+def test_rows_of_tables_are_selected(paper, section):
+    upper = section[section.sheet == 1]
+    assert type(upper) is bifdiag.Section and (upper.sheet == 1).all() and len(upper) == (section.sheet == 1).sum()
+    assert section[3]["time"] == section.time[3] and section[-2:].time.tolist() == section.time[-2:].tolist()
+    assert np.asarray(section)["gamma"].shape == section.gamma.shape and next(iter(section))["index"] == 0
+    motion = paper.orbit([0.6, 0, 0.8], omega=[1, 0.3, 1], t=np.arange(5))
+    assert motion[[0, 2]].time.tolist() == [0, 2] and len(motion[[]]) == 0
+    assert motion[["time", "theta"]].dtype.names == ("time", "theta")
+    with pytest.raises(IndexError, match="no row 9; there are 5"):
+        motion[9]
+    with pytest.raises(KeyError, match="no column 'thetta'"):
+        motion["thetta"]
+    # What is said of all periodic orbits is not said of some of them.
+    orbits = paper.periodic_orbits("2.6", "3.25")
+    some = orbits[orbits.proved]
+    assert isinstance(some, np.ndarray) and some["period"].tolist() == orbits.period[orbits.proved].tolist()
+    assert isinstance(paper.orbit([0.6, 0, 0.8], omega=[1, 0.3, 1], t=1, proved=True)[:2], np.ndarray)
+
+
+def test_starts_may_be_exact_texts(paper):
+    told = paper.orbit(["0.6", 0, "0.8"], omega=[1, "1/3", 1], t=2)
+    assert told == paper.orbit([0.6, 0, 0.8], omega=[1, 1 / 3, 1], t=2)
+    for options, message in [
+        ({"omega": [1, "x", 1]}, "omega = "),
+        ({"omega": [1, 1, 1], "tolerance": -1}, "tolerance = -1 is not usable"),
+        ({"omega": [1, 1, 1], "t": [3, 2, 1]}, r"t\[1\] = 2.0 is before t\[0\]"),
+        ({"omega": [1, 1, 1], "t": []}, "one or more"),
+        ({"omega": [1, 1, 1], "t": np.inf}, "finite"),
+    ]:
+        with pytest.raises(bifdiag.InputError, match=message):
+            paper.orbit([0.6, 0, 0.8], **options)

@@ -27,7 +27,7 @@ def test_a_range_is_one_text_or_several(tmp_path, command):
 
 
 def test_wrong_scans_are_told(tmp_path):
-    with pytest.raises(bifdiag.InputError, match=r"^--samples is missing"):
+    with pytest.raises(bifdiag.InputError, match=r"^samples is missing; give samples=100000"):
         bifdiag.scan(out=tmp_path / "x.csv")
     with pytest.raises(bifdiag.InputError, match=r"a range is written.*\d$"):
         bifdiag.scan(body=bifdiag.Body.preset("lagrange"), vary="A", out=tmp_path / "x.csv")
@@ -191,3 +191,35 @@ def test_witnesses_have_numbers_and_exact_texts():
     assert isinstance(witness.h, float) and witness.h == float(witness.exact.h)
     assert witness.body.classify(*witness.exact).components == witness.components
     assert bifdiag.find("k0n1").exact is None
+
+
+def test_messages_name_arguments(tmp_path):
+    A, r = rows(3)
+    lagrange = bifdiag.Body.preset("lagrange")
+    for options, message in [
+        ({"bodies": (A, r), "samples": 3}, "leave out samples and vary"),
+        ({"bodies": (A, r[:2])}, "3 moments A and 2 centres r"),
+        ({"body": lagrange, "vary": "A1=1:2"}, r"^samples is missing; give samples=100000, or .* such as vary=\"A2="),
+        ({"bodies": (A, r), "out": tmp_path / "x.txt"}, "."),
+        ({"body": lagrange, "vary": "A1=1:2:3", "family": "katok"}, "give one of them"),
+    ]:
+        with pytest.raises(bifdiag.InputError, match=message) as told:
+            bifdiag.scan(**options)
+        assert "--" not in str(told.value) and "Usage" not in str(told.value)
+    with pytest.raises(bifdiag.InputError, match=r"^invalid value 'w' for 'axis'") as told:
+        bifdiag.Body.from_inertia([[2, 0, 0], [0, 2, 0], [0, 0, 1]], com=[0, 0, 1], mass=1).critical_spin("w")
+    assert "--" not in str(told.value)
+
+
+def test_a_scan_of_a_frame_has_its_index():
+    pd = pytest.importorskip("pandas")
+    A, r = rows(5)
+    frame = pd.DataFrame(np.hstack([A, r]), columns=["A1", "A2", "A3", "r1", "r2", "r3"], index=list("vwxyz"))
+    frame["name"] = [f"body {k}" for k in range(5)]
+    found = bifdiag.scan(bodies=frame)
+    assert found.to_pandas().index.tolist() == list("vwxyz") and found[found.A1 > 0].to_pandas().index.tolist() == list(
+        "vwxyz"
+    )
+    joined = frame[["name"]].join(found.to_pandas())
+    assert joined.loc["x", "A1"] == A[2, 0] and joined.loc["x", "name"] == "body 2"
+    assert found[1:3].to_pandas().index.tolist() == ["w", "x"]

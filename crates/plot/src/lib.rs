@@ -21,8 +21,9 @@ pub use animation::{AnimatedCrossing, AnimationScene, draw_animation, draw_frame
 pub use campbell::{Campbell, CampbellRow, draw_campbell};
 pub use chaos::{ChaosCell, ChaosPanel, ChaosScene, draw_chaos};
 pub use diagram::{
-    CurveSource, DiagramOptions, DiagramTitle, DiagramView, LegendPlace, MarkedPoints, StraightDiagram, StraightLabel,
-    StraightStretch, chosen_view, draw, draw_codes, draw_figure, straight_diagram,
+    CurveSource, DashPattern, DiagramDescription, DiagramLabel, DiagramOptions, DiagramStroke, DiagramSymbol,
+    DiagramTitle, DiagramView, LegendPlace, MarkedPoints, StraightDiagram, chosen_view, describe, describe_panel, draw,
+    draw_codes, draw_figure, straight_diagram,
 };
 pub use map::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote, draw_map};
 pub use page::{Caption, Figure, Picture, Pixels, PlotError, Theme, Width, body_line, section_type, told};

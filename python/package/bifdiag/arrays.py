@@ -1,7 +1,9 @@
 """Arrays of points in, arrays of answers out, in whatever form they came."""
 
+import re
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
@@ -51,6 +53,19 @@ class Points:
         out[self.valid] = answers
         return out
 
+    @contextmanager
+    def named(self) -> Iterator[None]:
+        """Names the place of a text that the compiled part refuses."""
+        try:
+            yield
+        except InputError as error:
+            found = re.match("`(.*)` is not a number", str(error), re.DOTALL)
+            for name, values in (("h", self.h), ("l", self.l)) if found else ():
+                if self.valid.ndim and isinstance(values, list) and found and found[1] in values:
+                    where = np.argwhere(self.valid)[values.index(found[1])].tolist()
+                    raise InputError(f"{_place(name, where)}: {error}") from None
+            raise
+
 
 def points(h: Any, l: Any, invalid: str) -> Points:
     """Points of what the caller gave.
@@ -73,17 +88,27 @@ def points(h: Any, l: Any, invalid: str) -> Points:
     if invalid == "raise" and not valid.all():
         where = tuple(int(place) for place in np.argwhere(~valid)[0])
         name, values = ("l", l_values) if np.broadcast_to(h_valid, valid.shape)[where] else ("h", h_values)
-        place = f"{name}[{', '.join(map(str, where))}]" if where else name
-        raise InputError(f'{place} = {values[where]} is no finite number in range; leave it out, or give invalid="mark"')
+        given = h if name == "h" else l
+        masked = isinstance(given, np.ma.MaskedArray) and np.broadcast_to(np.ma.getmaskarray(given), valid.shape)[where]
+        told = "is masked" if masked else f"= {values[where]} is no finite number in range"
+        raise InputError(f"{_place(name, where)} {told}" + ('; leave it out, or give invalid="mark"' if where else ""))
     whole = bool(valid.all())
     both = [
         (np.ascontiguousarray(values).reshape(-1) if whole else values[valid], name)
         for values, name in ((h_values, "h"), (l_values, "l"))
     ]
     if h_values.dtype == object or l_values.dtype == object:
-        first, second = ([exact.text(value, name) for value in values.tolist()] for values, name in both)
+        places = np.argwhere(valid).tolist()
+        first, second = (
+            [exact.text(value, _place(name, place)) for value, place in zip(values.tolist(), places, strict=True)]
+            for values, name in both
+        )
         return Points(first, second, valid, dress, index, template)
     return Points(both[0][0], both[1][0], valid, dress, index, template)
+
+
+def _place(name: str, where: Sequence[int]) -> str:
+    return f"{name}[{', '.join(map(str, where))}]" if len(where) else name
 
 
 def _numbers(given: Any, name: str) -> tuple[npt.NDArray[Any], npt.NDArray[np.bool_]]:
@@ -92,7 +117,7 @@ def _numbers(given: Any, name: str) -> tuple[npt.NDArray[Any], npt.NDArray[np.bo
     array = np.asarray(np.ma.getdata(given) if mask is not None else given)
     if array.dtype.kind in "OUT":
         values = array.astype(object)
-        valid = np.array([not _missing(value) for value in values.flat], dtype=bool).reshape(values.shape)
+        valid = np.array([not _missing(value, values.ndim > 0) for value in values.flat], dtype=bool).reshape(values.shape)
     else:
         found = exact.doubles(array, name, check=False)
         if found is None:
@@ -102,10 +127,10 @@ def _numbers(given: Any, name: str) -> tuple[npt.NDArray[Any], npt.NDArray[np.bo
     return values, valid if mask is None else valid & ~mask
 
 
-def _missing(value: Any) -> bool:
-    """None of pandas, and what is not equal to itself."""
+def _missing(value: Any, of_array: bool) -> bool:
+    """None of an array, NA of pandas, and what is not finite."""
     if value is None or isinstance(value, str):
-        return False
+        return value is None and of_array
     if type(value).__name__ in ("NAType", "NaTType"):
         return True
     return bool(isinstance(value, float | np.floating) and not np.isfinite(value))
@@ -117,6 +142,7 @@ def _undressed(h: Any, l: Any) -> tuple[Any, Any, Callable[[npt.NDArray[Any], st
     if xr is not None and any(isinstance(value, xr.DataArray) for value in (h, l)):
         arrays = [value if isinstance(value, xr.DataArray) else _labelled(xr, value) for value in (h, l)]
         first, second = xr.broadcast(*arrays)
+        first = first.assign_coords({name: other for name, other in second.coords.items() if name not in first.coords})
         return first.to_numpy(), second.to_numpy(), lambda out, name: first.copy(data=out).rename(name), None, first
     if pd is not None and any(isinstance(value, pd.Series) for value in (h, l)):
         if isinstance(h, pd.Series) and isinstance(l, pd.Series) and not h.index.equals(l.index):

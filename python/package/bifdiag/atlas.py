@@ -156,8 +156,9 @@ class Atlas:
 
     @cached_property
     def events(self) -> Events[Event]:
-        """Cusps, pitchforks and crossings, by increasing l; also a table. `Event` explains the meaning of their floats."""
-        return Events(json.loads(self._inner.events()), Event._of)
+        """Cusps, pitchforks, crossings by increasing l: ``atlas.events["E1"]``; also a table. `Event` explains them."""
+        found = json.loads(self._inner.events())
+        return Events(found, Event._of, tuple(f"E{number}" for number in range(1, len(found) + 1)))
 
     @cached_property
     def curves(self) -> Curves[Curve]:
@@ -308,12 +309,14 @@ class Atlas:
         >>> atlas.regions[4]
         Region R5: S2+T2 at ...
         """
+        exact.threads(threads)
         if _is_plain(h) and _is_plain(l):
             return self._inner.place(exact.text(h, "h"), exact.text(l, "l"))
         given = arrays.points(h, l, invalid)
         if isinstance(given.h, list):
             pairs = zip(given.h, given.l, strict=True)
-            places = np.array([self._inner.place(*pair) for pair in pairs], dtype=np.int64)
+            with given.named():
+                places = np.array([self._inner.place(*pair) for pair in pairs], dtype=np.int64)
         else:
             places = self._inner.places(given.h, given.l, exact.threads(threads))
         return given.dress(given.spread(places, arrays.INVALID), "region")
@@ -350,8 +353,8 @@ class Atlas:
         >>> import bifdiag
         >>> atlas = bifdiag.Body.preset("paper").atlas()
         >>> found = atlas.classify([0, 3.8], 3.25)
-        >>> found.region, found.signature
-        (array([-1,  4]), array([None, 'S2+T2'], dtype=object))
+        >>> found.code, found.region, found.signature
+        (array([-1,  4]), array([None, 'R5'], dtype=object), array([None, 'S2+T2'], dtype=object))
         >>> atlas.classify(3.8, 3.25).margin.nearest == found.nearest[1]
         True
         """
@@ -395,7 +398,8 @@ class Atlas:
         return given.dress(given.spread(self._measured(given, threads)["margin"], np.nan), "margin")
 
     def _measured(self, given: arrays.Points, threads: int | None) -> dict[str, Any]:
-        return self._inner.measured(given.h, given.l, exact.threads(threads))
+        with given.named():
+            return self._inner.measured(given.h, given.l, exact.threads(threads))
 
     def plot(self, ax: "Axes | None" = None, **options: Any) -> "Axes":
         """Draws the bifurcation diagram with matplotlib; see `bifdiag.pictures.diagram` for the options."""
@@ -403,7 +407,7 @@ class Atlas:
 
     @cached_property
     def _straightened(self) -> _core.Straightened:
-        return self._inner.straightened()
+        return self._inner.straightened(False)
 
     def straightened(self, h: npt.ArrayLike, l: npt.ArrayLike) -> npt.NDArray[np.float64]:
         """Where points (h, l) lie in ``plot(view="straight")``, whose axes are the unit square.

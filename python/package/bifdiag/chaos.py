@@ -36,7 +36,7 @@ class ChaosMap(StoredTable):
     h, l : array (n,)
         Its centre.
     region : array (n,) of int
-        The region, as an index into `Atlas.regions`; `id` has the names.
+        The region, as an index into `Atlas.regions`; `id` has the names, which tables have as ``region``.
     component : array (n,) of int
         The component of E, in the order of `Body.classify`.
     part : array (n,)
@@ -110,6 +110,13 @@ class ChaosMap(StoredTable):
         """The id of the region of each row."""
         names = np.array([f"R{k + 1}" for k in range(int(self.region.max(initial=-1)) + 1)], dtype=object)
         return names[self.region]
+
+    def flat(self) -> dict[str, npt.NDArray[Any]]:
+        """The columns of tables: ``region`` is the id there, ``code`` the index."""
+        out: dict[str, npt.NDArray[Any]] = {}
+        for name, column in super().flat().items():
+            out |= {"code": column, "region": self.id} if name == "region" else {name: column}
+        return out
 
     @property
     def shape(self) -> tuple[int, int]:

@@ -16,12 +16,13 @@ if TYPE_CHECKING:
     import pandas
     import pyarrow
     import xarray
+    from typing_extensions import Self
 
 Item = TypeVar("Item", covariant=True)
 
 
 class Collection(Generic[Item]):
-    """A list of records that does not change: ``regions[4]``, ``regions["R5"]`` where records have ids; and a table.
+    """A list of records that does not change: ``regions[4]``, ``regions["R5"]``, ``regions[1:3]``; and a table.
 
     The table has a row for each record; `to_pandas`, `to_arrow`, `to_xarray` and, through the PyCapsule interface,
     ``polars.DataFrame(regions)`` hand it on. Its columns are numbers, bools and texts; lists of names are one text with
@@ -31,28 +32,35 @@ class Collection(Generic[Item]):
     COLUMNS: ClassVar[dict[str, Callable[[Any], Any]]] = {}
 
     # Records are made when they are first looked at.
-    def __init__(self, sources: Iterable[Any], make: Callable[[Any], Item]) -> None:
+    def __init__(self, sources: Iterable[Any], make: Callable[[Any], Item], ids: tuple[str, ...] | None = None) -> None:
         self._sources = list(sources)
         self._make = make
+        self._ids = ids
         self._made: dict[int, Item] = {}
 
     @classmethod
-    def _of(cls, items: Iterable[Item]) -> "Collection[Item]":
-        return cls(items, _same)
+    def _of(cls, items: Iterable[Item], ids: tuple[str, ...] | None = None) -> "Self":
+        return cls(items, _same, ids)
 
     @overload
     def __getitem__(self, key: "SupportsIndex | str") -> Item: ...
     @overload
-    def __getitem__(self, key: slice) -> "tuple[Item, ...]": ...
+    def __getitem__(self, key: slice) -> "Self": ...
     def __getitem__(self, key: Any) -> Any:
         if isinstance(key, str):
-            for item in self:
-                if getattr(item, "id", None) == key:
-                    return item
-            known = ", ".join(self.ids) or "none: these records have no ids"
-            raise InputError(f"there is no {key!r}; the ids are {known}")
-        places = range(len(self))[key]
-        return tuple(map(self._item, places)) if isinstance(places, range) else self._item(places)
+            ids = self.ids
+            if key in ids:
+                return self._item(ids.index(key))
+            told = (
+                f"the ids are {', '.join(ids)}" if ids or not len(self) else "these records have no ids; take them by place"
+            )
+            raise InputError(f"there is no {key!r}; {told}")
+        if isinstance(key, slice):
+            return type(self)(self._sources[key], self._make, None if self._ids is None else self._ids[key])
+        try:
+            return self._item(range(len(self))[key])
+        except IndexError:
+            raise IndexError(f"there is no record {key}; there are {len(self)}, from 0 on") from None
 
     def _item(self, place: int) -> Item:
         if place not in self._made:
@@ -81,11 +89,14 @@ class Collection(Generic[Item]):
     @property
     def ids(self) -> tuple[str, ...]:
         """The ids of the records."""
+        if self._ids is not None:
+            return self._ids
         return tuple(getattr(item, "id") for item in self if hasattr(item, "id"))  # noqa: B009
 
     def flat(self) -> dict[str, npt.NDArray[Any]]:
         """The columns of the table."""
-        return {name: _column([value(item) for item in self]) for name, value in self.COLUMNS.items()}
+        ids = {} if self._ids is None else {"id": _column(list(self._ids))}
+        return ids | {name: _column([value(item) for item in self]) for name, value in self.COLUMNS.items()}
 
     def to_pandas(self) -> "pandas.DataFrame":
         """A DataFrame; ``bifdiag[tables]`` installs pandas."""
@@ -107,7 +118,7 @@ class Collection(Generic[Item]):
         return stream
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self)._of, (tuple(self),)
+        return type(self)._of, (tuple(self), self._ids)
 
     def __repr__(self) -> str:
         return "\n".join([f"{len(self)} {type(self).__name__.lower()}", *(f"  {item!r}" for item in self)])
@@ -151,7 +162,7 @@ def _line(region: Any) -> str:
 
 
 class Events(Collection[Item]):
-    """The events of an atlas."""
+    """The events of an atlas, ``atlas.events["E1"]``: their ids are those of the command."""
 
     COLUMNS: ClassVar[dict[str, Callable[[Any], Any]]] = {
         "kind": lambda event: event.kind,
@@ -161,6 +172,12 @@ class Events(Collection[Item]):
         "l_error": lambda event: event.l_error,
         "curves": lambda event: " ".join(event.curves),
     }
+
+    def __repr__(self) -> str:
+        def line(name: str, event: Any) -> str:
+            return f"  {name}: {event.kind} at (h, l) = ({event.h:.6g}, {event.l:.6g}), curves {', '.join(event.curves)}"
+
+        return "\n".join([f"{len(self)} events", *map(line, self.ids, self)])
 
 
 class Curves(Collection[Item]):

@@ -1,15 +1,20 @@
 """Relative equilibria as a table."""
 
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _core, exact
+from . import _core, arrays, exact
 from .errors import RangeError
-from .tables import Table
+from .optional import needed
+from .tables import Table, frame_of
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
 
 VERDICTS = ("stable", "stable_by", "verdict")
 """Columns that are computed when they are first read."""
@@ -30,7 +35,8 @@ class Equilibria(Table):
     Attributes
     ----------
     l_index : array (n,) of int
-        The place of the row's l in ``np.ravel(l)``; only of an array of l.
+        The place of the row's l in ``np.ravel(l)``; only of an array of l. `to_pandas` and `to_xarray` also have the index
+        of pandas or the dimensions and coordinates of xarray that l had.
     l, h : array (n,)
         Momentum and energy.
     gamma : array (n, 3)
@@ -67,7 +73,7 @@ class Equilibria(Table):
         Where the branch begins, such as ``"from +r̂"``.
     meta : dict
         ``A``, ``r``, ``version``; ``error_bound`` of every h; ``complete``: False where it could not be decided whether
-        there are more.
+        there are more; ``invalid``: the places of an l without rows, since it is missing, infinite or out of range.
 
     Notes
     -----
@@ -95,30 +101,31 @@ class Equilibria(Table):
 
     _quick: Columns
 
-    def __init__(self, columns: Columns, meta: str, later: Callable[[], Columns] | None = None) -> None:
-        self._later = later
+    def __init__(
+        self, columns: Columns, meta: str, later: Callable[[], Columns] | None = None, labels: "Labels | None" = None
+    ) -> None:
+        self._later, self._labels = later, labels
         super().__init__(columns, meta)
 
     @classmethod
-    def _compute(cls, body: _core.Body, l: Any, threads: int | None) -> "Equilibria":
-        momenta = exact.doubles(l, "l")
+    def _compute(cls, body: _core.Body, l: Any, threads: int | None, invalid: str) -> "Equilibria":
         scalar = np.ndim(l) == 0
-        if momenta is None:
-            given = np.asarray(l, dtype=object)
-            asked: Any = [exact.text(value, "l") for value in given.flat]
-        else:
-            asked = np.ascontiguousarray(momenta).reshape(-1)
+        given = arrays.points(0.0, l, "raise" if scalar else invalid)
+        asked, places = given.l, np.flatnonzero(given.valid)
         count = exact.threads(threads)
-        found = _core.critical(body, asked, scalar, count)
-        about = {"A": list(body.moments), "r": list(body.center), "version": _core.__version__}
-        meta = json.dumps(about | {name: found.pop(name) for name in ("error_bound", "complete")})
+        with given.named():
+            found = _core.critical(body, asked, scalar, count)
+        about: dict[str, Any] = {"A": list(body.moments), "r": list(body.center), "version": _core.__version__}
+        about |= {name: found.pop(name) for name in ("error_bound", "complete")}
+        meta = json.dumps(about | {"invalid": np.flatnonzero(~given.valid).tolist()})
         words = found.pop("words")
         codes = found["branch"], found["verdict"], found["stable_by"]
         verdicts = _worded(codes[1], codes[2], words)
         later = None
         if (codes[1] == LATER).any():
             later = _deferred(body, asked, found["l_index"], words, codes, count)
-        return cls(_columns(found, words, None if later else verdicts, scalar), meta, later)
+        found["l_index"] = places[found["l_index"]]
+        return cls(_columns(found, words, None if later else verdicts, scalar), meta, later, Labels.of(given))
 
     @property
     def _columns(self) -> Columns:
@@ -143,17 +150,6 @@ class Equilibria(Table):
         return tuple(names)
 
     @property
-    def dtype(self) -> np.dtype[np.void]:
-        """That of the structured array of all rows."""
-        fields = [_field(name, column) for name, column in self._columns.items()]
-        return np.dtype(fields)
-
-    @property
-    def size(self) -> int:
-        """The number of rows."""
-        return len(self)
-
-    @property
     def shape(self) -> tuple[int]:
         """The number of rows."""
         return (len(self),)
@@ -165,21 +161,15 @@ class Equilibria(Table):
     @overload
     def __getitem__(self, key: "slice | npt.NDArray[Any] | list[int] | list[bool]") -> "Equilibria": ...
     def __getitem__(self, key: Any) -> Any:
-        if isinstance(key, str):
-            quick = self._quick
-            return quick[key] if key in quick else super().__getitem__(key)
-        if isinstance(key, list) and key and all(isinstance(name, str) for name in key):
-            return np.asarray(self)[key]
-        if np.ndim(key) == 0 and not isinstance(key, slice):
-            return np.asarray(self)[key]
-        kept = np.asarray(key) if not isinstance(key, slice) else key
-        if isinstance(kept, np.ndarray) and kept.size == 0:
-            kept = kept.astype(bool if kept.dtype == bool else np.intp)
+        # A column that is there already needs no verdicts.
+        return self._quick[key] if isinstance(key, str) and key in self._quick else super().__getitem__(key)
+
+    def _selected(self, kept: Any) -> "Equilibria":
         rows = {name: column[kept] for name, column in self._quick.items()}
         later = None
         if self._later is not None:
             later = lambda: {name: self._columns[name][kept] for name in VERDICTS}  # noqa: E731
-        return Equilibria(rows, self._meta, later)
+        return Equilibria(rows, self._meta, later, self._labels)
 
     # Type checkers know the columns by name, so that they find typing errors.
     if not TYPE_CHECKING:
@@ -199,14 +189,24 @@ class Equilibria(Table):
     def __len__(self) -> int:
         return len(self._quick["h"])
 
-    def __iter__(self) -> Iterator[np.void]:
-        return iter(np.asarray(self))
+    def to_pandas(self) -> "pandas.DataFrame":
+        """A DataFrame; if l had an index or dimensions, each row has the label of its l. ``meta`` is its ``attrs``."""
+        frame = frame_of(self.flat(), None if self._labels is None else self._labels.index(self.l_index))
+        frame.attrs.update(self.meta)
+        return frame
 
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> npt.NDArray[Any]:
-        rows = np.empty(len(self), dtype=self.dtype)
-        for name, column in self._columns.items():
-            rows[name] = column.tolist() if isinstance(column, np.ma.MaskedArray) else column
-        return rows if dtype is None else rows.astype(dtype)
+    def to_xarray(self) -> "xarray.Dataset":
+        """A Dataset over ``row``; if l had coordinates or an index, these are coordinates of the rows, too."""
+        data = super().to_xarray()
+        if self._labels is None:
+            return data
+        labels = self._labels.columns(self.l_index)
+        # Where a dimension is called l, the column is the coordinate.
+        found = data.set_coords([name for name in labels if name in data])
+        return found.assign_coords({name: ("row", values) for name, values in labels.items() if name not in data})
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._columns, self._meta, None, self._labels)
 
     def _repr_html_(self) -> str:
         shown = ("l", "h", "index", "stability", "stable", "stable_by", "branch")
@@ -222,7 +222,50 @@ class Equilibria(Table):
             stable = {True: "stable", False: "unstable", None: "open"}[row["stable"]]
             why = f"{stable} ({row['stable_by']})"
             lines.append(f"  l = {row['l']:.6g}, h = {row['h']:.6g}: {row['branch']}, index {row['index']}, {why}")
-        return "\n".join([*lines, "  …"] if len(self) > 12 else lines)
+        without = self.meta["invalid"]
+        told = [f"  without rows, since l is no finite number there: l_index {', '.join(map(str, without[:8]))}"]
+        told[0] += ", …" if len(without) > 8 else ""
+        return "\n".join([*lines, *(["  …"] if len(self) > 12 else []), *(told if without else [])])
+
+
+class Labels:
+    """The labels of an array of l of pandas or xarray."""
+
+    def __init__(self, index: Any, template: Any) -> None:
+        self._index, self._template = index, template
+
+    @classmethod
+    def of(cls, given: arrays.Points) -> "Labels | None":
+        """Those of what was given; None of plain arrays and of scalars."""
+        if given.index is None and (given.template is None or not given.template.ndim):
+            return None
+        return cls(given.index, given.template)
+
+    def columns(self, places: npt.NDArray[np.int64]) -> dict[str, Any]:
+        """For each of some places in the flat array of l its labels, by their names."""
+        if self._index is not None:
+            taken = self._index.take(places)
+            names = [name or "label" for name in taken.names]
+            return {str(name): taken.get_level_values(level).to_numpy() for level, name in enumerate(names)}
+        sizes = self._template.sizes
+        where = dict(zip(sizes, np.unravel_index(places, tuple(sizes.values())), strict=True))
+        out = {str(name): place for name, place in where.items()}
+        for name, coordinate in self._template.coords.items():
+            if coordinate.dims:
+                out[str(name)] = coordinate.to_numpy()[tuple(where[dim] for dim in coordinate.dims)]
+        return out
+
+    def index(self, places: npt.NDArray[np.int64]) -> Any:
+        """For each of some places its label, as an index of pandas."""
+        if self._index is not None:
+            return self._index.take(places)
+        columns = self.columns(places)
+        named = {str(name): columns[str(name)] for name in self._template.sizes}
+        pd = needed("pandas", "tables")
+        if len(named) == 1:
+            ((name, values),) = named.items()
+            return pd.Index(values, name=name)
+        return pd.MultiIndex.from_arrays(list(named.values()), names=list(named))
 
 
 def _cell(value: Any) -> str:
@@ -232,12 +275,6 @@ def _cell(value: Any) -> str:
 def _place(columns: Columns) -> int:
     """Where the verdicts stand."""
     return list(columns).index("stability") + 1
-
-
-def _field(name: str, column: npt.NDArray[Any]) -> tuple[Any, ...]:
-    if isinstance(column, np.ma.MaskedArray):
-        return name, "O"
-    return (name, column.dtype, column.shape[1:]) if column.ndim > 1 else (name, column.dtype)
 
 
 def _worded(verdict: npt.NDArray[Any], why: npt.NDArray[Any], words: dict[str, Any]) -> Columns:

@@ -90,7 +90,7 @@ class Diagrams(Given):
         document = self._exactly().classify(exact.text(h, "h"), exact.text(l, "l"), accuracy)
         return Classification._of(json.loads(document))
 
-    def critical(self, l: Any, *, threads: int | None = None) -> Equilibria:
+    def critical(self, l: Any, *, threads: int | None = None, invalid: Literal["mark", "raise"] = "mark") -> Equilibria:
         """All relative equilibria, as a table.
 
         Parameters
@@ -100,18 +100,22 @@ class Diagrams(Given):
             at rest, hanging or standing.
         threads : int, optional
             None: one; 0: one per core. The result does not depend on it.
+        invalid : {"mark", "raise"}
+            What becomes of an entry of an array that is NaN, masked, infinite, or beyond 1e±150: it has no row, and
+            ``meta["invalid"]`` its place; or an error names it.
 
         Returns
         -------
         Equilibria
             A row for each relative equilibrium, by increasing h: a structured array with named columns, which `Equilibria`
             explains, and with `to_pandas`, `to_arrow` and `to_xarray`. For an array of l the additional column ``l_index``
-            is the position in ``np.ravel(l)``. Angular velocities and eigenvalues are in radians per unit of time.
+            is the position in ``np.ravel(l)``; an index of pandas, and dimensions and coordinates of xarray are kept.
+            Angular velocities and eigenvalues are in radians per unit of time.
 
         Raises
         ------
         InputError
-            If an l is not a finite number; the message names the first.
+            If an l is not a number, or a single one not finite; with ``invalid="raise"`` for the first invalid entry.
 
         Examples
         --------
@@ -122,7 +126,7 @@ class Diagrams(Given):
         >>> found[found["index"] == 2].stable_by.tolist()
         ['arnold', 'arnold']
         """
-        return Equilibria._compute(self._exactly(), l, threads)
+        return Equilibria._compute(self._exactly(), l, threads, invalid)
 
     def critical_spin(self, axis: Axis | None = None, *, tolerance: str | None = None) -> dict[str, Any]:
         """The spins at which the stability or the region of a steady rotation changes, like ``bifdiag critical-spin``.

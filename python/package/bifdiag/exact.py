@@ -152,12 +152,23 @@ def span(values: Any, name: str) -> tuple[float, float]:
     return low, high
 
 
-def vector(values: Any, name: str, length: int) -> np.ndarray:
-    """So many finite floats."""
+def floats(values: Any, name: str) -> np.ndarray:
+    """Numbers as floats; a text such as ``"1/3"`` is rounded."""
     try:
-        array = np.asarray(values, dtype=np.float64)
+        return np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError):
+        pass
+    try:
+        given = np.asarray(values, dtype=object)
+        rounded = [float(value(text(entry, name))) for entry in given.flat]
     except (TypeError, ValueError) as error:
         raise InputError(f"{name} = {values!r}: {error}") from error
+    return np.array(rounded, dtype=np.float64).reshape(given.shape)
+
+
+def vector(values: Any, name: str, length: int) -> np.ndarray:
+    """So many finite floats."""
+    array = floats(values, name)
     if array.shape != (length,):
         raise InputError(f"{name} has the shape {array.shape}; {length} numbers are needed")
     if not np.isfinite(array).all():

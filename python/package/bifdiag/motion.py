@@ -1,19 +1,23 @@
 """The motion of a body in space."""
 
 import json
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core, exact, pictures
 from .errors import InputError
+from .optional import needed
 from .tables import StoredTable
 from .times import times
 
+if TYPE_CHECKING:
+    import xarray
+
 
 class Motion(StoredTable):
-    """A motion in space: a row for each time; made by `Body.orbit`.
+    """A motion in space: a row for each time; made by `Body.orbit`. Of many starts a row for each time of each.
 
     The frame in space is right-handed and its **third axis points down**, along gravity, as γ does; the first two are
     fixed by ``phi`` at the start. The body's axes are the principal axes, in the order of A. See the page
@@ -21,6 +25,8 @@ class Motion(StoredTable):
 
     Attributes
     ----------
+    orbit : array (n,) of int
+        The place of the row's start among the starts, flat; only of many: ``motion[motion.orbit == 3]`` is one of them.
     time : array (n,)
         Times.
     gamma, l, omega : array (n, 3)
@@ -34,9 +40,10 @@ class Motion(StoredTable):
         The same R as w, x, y, z; continuous in time.
     meta : dict
         ``A`` and ``r``, ``energy`` H and ``momentum`` ⟨γ, l⟩ of the start, ``energy_drift``, the largest deviation from
-        that energy at the times, ``tolerance`` and ``version``.
+        that energy at the times (of many starts lists of these), ``tolerance`` and ``version``.
     """
 
+    orbit: npt.NDArray[np.int32]
     time: npt.NDArray[np.float64]
     gamma: npt.NDArray[np.float64]
     l: npt.NDArray[np.float64]
@@ -60,24 +67,49 @@ class Motion(StoredTable):
         phi: float,
         tolerance: float,
     ) -> "Motion":
-        vertical = exact.vector(gamma, "gamma", 3)
-        if not vertical.any():
-            raise InputError("gamma = 0 is no direction")
         if (l is None) == (omega is None):
             raise InputError("give either l, the angular momentum, or omega, the angular velocity")
         name, turning = ("l", l) if omega is None else ("omega", omega)
+        starts = [_vectors(gamma, "gamma"), _vectors(turning, name)]
+        if not starts[0].any(axis=-1).all():
+            raise InputError("gamma = 0 is no direction")
+        try:
+            shape = np.broadcast_shapes(*(start.shape for start in starts))
+        except ValueError as error:
+            shapes = " and ".join(str(start.shape) for start in starts)
+            raise InputError(f"gamma and {name} have the shapes {shapes}, which do not broadcast") from error
+        wanted, step = times(t), exact.real(tolerance, "tolerance")
+        if not 1e-18 <= step <= 1e-2:
+            raise InputError(f"tolerance = {tolerance} is not usable; 1e-18 to 1e-2 is possible")
         request = {
-            "gamma": vertical.tolist(),
-            "l": exact.vector(turning, name, 3).tolist(),
             "is_omega": omega is not None,
-            "times": times(t).tolist(),
+            "times": wanted.tolist(),
             "phi": exact.real(phi, "phi"),
-            "tolerance": exact.real(tolerance, "tolerance"),
+            "tolerance": step,
         }
-        columns = _core.motion(body, request)
-        meta = {name: columns.pop(name) for name in [name for name in columns if name not in cls.NAMES]}
-        about = {"A": body.moments, "r": body.center, "version": _core.__version__, "tolerance": float(tolerance)}
-        return cls(columns, json.dumps(about | meta))
+        found = [
+            _core.motion(body, request | {"gamma": vertical, "l": momentum})
+            for vertical, momentum in zip(
+                *(np.broadcast_to(start, shape).reshape(-1, 3).tolist() for start in starts), strict=True
+            )
+        ]
+        about: dict[str, Any] = {
+            "A": body.moments,
+            "r": body.center,
+            "version": _core.__version__,
+            "tolerance": float(tolerance),
+        }
+        if len(shape) == 1:
+            (columns,) = found
+            meta = {name: value for name, value in columns.items() if name not in cls.NAMES}
+            return cls({name: columns[name] for name in cls.NAMES}, json.dumps(about | meta))
+        names = ("energy", "momentum", "energy_drift")
+        meta = {name: [one[name] for one in found] for name in names}
+        rows: dict[str, npt.NDArray[Any]] = {"orbit": np.repeat(np.arange(len(found), dtype=np.int32), len(wanted))}
+        width = {"gamma": (0, 3), "l": (0, 3), "omega": (0, 3), "quaternion": (0, 4)}
+        for name in cls.NAMES:
+            rows[name] = np.concatenate([np.empty(width.get(name, 0)), *(one[name] for one in found)])
+        return cls(rows, json.dumps(about | meta))
 
     @property
     def energy(self) -> npt.NDArray[np.float64]:
@@ -91,7 +123,7 @@ class Motion(StoredTable):
         return np.array([float(exact.value(text)) for text in self.meta["r"]])
 
     def plot(self, ax: Any = None, *, figsize: "tuple[float, float] | None" = None, **line: Any) -> Any:
-        """Draws the path of the centre of mass in space with matplotlib; see `bifdiag.pictures.motion`."""
+        """Draws the path of the centre of mass in space, of each orbit, with matplotlib; see `bifdiag.pictures.motion`."""
         return pictures.motion(self, ax, figsize=figsize, **line)
 
     def attitude(self, *, scalar_first: bool = True) -> npt.NDArray[np.float64]:
@@ -125,5 +157,42 @@ class Motion(StoredTable):
         ]
         return np.moveaxis(np.array(rows), -1, 0)
 
+    def to_xarray(self) -> "xarray.Dataset":
+        """A Dataset over ``time``, of many starts over ``orbit`` too, and ``axis`` or ``component`` (w, x, y, z)."""
+        xr = needed("xarray", "tables")
+        names = [name for name in self.NAMES if name != "time"]
+        size = {"gamma": "axis", "l": "axis", "omega": "axis", "quaternion": "component"}
+        coords: dict[str, Any] = {"time": self.time, "axis": [1, 2, 3], "component": list("wxyz")}
+        first: tuple[str, ...] = ("time",)
+        shape: tuple[int, ...] = (len(self),)
+        if "orbit" in self.columns:
+            orbits, counts = np.unique(self.orbit, return_counts=True)
+            shape = (len(orbits), int(counts[0]) if len(counts) else 0)
+            whole = len(set(counts.tolist())) < 2 and (np.diff(self.orbit) >= 0).all()
+            if not whole or (self.time.reshape(shape) != self.time[: shape[1]]).any():
+                raise InputError("the orbits have different times here; select one of them, or whole ones")
+            first, coords = ("orbit", "time"), coords | {"time": self.time[: shape[1]], "orbit": orbits}
+        columns = {
+            name: ((*first, size[name]) if name in size else first, self[name].reshape(*shape, *self[name].shape[1:]))
+            for name in names
+        }
+        data: xarray.Dataset = xr.Dataset(columns, coords=coords, attrs={"meta": self._meta})
+        return data
+
+    def _parts(self) -> "list[Motion]":
+        """Each orbit on its own."""
+        return [self[self.orbit == k] for k in np.unique(self.orbit)] if "orbit" in self.columns else [self]
+
     def __repr__(self) -> str:
-        return f"Motion of {len(self)} times [{', '.join(self.columns)}, meta]"
+        of = f" of {len(np.unique(self.orbit))} orbits" if "orbit" in self.columns else ""
+        return f"Motion of {len(self)} times{of} [{', '.join(self.columns)}, meta]"
+
+
+def _vectors(values: Any, name: str) -> npt.NDArray[np.float64]:
+    """One vector, or an array of them."""
+    found: npt.NDArray[np.float64] = exact.floats(values, name)
+    if found.ndim == 0 or found.shape[-1] != 3:
+        raise InputError(f"{name} has the shape {found.shape}; three numbers are needed, or an array (…, 3)")
+    if not np.isfinite(found).all():
+        raise InputError(f"{name} = {values!r} is not finite")
+    return found

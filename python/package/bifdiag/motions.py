@@ -139,14 +139,14 @@ class Motions(Given):
 
         Parameters
         ----------
-        gamma : three numbers
+        gamma : three numbers, or array (…, 3) of many starts
             The downward vertical in the body's axes at time 0; its length does not matter.
-        l : three numbers
-            Angular momentum in the body's axes at time 0.
+        l : three numbers, or array (…, 3)
+            Angular momentum in the body's axes at time 0. It broadcasts against `gamma`.
         t : array of float, or float
             Times in non-decreasing order; negative ones lie in the past. A single number t means 201 equidistant times
             from 0 to t, or from t to 0 if it is negative; 0 means only that time.
-        omega : three numbers, optional
+        omega : three numbers, or array (…, 3), optional
             Angular velocity in the body's axes at time 0, instead of `l`.
         phi : number
             Euler's angle φ at time 0: the rotation about the vertical, which γ does not determine.
@@ -162,6 +162,7 @@ class Motions(Given):
         Returns
         -------
         Motion or ProvedMotion
+            Of many starts one table, whose column ``orbit`` is the place of the start; a proof takes one at a time.
 
         Raises
         ------

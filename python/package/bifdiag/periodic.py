@@ -29,6 +29,7 @@ class _Orbits(StoredTable):
         *("h", "l", "gamma", "omega", "period", "crossings", "multipliers"),
         *("stability", "action", "symmetric", "proved"),
     )
+    SELECTS: ClassVar[bool] = False
 
 
 class PeriodicOrbits(_Orbits):

@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 STATUS = {-1: "forbidden", -2: "critical", -3: "undecided", INVALID: "invalid"}
 """Codes that are no indices of regions, in words."""
 
+ANSWERS = ("status", "code", "region", "signature", "margin", "error_bound", "nearest")
+"""Columns of every table beside h and l."""
+
 
 class Classifications:
     """The types of many points: arrays of one shape, that of h and l broadcast; made by `Atlas.classify`.
@@ -27,8 +30,10 @@ class Classifications:
     ----------
     h, l : array of float
         The points, rounded to floats; NaN where they are invalid.
-    region : array of int
+    code : array of int
         The codes of `Atlas.region`: an index into `Atlas.regions`, −1 forbidden, −2 on a curve, −3 undecided, −4 invalid.
+    region : array of object
+        Id of the region, such as ``"R5"``; None where the point lies in none.
     margin : array of float
         Distance in h from the nearest curve; NaN where the point is invalid.
     error_bound : array of float
@@ -43,16 +48,15 @@ class Classifications:
 
     def __init__(self, columns: dict[str, npt.NDArray[Any]], table: tuple[Any, Any, Any], form: tuple[Any, Any]) -> None:
         self._columns = columns
-        self.ids, self.signatures, self.components = table
+        self._ids, self.signatures, self.components = table
         self._index, self._template = form
 
     h: npt.NDArray[np.float64]
     l: npt.NDArray[np.float64]
-    region: npt.NDArray[np.int64]
+    code: npt.NDArray[np.int64]
     margin: npt.NDArray[np.float64]
     error_bound: npt.NDArray[np.float64]
     nearest: npt.NDArray[np.object_]
-    ids: tuple[str, ...]
     signatures: tuple[str | None, ...]
     components: tuple[tuple[Component, ...], ...]
 
@@ -66,7 +70,7 @@ class Classifications:
         columns = {
             "h": given.spread(rounded[0].astype(float), np.nan),
             "l": given.spread(rounded[1].astype(float), np.nan),
-            "region": given.spread(found["place"], INVALID),
+            "code": given.spread(found["place"], INVALID),
             "margin": given.spread(found["margin"], np.nan),
             "error_bound": given.spread(found["error"], np.nan),
             "nearest": given.spread(curves[found["nearest"]], None),
@@ -89,12 +93,12 @@ class Classifications:
     def _told(self, regular: tuple[Any, ...], others: dict[int, Any]) -> npt.NDArray[np.object_]:
         """A word for each code."""
         words = np.array([*regular, *(others.get(code) for code in range(INVALID, 0))], dtype=object)
-        return words[self.region]
+        return words[self.code]
 
     @property
     def status(self) -> npt.NDArray[np.object_]:
         """``"regular"``, ``"forbidden"``, ``"critical"``, ``"undecided"`` or ``"invalid"`` for each point."""
-        return self._told(("regular",) * len(self.ids), STATUS)
+        return self._told(("regular",) * len(self._ids), STATUS)
 
     @property
     def signature(self) -> npt.NDArray[np.object_]:
@@ -102,19 +106,18 @@ class Classifications:
         return self._told(self.signatures, {})
 
     @property
-    def id(self) -> npt.NDArray[np.object_]:
-        """The id of the region of each point; None where it lies in no region."""
-        return self._told(self.ids, {})
+    def region(self) -> npt.NDArray[np.object_]:
+        """The id of the region of each point, such as ``"R5"``; None where it lies in no region."""
+        return self._told(self._ids, {})
 
     @property
     def shape(self) -> tuple[int, ...]:
         """That of h and l broadcast."""
-        return self.region.shape
+        return self.code.shape
 
     def flat(self) -> dict[str, npt.NDArray[Any]]:
         """The columns of the table, a row for each point."""
-        names = ("h", "l", "status", "id", "signature", "margin", "error_bound", "nearest")
-        return {"region" if name == "id" else name: getattr(self, name).reshape(-1) for name in names}
+        return {name: getattr(self, name).reshape(-1) for name in ("h", "l", *ANSWERS)}
 
     def to_pandas(self) -> "pandas.DataFrame":
         """A DataFrame with a row for each point, with the index of h or l if these were of pandas."""
@@ -128,10 +131,9 @@ class Classifications:
     def to_xarray(self) -> "xarray.Dataset":
         """A Dataset with the dimensions and coordinates of h and l if these were of xarray; else ``dim_0``, ``dim_1``, …"""
         xr = needed("xarray", "tables")
-        names = ("region", "margin", "error_bound")
         dims = self._template.dims if self._template is not None else tuple(f"dim_{k}" for k in range(len(self.shape)))
         coords = self._template.coords if self._template is not None else {}
-        data: xarray.Dataset = xr.Dataset({name: (dims, self._columns[name]) for name in names}, coords=coords)
+        data: xarray.Dataset = xr.Dataset({name: (dims, getattr(self, name)) for name in ANSWERS}, coords=coords)
         return data.assign({name: (dims, self._columns[name]) for name in ("h", "l") if name not in data.coords})
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
@@ -140,13 +142,13 @@ class Classifications:
         return stream
 
     def __reduce__(self) -> tuple[Any, ...]:
-        table = (self.ids, self.signatures, self.components)
+        table = (self._ids, self.signatures, self.components)
         return Classifications, (self._columns, table, (self._index, self._template))
 
     def __repr__(self) -> str:
         names, counts = np.unique(self.status.astype(str), return_counts=True)
         told = ", ".join(f"{count} {name}" for name, count in zip(names, counts, strict=True)) or "no points"
-        return f"Classifications {self.shape}: {told} [region, id, status, signature, components, margin, nearest]"
+        return f"Classifications {self.shape}: {told} [code, region, status, signature, components, margin, nearest]"
 
 
 def _rounded(text: str) -> float:

@@ -57,6 +57,7 @@ class ProvedMotion(StoredTable):
         "attitude_lo",
         "attitude_hi",
     )
+    SELECTS: ClassVar[bool] = False
     KIND: ClassVar[str] = "proved motion"
 
     def __init__(self, columns: dict[str, npt.NDArray[Any]], meta: str, decimals: str = "null") -> None:

@@ -7,7 +7,7 @@ import tempfile
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Literal, overload
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -23,12 +23,18 @@ from .records import Component, Margin
 from .tables import Table
 from .units import ExactPoint
 
+if TYPE_CHECKING:
+    import pandas
+
 COLUMNS = ("A1", "A2", "A3", "r1", "r2", "r3")
 """The columns of a table of bodies."""
 
 
 class Scan(Table):
     """The rows of a scan, one for each body, as arrays; the page "Files" describes the columns.
+
+    Of a DataFrame of bodies `to_pandas` has the index, so that ``frame.join(scan.to_pandas(), rsuffix="_scan")`` brings the
+    answers beside its own columns.
 
     Attributes
     ----------
@@ -45,6 +51,21 @@ class Scan(Table):
     status: npt.NDArray[np.object_]
     regions: npt.NDArray[Any]
     critical_points: npt.NDArray[Any]
+
+    def __init__(self, columns: dict[str, npt.NDArray[Any]], meta: str, labels: Any = None) -> None:
+        super().__init__(columns, meta)
+        self._labels = labels
+
+    def _selected(self, kept: Any) -> "Scan":
+        return Scan({name: column[kept] for name, column in self._columns.items()}, self._meta, self._labels)
+
+    def to_pandas(self) -> "pandas.DataFrame":
+        """A DataFrame, with the index of that of the bodies if there was one; ``bifdiag[tables]`` installs pandas."""
+        frame = super().to_pandas()
+        return frame if self._labels is None else frame.set_index(self._labels.take(self["index"]))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Scan, (self._columns, self._meta, self._labels)
 
     def __repr__(self) -> str:
         return f"Scan of {len(self)} bodies [{', '.join(self.columns)}, meta]"
@@ -155,6 +176,12 @@ def scan(
     given = {"family": family, "bodies": bodies, "body": body}
     if sum(value is not None for value in given.values()) > 1:
         raise InputError("family, bodies and body all say which bodies to scan; give one of them")
+    if bodies is not None and (samples is not None or vary):
+        raise InputError("bodies are taken as they are; leave out samples and vary")
+    if samples is None and bodies is None and not vary:
+        raise InputError(
+            'samples is missing; give samples=100000, or ranges with numbers of grid values: vary="A2=1:2:101"'
+        )
     with tempfile.TemporaryDirectory(prefix="bifdiag-") as folder:
         path = Path(folder) / "scan.csv" if out is None else Path(out)
         arguments = ["scan", "--json", f"--out={path}", *([] if overwrite else ["--keep"])]
@@ -168,16 +195,14 @@ def scan(
         else:
             arguments += ["--family", family or "general"]
         arguments += _details(samples, shard, threads, seed, vary)
-        try:
-            summary = command(*arguments)
-        except InputError as error:
-            raise InputError(str(error).replace("leave out --keep", "give overwrite=True")) from None
+        summary = command(*arguments)
         if out is not None:
             document: Document = json.loads(summary)
             return document
         with path.open(newline="", encoding="utf-8") as file:
             names, *rows = csv.reader(file)
-    return Scan({name: _column(values) for name, values in zip(names, zip(*rows, strict=True), strict=True)}, summary)
+    columns = {name: _column(values) for name, values in zip(names, zip(*rows, strict=True), strict=True)}
+    return Scan(columns, summary, getattr(bodies, "index", None) if hasattr(bodies, "columns") else None)
 
 
 def _details(
@@ -217,6 +242,10 @@ def _numbers(bodies: Any) -> npt.NDArray[np.float64]:
             numbers = np.stack([np.asarray(bodies[name], dtype=np.float64) for name in COLUMNS], axis=-1)
         else:
             pair = len(bodies) == 2 and all(np.ndim(part) == 2 and np.shape(part)[1] == 3 for part in bodies)
+            if pair and len(bodies[0]) != len(bodies[1]):
+                raise InputError(
+                    f"bodies: {len(bodies[0])} moments A and {len(bodies[1])} centres r; one of each is needed"
+                )
             joined = np.concatenate([np.asarray(part) for part in bodies], axis=1) if pair else bodies
             numbers = np.asarray(joined, dtype=np.float64)
     except (KeyError, TypeError, ValueError) as error:

@@ -4,13 +4,14 @@ import io
 import json
 import os
 import zipfile
+from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, overload
 
 import numpy as np
 import numpy.typing as npt
 
-from . import files
+from . import exact, files
 from .errors import InputError
 from .optional import needed
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     import pandas
     import pyarrow
     import xarray
+    from typing_extensions import Self
 
 
 AnyTable = TypeVar("AnyTable", bound="StoredTable")
@@ -34,16 +36,58 @@ class Table:
 
     meta: dict[str, Any]
 
+    SELECTS: ClassVar[bool] = True
+    """Whether some rows are such a table, too; False where what is said of all rows would be wrong of these."""
+
     def __init__(self, columns: dict[str, npt.NDArray[Any]], meta: str) -> None:
         self._columns = columns
         self._meta = meta
         self.meta = json.loads(meta)
 
-    def __getitem__(self, name: str) -> npt.NDArray[Any]:
-        """The same column as the attribute of this name."""
-        if name not in self._columns:
-            raise KeyError(f"there is no column {name!r}; the columns are {', '.join(self._columns)}")
-        return self._columns[name]
+    @overload
+    def __getitem__(self, key: str) -> npt.NDArray[Any]: ...
+    @overload
+    def __getitem__(self, key: int) -> np.void: ...
+    @overload
+    def __getitem__(self, key: "slice | npt.NDArray[Any] | list[int] | list[bool]") -> "Self": ...
+    def __getitem__(self, key: Any) -> Any:
+        """A column by its name, a row by its place, and the rows of a slice, of bools or of places."""
+        if isinstance(key, str):
+            if key not in self._columns:
+                raise KeyError(f"there is no column {key!r}; the columns are {', '.join(self._columns)}")
+            return self._columns[key]
+        if isinstance(key, list) and key and all(isinstance(name, str) for name in key):
+            return np.asarray(self)[key]
+        if not isinstance(key, slice):
+            kept = np.asarray(key)
+            if kept.ndim == 0 and not -len(self) <= exact.whole(key, "row", -(2**53)) < len(self):
+                raise IndexError(f"there is no row {key}; there are {len(self)}, from 0 on")
+            key = kept.astype(bool if kept.dtype == bool else np.intp) if kept.size == 0 else kept
+            if kept.ndim == 0 or not self.SELECTS:
+                return np.asarray(self)[key]
+        return self._selected(key) if self.SELECTS else np.asarray(self)[key]
+
+    def _selected(self, kept: Any) -> "Self":
+        return type(self)({name: column[kept] for name, column in self._columns.items()}, self._meta)
+
+    @property
+    def dtype(self) -> np.dtype[np.void]:
+        """That of ``numpy.asarray`` of the table, a structured array."""
+        return np.dtype([_field(name, column) for name, column in self._columns.items()])
+
+    @property
+    def size(self) -> int:
+        """The number of rows."""
+        return len(self)
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> npt.NDArray[Any]:
+        rows = np.empty(len(self), dtype=self.dtype)
+        for name, column in self._columns.items():
+            rows[name] = column.tolist() if isinstance(column, np.ma.MaskedArray) else column
+        return rows if dtype is None else rows.astype(dtype)
+
+    def __iter__(self) -> Iterator[np.void]:
+        return iter(np.asarray(self))
 
     # Type checkers know the columns by name, so that they find typing errors.
     if not TYPE_CHECKING:
@@ -155,6 +199,12 @@ class StoredTable(Table):
         if missing:
             raise InputError(f"{path} is no {cls.KIND}: it has no array {missing[0]!r}")
         return cls(arrays, str(arrays.pop("meta")))
+
+
+def _field(name: str, column: npt.NDArray[Any]) -> tuple[Any, ...]:
+    if isinstance(column, np.ma.MaskedArray):
+        return name, "O"
+    return (name, column.dtype, column.shape[1:]) if column.ndim > 1 else (name, column.dtype)
 
 
 def _split(name: str, values: npt.NDArray[Any]) -> dict[str, npt.NDArray[Any]]:

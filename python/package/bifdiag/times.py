@@ -26,8 +26,11 @@ def times(t: Any) -> npt.NDArray[np.float64]:
     if found.ndim == 0 and np.isfinite(found):
         end = float(found)
         found = spread(min(end, 0.0), max(end, 0.0), SAMPLES if end else 1)
-    if found.ndim != 1 or not len(found) or not np.isfinite(found).all() or (np.diff(found) < 0).any():
-        raise InputError("t: finite times that rise are needed")
+    if found.ndim != 1 or not len(found) or not np.isfinite(found).all():
+        raise InputError("t: finite times are needed, one or more")
+    if (np.diff(found) < 0).any():
+        place = int(np.argmax(np.diff(found) < 0)) + 1
+        raise InputError(f"t[{place}] = {found[place]} is before t[{place - 1}]; sort the times, equal ones are allowed")
     return found
 
 

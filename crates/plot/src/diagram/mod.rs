@@ -7,6 +7,7 @@
 
 mod axes;
 mod closeup;
+mod described;
 mod insets;
 mod labels;
 mod layout;
@@ -25,11 +26,12 @@ mod stroke;
 mod trace;
 mod windows;
 
+pub use described::{DashPattern, DiagramDescription, DiagramLabel, DiagramStroke, DiagramSymbol};
 pub use scene::{CurveSource, DiagramOptions, DiagramTitle, DiagramView, LegendPlace, MarkedPoints};
-pub use straightened::{StraightDiagram, StraightLabel, StraightStretch};
+pub use straightened::StraightDiagram;
 
 use crate::page::{FAINT_INK, Figure, INK, PAPER, Picture, PlotError, png};
-use bifdiag_schema::AtlasDocument;
+use bifdiag_schema::{AtlasDocument, WindowDocument};
 use page::Page;
 use palette::tint;
 #[cfg(test)]
@@ -78,7 +80,34 @@ pub fn straight_diagram(
     options: &DiagramOptions,
 ) -> Result<StraightDiagram, PlotError> {
     let plan = Plan::straight(options.width, options.title != DiagramTitle::None);
-    StraightDiagram::new(Page::new(atlas, source, options, plan)?)
+    StraightDiagram::new(Page::new(atlas, source, options, plan)?, options.theme)
+}
+
+/// What [`draw`] draws, for those who draw it themselves.
+///
+/// # Errors
+/// As those of [`draw`].
+pub fn describe(
+    atlas: &AtlasDocument,
+    source: Option<&dyn CurveSource>,
+    options: &DiagramOptions,
+) -> Result<DiagramDescription, PlotError> {
+    Ok(DiagramDescription::of(&chosen(atlas, source, options)?.0, options.theme))
+}
+
+/// What is drawn in one panel of a given size in pixels, without insets.
+///
+/// # Errors
+/// As those of [`draw`].
+pub fn describe_panel(
+    atlas: &AtlasDocument,
+    source: Option<&dyn CurveSource>,
+    window: WindowDocument,
+    size: [f64; 2],
+    options: &DiagramOptions,
+) -> Result<DiagramDescription, PlotError> {
+    let options = DiagramOptions { window: Some(window), ..options.clone() };
+    Ok(DiagramDescription::of(&Page::new(atlas, source, &options, Plan::panel(size))?, options.theme))
 }
 
 /// The view that [`draw`] chooses: [`DiagramView::Plane`] or [`DiagramView::Straight`].

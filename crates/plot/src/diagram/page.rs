@@ -156,6 +156,21 @@ impl<'a> Page<'a> {
     }
 
     /// What is drawn in and at the panels.
+    pub(super) fn diagram(&self) -> &Diagram<'a> {
+        &self.diagram
+    }
+
+    /// What stands above.
+    pub(super) fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// What the symbols mean.
+    pub(super) fn legend(&self) -> &Legend {
+        &self.legend
+    }
+
+    /// What is drawn in and at the panels, alone.
     pub(super) fn into_diagram(self) -> Diagram<'a> {
         self.diagram
     }

@@ -45,6 +45,11 @@ impl Panel {
         at.filter(|at| self.view.rect.contains(*at))
     }
 
+    /// What lies at a position of the page: [h, l], or a point of the unit square of the straightened plane.
+    pub(super) fn point(&self, at: Point) -> Point {
+        self.straight.as_ref().map_or_else(|| self.view.point(at), |straight| straight.in_unit_square(at))
+    }
+
     /// Where an event lies on the page, if it is shown.
     pub(super) fn event(&self, scene: &Scene<'_>, event: &EventDocument) -> Option<Point> {
         match &self.straight {

@@ -68,6 +68,11 @@ impl Plan {
         }
     }
 
+    /// That of one panel of a given size.
+    pub(super) fn panel(size: [f64; 2]) -> Self {
+        Self { main: size, ..Self::alone(Width::default(), false) }
+    }
+
     /// That of the straightened plane.
     pub(super) fn straight(width: Width, has_title: bool) -> Self {
         let alone = Self::alone(width, has_title);

@@ -163,9 +163,22 @@ pub(super) fn width(lines: &[Line]) -> f64 {
 
 /// The patterns of lines in turn.
 pub(super) fn in_turn(lines: &[Line]) -> Vec<Dash> {
+    turns(lines).flat_map(|(_, dashes)| dashes).collect()
+}
+
+/// The same, empty where it is not one of these lines' turn.
+pub(super) fn turn_of(lines: &[Line], own: usize) -> Vec<Dash> {
+    let only = |(number, dashes): (usize, Vec<Dash>)| {
+        dashes.into_iter().map(move |(color, length)| (color.filter(|_| number == own), length))
+    };
+    turns(lines).flat_map(only).collect()
+}
+
+/// What each line has of the pattern.
+fn turns(lines: &[Line]) -> impl Iterator<Item = (usize, Vec<Dash>)> {
     let own = |line: &Line| match line.pattern[..] {
         [(color, _)] if lines.len() > 1 => vec![(color, SOLID)],
         _ => line.pattern.clone(),
     };
-    lines.iter().flat_map(own).collect()
+    lines.iter().map(own).enumerate()
 }

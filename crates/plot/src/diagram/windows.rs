@@ -55,6 +55,13 @@ impl View {
         ]
     }
 
+    /// What lies at a position.
+    pub(super) fn point(&self, [x, y]: Point) -> [f64; 2] {
+        let WindowDocument { h, l } = self.window;
+        let (across, up) = ((x - self.rect.x) / self.rect.width, (self.rect.bottom() - y) / self.rect.height);
+        [h[0] + across * length(h), l[0] + up * length(l)]
+    }
+
     pub(super) fn positions(&self, points: &[[f64; 2]]) -> Vec<Point> {
         points.iter().map(|point| self.position(*point)).collect()
     }

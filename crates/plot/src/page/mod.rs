@@ -22,6 +22,7 @@ mod union;
 
 pub(crate) use areas::{Areas, NOTHING, Sums, pixel};
 pub(crate) use axes::{Axis, TICK_SIZE, Ticks, draw_axes, ticks};
+pub(crate) use canvas::hex;
 pub use canvas::{Anchor, Canvas, render};
 pub use caption::{Caption, Figure};
 pub(crate) use chart::{CHART_TEXT, Chart};

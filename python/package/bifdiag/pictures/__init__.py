@@ -1,10 +1,10 @@
 """Pictures with matplotlib; the user's style sheets apply."""
 
 from .chaos import chaos
-from .diagram import diagram, pretty, tint
+from .diagram import diagram
 from .family import family
 from .plane import plane
 from .section import VERDICTS, section
 from .space import body, motion, sphere
 
-__all__ = ["VERDICTS", "body", "chaos", "diagram", "family", "motion", "plane", "pretty", "section", "sphere", "tint"]
+__all__ = ["VERDICTS", "body", "chaos", "diagram", "family", "motion", "plane", "section", "sphere"]

@@ -6,8 +6,9 @@ import numpy as np
 import numpy.typing as npt
 
 from ..optional import needed
+from . import lines
 from .axes import Array, Size, axes
-from .diagram import name_regions
+from .diagram import described
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -76,7 +77,10 @@ def chaos(
                 ax.plot(points[:, 0], points[:, 1], color="black", linewidth=0.8, gid=curve.id)
     ax.set(xlim=h, ylim=l, xlabel="$h$", ylabel="$l$")
     if labels:
-        name_regions(atlas, ax, h, l, "black", signatures=False)
+        plane, scale = described(atlas, ax, (h, l))
+        for region, _, *where in plane["labels"][0]:
+            name = atlas.regions[region].id
+            lines.label(ax, (region, [name], *where), name, {"ink": "black", "paper": "white"}, scale)
     if colorbar:
         ax.figure.colorbar(drawn, ax=ax, label="chaotic share of the component")
     return ax

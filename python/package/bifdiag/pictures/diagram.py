@@ -1,54 +1,34 @@
 """Bifurcation diagrams."""
 
-from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-import numpy.typing as npt
 
 from ..errors import InputError
 from ..exact import span
 from ..optional import needed
-from .axes import Array, Size, axes, line_style
+from . import lines
+from .axes import Array, Size, axes, line_style, pyplot
 from .straight import straight
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from matplotlib.axes import Axes
 
     from ..atlas import Atlas
-    from ..records import Curve, Region
 
-TINTS = {
-    "S2": "#cfe2f3",
-    "T2": "#dcedc8",
-    "M2": "#ffecb3",
-    "M3": "#f8cdbf",
-    "M4": "#dfc2c2",
-    "S2+S2": "#b9dfe8",
-    "S2+T2": "#cbc5e8",
-    "T2+T2": "#efc9e4",
-    "M2+S2": "#ddd3b0",
-    "M2+T2": "#bce5d3",
-    "M3+S2": "#f2d19a",
-    "S2+S2+T2": "#d2d2d2",
-}
-"""Grounds of the regions by their signature, in alphabetical order; others take one of these."""
-
-STRETCHES = {"stable": "-", "unstable": (0, (5, 3)), "open": ":"}
-"""Lines of stretches of curves by the verdict on their stability."""
-
-THIN = 0.4
-"""Width of a curve that is stable without friction only, relative to the others."""
-
-POLES = {"pole-plus": (0, (9, 2.5, 1.8, 2.5)), "pole-minus": (0, (9, 2.5, 1.8, 2.5, 1.8, 2.5))}
-"""Lines of the pole lines: dash and dot, dash and two dots."""
+Window = tuple[tuple[float, float], tuple[float, float]]
+"""Ranges of h and l."""
 
 CHORD = 2000
 """A chord of a curve is off by the width of the picture divided by this."""
 
+ROOM = 1.2
+"""The letters of matplotlib are wider than those of the command's picture, and need more room."""
 
-CELLS = np.array([160, 120])
-"""Cells along h and l in which room for the names of regions is sought."""
+COLUMN = 3
+"""Insets above each other."""
 
 
 def diagram(
@@ -61,13 +41,18 @@ def diagram(
     l: tuple[float, float] | None = None,
     regions: bool = True,
     labels: bool = True,
+    events: "bool | Literal['ids']" = True,
+    insets: bool | None = None,
+    legend: bool | None = None,
     **line: Any,
 ) -> "Axes":
-    """The bifurcation diagram: regions as coloured patches, curves, names where they find room.
+    """The bifurcation diagram as the command draws it: the same colours, lines, marks, names, insets and legend.
 
-    Curves are solid where the steady rotation is stable (thin if only without friction), dashed where it is unstable,
-    dotted where that is open; the pole lines are grey, with one dot between dashes where r̂ enters U and two where −r̂
-    does. Curves and outlines are computed for the ranges that are drawn, and are as fine as these need.
+    Each type of component, by U and P, has one tint, the same in every diagram; a region of several components has
+    stripes. A colour is a branch of relative equilibria. Curves are solid where the steady rotation is stable (thin if
+    only without friction), dashed where it is unstable, dotted where that is open. Curves and outlines are computed for the
+    ranges that are drawn, and are as fine as these need. Colours are light on a dark ground, as of the style
+    ``"dark_background"``.
 
     Parameters
     ----------
@@ -86,17 +71,23 @@ def diagram(
         Ranges of the axes of the plane; by default those of the picture of the command line.
     regions, labels : bool
         Whether regions are coloured, and named.
+    events : bool or "ids"
+        Whether cusps (diamonds), pitchforks (triangles) and crossings (rings) are marked, or also named.
+    insets, legend : bool, optional
+        Whether what is small is magnified beside the plane, as in the command's picture, and whether a legend stands below;
+        by default both on a new figure, unless ranges are given, and neither on axes that are given.
     **line
         Whatever ``Axes.plot`` knows, for the curves.
 
     Returns
     -------
     Axes
+        The main one; those of insets follow it in ``ax.figure.axes``.
 
     Raises
     ------
     InputError
-        If a range is none, the view is unknown, or ranges are given for the straightened plane.
+        If a range is none, the view is unknown, ranges are given for the straightened plane, or insets on given axes.
     RangeError
         If the plane cannot be straightened.
     ImportError
@@ -108,98 +99,114 @@ def diagram(
         if view == "straight":
             raise InputError("h and l are ranges of the plane; the straightened plane is drawn as a whole")
         view = "plane"
+    if insets and ax is not None:
+        raise InputError(
+            "insets are axes of their own; leave out ax, or draw a magnified part with h and l on further axes"
+        )
+    if events not in (True, False, "ids"):
+        raise InputError(f'events = {events!r}: give True, False, or "ids" to name them')
     line = line_style(line)
-    # The grounds of regions are pale whatever the style sheet says.
-    ink = "black" if regions else needed("matplotlib", "plot").rcParams["text.color"]
+    is_new, has_ranges = ax is None, h is not None or l is not None
+    shown: dict[str, Any] = {"regions": regions, "labels": labels, "events": events}
     if view == "straight" or (view == "auto" and atlas._inner.view() == "straight"):
-        shown = {"regions": regions, "labels": labels}
-        return straight(atlas, axes(ax, figsize), styles=_style, tint=tint, ink=ink, **shown, **line)
-    window = atlas._view()["main"]
-    h, l = span(h or window["h"], "h"), span(l or window["l"], "l")
-    ax = axes(ax, figsize)
-    for region, outlines in zip(atlas.regions, atlas.outlines(h, l), strict=True) if regions else ():
-        ax.add_patch(_patch(region, outlines))
-    for curve in atlas.curves:
-        for low, high, style in _stretches(curve, ink):
-            seen = max(low, l[0]), min(high, l[1])
-            if seen[0] < seen[1]:
-                points = atlas.polyline(curve.id, seen, tolerance=(h[1] - h[0]) / CHORD)
-                drawn: dict[str, Any] = {"linewidth": 1.0} | style | line
-                ax.plot(points[:, 0], points[:, 1], gid=curve.id, **drawn)
-    ax.set(xlim=h, ylim=l, xlabel="$h$", ylabel="$l$")
-    if labels:
-        name_regions(atlas, ax, h, l, ink)
+        ax = axes(ax, figsize)
+        drawn = straight(atlas, ax, **shown, **line)
+    else:
+        window = atlas._view()["main"]
+        ranges = span(h or window["h"], "h"), span(l or window["l"], "l")
+        windows: list[Window] = [ranges]
+        if insets or (insets is None and is_new and not has_ranges):
+            found = atlas._inner.picture(False, None)["windows"]
+            windows += [(tuple(inset[0]), tuple(inset[1])) for inset in found[1:]]
+        panels = _panels(ax, figsize, len(windows))
+        if is_new:
+            # The labels need the sizes that the layout gives the axes.
+            for panel, place in zip(panels, windows, strict=True):
+                panel.set(xlim=place[0], ylim=place[1], xlabel="$h$", ylabel="$l$")
+            figure: Any = panels[0].figure
+            figure.draw_without_rendering()
+        described = [_panel(atlas, panel, place, **shown, **line) for panel, place in zip(panels, windows, strict=True)]
+        ax, drawn = panels[0], described[0]
+        _frames(panels, windows, drawn["ink"])
+        if len(windows) > 1:
+            drawn |= {"legend": atlas._inner.picture(lines.is_dark(ax), None)["legend"]}
+    if is_new and not has_ranges:
+        ax.set_title(drawn["title"], loc="left", fontsize="medium")
+    if legend or (legend is None and is_new and not has_ranges):
+        lines.legend(ax, drawn)
     return ax
 
 
-def _stretches(curve: "Curve", ink: str) -> Iterator[tuple[float, float, dict[str, Any]]]:
-    """The ranges of l over which a curve is drawn in one style."""
-    if curve.kind in POLES:
-        yield *curve.l_range, _style(curve, None, ink)
-    for number, part in enumerate(curve.stability):
-        yield part.l_from, part.l_to, _style(curve, number, ink)
+def _panels(ax: "Axes | None", figsize: Size | None, count: int) -> "list[Axes]":
+    """The axes that are given, or those of a new figure: the main one and beside it insets in columns."""
+    if count == 1:
+        return [axes(ax, figsize)]
+    plt = pyplot()
+    rows, columns = min(count - 1, COLUMN), -(-(count - 1) // COLUMN)
+    width, height = plt.rcParams["figure.figsize"]
+    figure = plt.figure(layout="constrained", figsize=figsize or (width * (1 + 0.5 * columns), height * max(1, rows / 2)))
+    grid = figure.add_gridspec(rows, 2 + columns)
+    places = [grid[number % rows, 2 + number // rows] for number in range(count - 1)]
+    return [figure.add_subplot(grid[:, :2]), *(figure.add_subplot(place) for place in places)]
 
 
-def _style(curve: "Curve", stretch: int | None, ink: str) -> dict[str, Any]:
-    """How a stretch of stability of a curve is drawn; a pole line has none."""
-    if stretch is None:
-        return {"color": "0.4", "linestyle": POLES.get(curve.kind, "-")}
-    part = curve.stability[stretch]
-    style: dict[str, Any] = {"color": ink, "linestyle": STRETCHES[part.nonlinear.verdict]}
-    if part.nonlinear.verdict == "stable" and part.friction.conserving_l != "survives":
-        style["linewidth"] = THIN
-    return style
+def _panel(
+    atlas: "Atlas", ax: "Axes", ranges: Window, *, regions: bool, labels: bool, events: "bool | str", **line: Any
+) -> dict[str, Any]:
+    """Draws a part of the plane; returns what was drawn."""
+    h, l = ranges
+    ax.set(xlim=h, ylim=l, xlabel="$h$", ylabel="$l$")
+    drawn, scale = described(atlas, ax, ranges)
+    for region, outlines, colors in (
+        zip(atlas.regions, atlas.outlines(h, l), drawn["grounds"], strict=True) if regions else ()
+    ):
+        lines.ground(ax, _path(outlines), colors, region.id)
+    ids = atlas.curves.ids
+    for curve, (low, high), width, parts in drawn["strokes"]:
+        seen = max(low, l[0]), min(high, l[1])
+        if seen[0] < seen[1]:
+            points = atlas.polyline(ids[curve], seen, tolerance=(h[1] - h[0]) / CHORD)
+            for own, pattern in parts:
+                for style in lines.styles(pattern, width):
+                    ax.plot(points[:, 0], points[:, 1], gid=ids[own], **(style | line))
+    for name, event in zip(atlas.events.ids, atlas.events, strict=True) if events else ():
+        if h[0] <= event.h <= h[1] and l[0] <= event.l <= l[1]:
+            lines.event(ax, event.kind, (event.h, event.l), name, drawn, named=events == "ids")
+    for label in drawn["labels"][0] if labels else ():
+        lines.label(ax, label, atlas.regions[label[0]].id, drawn, scale)
+    return drawn
 
 
-def name_regions(
-    atlas: "Atlas", ax: "Axes", h: tuple[float, float], l: tuple[float, float], ink: str, *, signatures: bool = True
-) -> None:
-    """Writes ids and signatures of the regions, or ids alone, deepest inside each region, where they fit."""
-    from matplotlib.font_manager import FontProperties
-
-    columns, rows = CELLS
-    energies = h[0] + (np.arange(columns) + 0.5) / columns * (h[1] - h[0])
-    momenta = l[0] + (np.arange(rows) + 0.5) / rows * (l[1] - l[0])
-    found: Any = atlas.region(energies[:, None], momenta)
-    points = np.asarray(ax.get_window_extent().size) / ax.figure.dpi * 72
-    size = FontProperties(size="small").get_size_in_points()
-    for number, region in enumerate(atlas.regions):
-        full = [f"{region.id}\n{pretty(region.signature)}"] if signatures and region.signature is not None else []
-        names = [*full, region.id]
-        for name in names:
-            lines = name.splitlines()
-            extent = size * np.array([0.65 * max(map(len, lines)), 1.3 * len(lines)])
-            cell = _deepest(found == number, np.ceil(extent / points * CELLS / 2).astype(int))
-            if cell is not None:
-                at = (energies[cell[0]], momenta[cell[1]])
-                ax.annotate(name, at, ha="center", va="center", fontsize="small", color=ink, clip_on=True)
-                break
+def described(atlas: "Atlas", ax: "Axes", ranges: Window) -> tuple[dict[str, Any], float]:
+    """What the command would draw in these axes, and how much larger its letters are here."""
+    scale: float = needed("matplotlib", "plot").rcParams["font.size"] / 10
+    pixels = np.asarray(ax.get_window_extent().size) / ax.figure.dpi * 72 / lines.POINT / scale / ROOM
+    return atlas._inner.picture(lines.is_dark(ax), (ranges, np.maximum(pixels, 1.0).tolist())), scale
 
 
-def _deepest(inside: npt.NDArray[np.bool_], room: npt.NDArray[np.int_]) -> tuple[int, int] | None:
-    """A cell with so many cells inside on each side, and as far from the edge as there is one; None if there is none."""
+def _frames(panels: "Sequence[Axes]", windows: "Sequence[Window]", ink: str) -> None:
+    """Frames what the insets show, with their letters."""
+    from matplotlib.patches import Rectangle
 
-    def roomy(a: int, b: int) -> npt.NDArray[np.intp]:
-        sums = np.pad(inside.astype(int).cumsum(0).cumsum(1), ((1, 0), (1, 0)))
-        w, d = 2 * a + 1, 2 * b + 1
-        if w > inside.shape[0] or d > inside.shape[1]:
-            return np.empty((0, 2), dtype=np.intp)
-        full = sums[w:, d:] - sums[:-w, d:] - sums[w:, :-d] + sums[:-w, :-d] == w * d
-        cells: npt.NDArray[np.intp] = np.argwhere(full) + np.array([a, b])
-        return cells
+    (h, l), main = windows[0], panels[0]
+    for number, (panel, ((h0, h1), (l0, l1))) in enumerate(zip(panels[1:], windows[1:], strict=True)):
+        letter = chr(ord("a") + number)
+        panel.set_title(f"({letter})", loc="left", fontsize="small")
+        panel.tick_params(labelsize="x-small")
+        if h[0] <= h0 and h1 <= h[1] and l[0] <= l0 and l1 <= l[1]:
+            frame: dict[str, Any] = {
+                "facecolor": "none",
+                "edgecolor": ink,
+                "linewidth": 0.7,
+                "zorder": 3,
+                "gid": f"frame-{letter}",
+            }
+            main.add_patch(Rectangle((h0, l0), h1 - h0, l1 - l0, **frame))
+            main.annotate(letter, (h0, l1), ha="right", va="bottom", fontsize="x-small", color=ink, gid=f"frame-{letter}")
 
-    best = None
-    for more in range(max(inside.shape)):
-        cells = roomy(int(room[0]) + more, int(room[1]) + more)
-        if len(cells) == 0:
-            break
-        best = cells[np.argmin(((cells - cells.mean(axis=0)) ** 2).sum(axis=1))]
-    return None if best is None else (int(best[0]), int(best[1]))
 
-
-def _patch(region: "Region", found: tuple[Array, ...]) -> Any:
-    """The outlines of a region; those inside an odd number of others are holes, and turn the other way."""
-    from matplotlib.patches import PathPatch
+def _path(found: "Sequence[Array]") -> Any:
+    """Outlines as one path in which holes run the other way round."""
     from matplotlib.path import Path
 
     outlines = [outline for outline in found if len(outline) > 3]
@@ -210,18 +217,4 @@ def _patch(region: "Region", found: tuple[Array, ...]) -> Any:
         x, y = outline.T
         rising = np.sum(x[:-1] * y[1:] - x[1:] * y[:-1]) > 0
         turned.append(Path(outline if rising == (holes % 2 == 0) else outline[::-1], closed=True))
-    path = Path.make_compound_path(*turned) if turned else Path(np.empty((0, 2)))
-    return PathPatch(path, facecolor=tint(region.signature), edgecolor="none", zorder=0, gid=region.id)
-
-
-def tint(signature: str | None) -> str:
-    """The ground of regions of this type."""
-    name = "+".join(sorted((signature or "").split("+")))
-    return TINTS.get(name) or list(TINTS.values())[sum(name.encode()) % len(TINTS)]
-
-
-def pretty(signature: str) -> str:
-    """``S2+T2`` as S²+T², ``M3`` as M²₃ (genus 3)."""
-    below = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-    names = {"S2": "S²", "T2": "T²"}
-    return "+".join(names.get(name, f"M²{name[1:].translate(below)}") for name in signature.split("+"))
+    return Path.make_compound_path(*turned) if turned else Path(np.empty((0, 2)))

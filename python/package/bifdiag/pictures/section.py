@@ -85,6 +85,8 @@ def section(
             panel.axis("off")
     if isinstance(color, str) and color == "verdict":
         for name, tone in VERDICTS.items():
+            if name not in found.verdict:
+                continue
             panels[-1].scatter([], [], c=tone, s=12, label=name)
         panels[-1].legend(loc="upper right", fontsize="small")
     return panels

@@ -7,11 +7,14 @@ import numpy as np
 from .. import exact
 from ..errors import InputError
 from ..exact import Number
-from .axes import Array, Size, space
+from .axes import Array, Size, line_style, space
 
 if TYPE_CHECKING:
     from ..body import Body
     from ..motion import Motion
+
+SMOOTH = 8
+"""Pieces of the path of a motion between two times."""
 
 POINTS = 200
 """Points of the sphere's picture along each side."""
@@ -123,18 +126,38 @@ def motion(given: "Motion", ax: Any = None, *, figsize: Size | None = None, **li
     Returns
     -------
     Axes3D
-        Without weight the path is that of the body's third axis. The dot is the first time.
+        Without weight the path is that of the body's third axis. The dot is the first time. Between times through which the
+        body turns by less than a radian the path is curved as its velocities say, else the line is straight.
     """
     ax = space(ax, figsize)
     center = given.center
     length = float(np.linalg.norm(center))
     pointer = center / length if length > 0 else np.array([0.0, 0.0, 1.0])
-    # Space is turned about its first axis, so that the third one points up.
-    x, y, z = (given.axes() @ pointer).T * np.array([[1], [-1], [-1]])
-    style = {"linewidth": 1.0} | line
-    (drawn,) = ax.plot(x, y, z, **style)
-    ax.plot(x[:1], y[:1], z[:1], "o", color=drawn.get_color())
+    style = {"linewidth": 1.0} | line_style(line)
+    for part in given._parts():
+        x, y, z = _path(part, pointer).T
+        (drawn,) = ax.plot(x, y, z, **style)
+        ax.plot(x[:1], y[:1], z[:1], "o", color=drawn.get_color())
     ax.plot([0, 0], [0, 0], [-1, 1], color="0.6", linewidth=0.8)
     ax.set(xlim=(-1, 1), ylim=(-1, 1), zlim=(-1, 1), xlabel="$x$", ylabel="$y$", zlabel="up")
     ax.set_box_aspect((1, 1, 1))
     return ax
+
+
+def _path(given: "Motion", pointer: Array) -> Array:
+    """The path of a direction of the body, with up as the third axis; between times through cubic arcs."""
+    axes = given.axes()
+    # Space is turned about its first axis, so that the third one points up.
+    turned = np.array([1.0, -1.0, -1.0])
+    at = (axes @ pointer) * turned
+    velocity = np.einsum("kij,kj->ki", axes, np.cross(given.omega, pointer)) * turned
+    steps = np.diff(given.time)[:, None]
+    if len(at) < 2 or (np.linalg.norm(given.omega, axis=1)[:-1] * steps[:, 0]).max() > 1:
+        rough: Array = at
+        return rough
+    s = (np.arange(SMOOTH) / SMOOTH)[:, None, None]
+    arcs = (1 + 2 * s) * (1 - s) ** 2 * at[:-1] + s**2 * (3 - 2 * s) * at[1:]
+    arcs = arcs + steps * (s * (1 - s) ** 2 * velocity[:-1] - s**2 * (1 - s) * velocity[1:])
+    path = np.concatenate([arcs.transpose(1, 0, 2).reshape(-1, 3), at[-1:]])
+    smooth: Array = path / np.linalg.norm(path, axis=1, keepdims=True)
+    return smooth

@@ -3,60 +3,43 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from .axes import Array
+from . import lines
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ..atlas import Atlas
 
-MARKERS = {"cusp": "D", "pitchfork": "^", "crossing": "o"}
-"""Marks of events."""
+SIZE = 11.0
+"""Of letters in pixels."""
 
 
 def straight(
-    atlas: "Atlas", ax: "Axes", *, regions: bool, labels: bool, styles: Any, tint: Any, ink: str, **line: Any
-) -> "Axes":
-    """Draws the plane in the places of the command's picture, in the unit square."""
-    from matplotlib.patches import PathPatch
+    atlas: "Atlas", ax: "Axes", *, regions: bool, labels: bool, events: "bool | str", **line: Any
+) -> dict[str, Any]:
+    """Draws the plane in the places of the command's picture, in the unit square; returns what was drawn."""
     from matplotlib.path import Path
 
-    drawing = atlas._straightened.drawing()
-    for region, outlines in zip(atlas.regions, drawing["regions"], strict=True) if regions else ():
-        path = Path.make_compound_path(*(Path(_closed(outline), closed=True) for outline in outlines))
-        ax.add_patch(PathPatch(path, facecolor=tint(region.signature), edgecolor="none", zorder=0, gid=region.id))
+    drawing = atlas._inner.straightened(lines.is_dark(ax)).drawing()
+    for region, outlines, colors in (
+        zip(atlas.regions, drawing["regions"], drawing["grounds"], strict=True) if regions else ()
+    ):
+        path = Path.make_compound_path(*(Path(lines.closed(outline), closed=True) for outline in outlines))
+        lines.ground(ax, path, colors, region.id)
     for level in drawing["levels"]:
         ax.plot(level[:, 0], level[:, 1], color="0.6", linewidth=0.3, gid="level")
-    curves = list(atlas.curves)
-    for number, stretch, points in drawing["curves"]:
-        curve = curves[number]
-        drawn: dict[str, Any] = {"linewidth": 1.0} | styles(curve, stretch, ink) | line
-        ax.plot(points[:, 0], points[:, 1], gid=curve.id, **drawn)
-    for event, at in zip(atlas.events, drawing["events"], strict=True):
+    ids = atlas.curves.ids
+    for (_, _, width, parts), points in zip(drawing["strokes"], drawing["points"], strict=True):
+        for own, pattern in parts if len(points) > 1 else ():
+            for style in lines.styles(pattern, width):
+                ax.plot(points[:, 0], points[:, 1], gid=ids[own], **(style | line))
+    for name, event, at in zip(atlas.events.ids, atlas.events, drawing["events"], strict=True) if events else ():
         if at is not None:
-            fill = "none" if event.kind == "crossing" else ink
-            style: dict[str, Any] = {"markersize": 4, "color": ink, "markerfacecolor": fill, "gid": event.kind}
-            ax.plot(*at, MARKERS[event.kind], **style)
-    for region, lines, at, tip in drawing["labels"] if labels else ():
-        arrow: dict[str, Any] = {} if tip is None else {"arrowprops": {"arrowstyle": "->", "linewidth": 0.7, "color": ink}}
-        text = "\n".join(filter(None, lines))
-        written: dict[str, Any] = {
-            "ha": "center",
-            "va": "center",
-            "fontsize": "small",
-            "color": ink,
-            "gid": atlas.regions[region].id,
-        }
-        ax.annotate(text, at if tip is None else tip, at, **written, **arrow)
+            lines.event(ax, event.kind, at, name, drawing, named=events == "ids")
+    for label in drawing["labels"][0] if labels else ():
+        lines.label(ax, (*label[:2], SIZE, *label[3:]), atlas.regions[label[0]].id, drawing)
     _axes(ax, drawing)
-    return ax
-
-
-def _closed(outline: Array) -> Array:
-    """The first point again at the end."""
-    return np.concatenate([outline, outline[:1]])
+    return drawing
 
 
 def _axes(ax: "Axes", drawing: dict[str, Any]) -> None:

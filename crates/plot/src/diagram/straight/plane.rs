@@ -36,6 +36,11 @@ impl Straight {
         Self { rect, right, slabs, placed: Vec::new(), set_of }
     }
 
+    /// A position of the page in the unit square, with y upwards.
+    pub fn in_unit_square(&self, [x, y]: Point) -> Point {
+        [(x - self.rect.x) / self.rect.width, (self.rect.bottom() - y) / self.rect.height]
+    }
+
     /// Places everything anew.
     pub(super) fn place(&mut self, shares: &Shares) {
         let Rect { x, width, height, .. } = self.rect;
