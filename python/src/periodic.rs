@@ -1,7 +1,5 @@
 //! Periodic orbits: documents.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use bifdiag::documents;
 use bifdiag::dynamics::poincare::SectionSetting;
 use bifdiag::dynamics::section::Monitor;
@@ -49,8 +47,8 @@ pub fn periodic_families(
 ) -> PyResult<String> {
     let (name, value) = (held, number(value)?);
     let held = if name == "l" { Held::Momentum } else { Held::Energy };
-    let stop = AtomicBool::new(false);
-    let options = FamilyOptions { held, members, branches, stop: &stop };
+    let monitor = Monitor::default();
+    let options = FamilyOptions { held, members, branches, monitor: &monitor };
     let subject = &body.subject;
     let work = || {
         let catalogue = Catalogue::new(&subject.body).map_err(|error| errors::range(&error))?;
@@ -71,7 +69,7 @@ pub fn periodic_families(
         }
         let mut found = Vec::with_capacity(starts.len());
         for start in starts {
-            if stop.load(Ordering::Relaxed) {
+            if monitor.is_stopped() {
                 break;
             }
             let families = catalogue.families(&start, &options).map_err(|error| errors::range(&error))?;
@@ -81,5 +79,5 @@ pub fn periodic_families(
         let command = command.option("members", members).flag("branches", branches);
         Ok::<_, PyErr>(documents::periodic_families(subject, command, (held, value.text()), &found))
     };
-    json(&work::run(python, 1, &stop, work)??)
+    json(&work::run(python, 1, &monitor.stop, work)??)
 }

@@ -85,7 +85,7 @@ mod tests {
     use super::*;
 
     fn seen(moments: [f64; 3]) -> Seen {
-        Seen { at: [moments[1], moments[2]], values: [moments, [1.0, 0.0, 0.0]], shows: None, regions: 0 }
+        Seen { at: [moments[1], moments[2]], values: [moments, [1.0, 0.0, 0.0]], shows: None }
     }
 
     #[test]

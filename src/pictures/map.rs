@@ -17,12 +17,10 @@ use super::shown::{Bodies, Seen, Shown, Shows, shared};
 /// More classes than these share an entry: they could not be told apart.
 const ENTRIES: usize = 30;
 
-/// What is shown, on which part of the area of the map or by which part of the bodies, with how many regions, and where.
+/// What is shown, on which part of the area of the map or by which part of the bodies, and where.
 struct Counted<'a> {
     shows: &'a Shows,
     part: f64,
-    /// 0 where they were not counted.
-    regions: u32,
     at: Option<[f64; 2]>,
 }
 
@@ -96,12 +94,12 @@ fn counted_by<'a>(
     subdivision: Option<&'a Subdivision<Option<Shows>>>,
     show: Shown,
 ) -> Vec<Counted<'a>> {
-    let mut parts: BTreeMap<&Shows, (f64, u32, Option<[f64; 2]>)> = BTreeMap::new();
+    let mut parts: BTreeMap<&Shows, (f64, Option<[f64; 2]>)> = BTreeMap::new();
     for body in bodies {
         if let Some(shown) = &body.shows {
             let part = parts.entry(shown).or_default();
             let own = if subdivision.is_some() { 0.0 } else { 1.0 / bodies.len() as f64 };
-            *part = (part.0 + own, body.regions, part.2.or(Some(body.at)));
+            *part = (part.0 + own, part.1.or(Some(body.at)));
         }
     }
     if let Some(subdivision) = subdivision {
@@ -113,11 +111,11 @@ fn counted_by<'a>(
         }
         for (shown, at) in &subdivision.seen {
             if let Some(part) = shown.as_ref().and_then(|shown| parts.get_mut(shown)) {
-                part.2 = part.2.or(Some(*at));
+                part.1 = part.1.or(Some(*at));
             }
         }
     }
-    let counted = |(shows, (part, regions, at))| Counted { shows, part, regions, at };
+    let counted = |(shows, (part, at))| Counted { shows, part, at };
     let mut order: Vec<Counted<'_>> = parts.into_iter().map(counted).collect();
     if show == Shown::Class {
         order.sort_by(|p, q| q.part.total_cmp(&p.part).then_with(|| p.shows.cmp(q.shows)));
@@ -148,21 +146,16 @@ fn share(part: f64) -> String {
     }
 }
 
-/// The regions of a class; those of one that none of the bodies has were not counted.
-fn regions_of(regions: u32) -> String {
-    if regions == 0 { String::new() } else { counted(regions, "region", "regions") }
-}
-
 /// The legend: what is shown, by how many of the bodies, with how many regions; from `last` on in one entry. Classes have
 /// numbers, and named bodies name theirs.
 fn entries(order: &[Counted<'_>], last: usize) -> Vec<MapEntry> {
     let known = known(order);
-    let entry = |(number, counted): (usize, &Counted<'_>)| match counted.shows {
-        Shows::Class(class) => MapEntry {
-            name: regions_of(counted.regions),
+    let entry = |(number, found): (usize, &Counted<'_>)| match found.shows {
+        Shows::Class(class, regions) => MapEntry {
+            name: counted(*regions, "region", "regions"),
             note: match known.get(class) {
-                Some(preset) => format!("{}; {}", share(counted.part), preset.name()),
-                None => share(counted.part),
+                Some(preset) => format!("{}; {}", share(found.part), preset.name()),
+                None => share(found.part),
             },
             mark: (number + 1).to_string(),
             key: class.to_string(),
@@ -170,7 +163,7 @@ fn entries(order: &[Counted<'_>], last: usize) -> Vec<MapEntry> {
         },
         Shows::Count(count) => MapEntry {
             name: count.to_string(),
-            note: share(counted.part),
+            note: share(found.part),
             mark: count.to_string(),
             key: String::new(),
             color: Some(number),
@@ -189,7 +182,7 @@ fn entries(order: &[Counted<'_>], last: usize) -> Vec<MapEntry> {
 
 /// The named body of each class that has one, where there are classes.
 fn known(order: &[Counted<'_>]) -> BTreeMap<ClassName, &'static Preset> {
-    let has_classes = order.iter().any(|counted| matches!(counted.shows, Shows::Class(_)));
+    let has_classes = order.iter().any(|counted| matches!(counted.shows, Shows::Class(..)));
     if has_classes { known_classes() } else { BTreeMap::new() }
 }
 
@@ -200,13 +193,20 @@ fn key(order: &[Counted<'_>], of: &str, axes: [BodyParameter; 2]) -> Vec<Vec<Str
     let share_of = format!("share of the {of}");
     let heading = ["number", "class", "regions", &share_of, x, y, "named body"].map(str::to_owned).to_vec();
     let row = |(number, counted): (usize, &Counted<'_>)| {
-        let preset = match counted.shows {
-            Shows::Class(class) => known.get(class).map_or("", |preset| preset.name()),
-            Shows::Count(_) => "",
+        let (preset, regions) = match counted.shows {
+            Shows::Class(class, regions) => (known.get(class).map_or("", |preset| preset.name()), *regions),
+            Shows::Count(regions) => ("", *regions),
         };
-        let regions = if counted.regions == 0 { String::new() } else { counted.regions.to_string() };
         let [x, y] = counted.at.map_or_else(Default::default, |at| at.map(|value| significant(value, 6)));
-        vec![(number + 1).to_string(), counted.shows.to_string(), regions, share(counted.part), x, y, preset.to_owned()]
+        vec![
+            (number + 1).to_string(),
+            counted.shows.to_string(),
+            regions.to_string(),
+            share(counted.part),
+            x,
+            y,
+            preset.to_owned(),
+        ]
     };
     [heading].into_iter().chain(order.iter().enumerate().map(row)).collect()
 }

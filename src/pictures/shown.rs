@@ -26,8 +26,8 @@ pub enum Shown {
 /// What a body shows by its colour.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Shows {
-    /// The class of its diagram.
-    Class(ClassName),
+    /// The class of its diagram, and how many regions that has.
+    Class(ClassName, u32),
     /// A number of something.
     Count(u32),
 }
@@ -35,7 +35,7 @@ pub enum Shows {
 impl fmt::Display for Shows {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Class(name) => write!(f, "{name}"),
+            Self::Class(name, _) => write!(f, "{name}"),
             Self::Count(count) => write!(f, "{count}"),
         }
     }
@@ -50,8 +50,6 @@ pub struct Seen {
     pub values: [[f64; 3]; 2],
     /// What the body shows.
     pub shows: Option<Shows>,
-    /// Number of regions.
-    pub regions: u32,
 }
 
 impl Seen {
@@ -61,11 +59,11 @@ impl Seen {
         let at = axes.map(|parameter| row.values.as_flattened()[parameter.place()]);
         let counts = row.diagram.as_ref();
         let shows = row.class.as_ref().zip(counts).map(|(class, counts)| match show {
-            Shown::Class => Shows::Class(class.clone()),
+            Shown::Class => Shows::Class(class.clone(), counts.regions),
             Shown::Regions => Shows::Count(counts.regions),
             Shown::CriticalPoints => Shows::Count(counts.critical_points),
         });
-        Self { at, values: row.values, shows, regions: counts.map_or(0, |counts| counts.regions) }
+        Self { at, values: row.values, shows }
     }
 }
 
@@ -116,7 +114,10 @@ impl Bodies {
     /// What is shown on the two sides of a border.
     fn beside(&self, segment: &BodySegment, border: &Border) -> [Option<Shows>; 2] {
         let side = |k: usize| match self.show {
-            Shown::Class => Some(Shows::Class(border.classes[k].name().clone())),
+            Shown::Class => {
+                let class = &border.classes[k];
+                Some(Shows::Class(class.name().clone(), u32::try_from(class.regions()).unwrap_or(u32::MAX)))
+            }
             Shown::Regions | Shown::CriticalPoints => {
                 let value = |place| segment.coordinate(place, border.enclosure[k]).to_f64().value();
                 self.shown([[0, 1, 2].map(value), [3, 4, 5].map(value)])

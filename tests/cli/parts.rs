@@ -405,9 +405,17 @@ fn tolerances_stand_at_every_number_of_a_part() {
     let gravity = run("--part box.obj --density 1 --pivot 1,2,0 --g 9.81±0.1").json();
     assert_eq!(names(&gravity), ["g"]);
     let pivot = run("--part box.obj --density 1 --pivot 1±0.001,2±0.001,0 --g 9.81").json();
-    assert_eq!(names(&pivot), ["com x", "com y"]);
+    assert_eq!(names(&pivot), ["pivot x", "pivot y"]);
     let moved = run("--inertia-com 208,160,80,0,0,0 --com 1,2,3 --mass 48 --pivot 1±0.001,2±0.001,0 --g 9.81").json();
-    assert_eq!(moved["tolerance"]["ranges"], pivot["tolerance"]["ranges"]);
+    assert_eq!(moved["tolerance"], pivot["tolerance"]);
+    // What is not exact is named as it was given, with the value that was given, and the document's command says the same.
+    let both = run("--inertia-com 208,160,80,0,0,0 --com 1±0.1,2,3 --mass 48 --pivot 0.5±0.1,1±0.1,3 --g 9.81").json();
+    let inputs = &both["tolerance"]["inputs"];
+    assert_eq!(names(&both), ["com x - pivot x", "pivot y"]);
+    assert_eq!((&inputs[0]["value"], &inputs[0]["within"]), (&"0.5".into(), &"0.2".into()), "{inputs}");
+    assert_eq!((&inputs[1]["value"], &inputs[1]["within"]), (&"1".into(), &"0.1".into()), "{inputs}");
+    let again = both["command"].as_str().unwrap().strip_prefix("bifdiag ").unwrap();
+    assert_eq!(bifdiag(again).succeeds().json(), both);
     // Ω² grows with g: the least spin of the range is below that of the least g.
     let [range, change] = [&gravity["tolerance"]["ranges"][0]["rpm"], &gravity["changes"][0]["spin"]["rpm"]];
     let change = change.as_f64().unwrap();

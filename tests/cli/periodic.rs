@@ -218,3 +218,28 @@ fn a_list_is_written_as_parquet() {
     assert_eq!((fields[0][0].0.as_str(), fields[0][0].1.to_string().as_str()), ("family", "\"G2.1/1\""));
     assert_eq!(fields[59][0].1.to_string(), "\"G2.1/2\"");
 }
+
+/// Columns of l and T hold the ends of what all orbits have, not those of the first and the last one.
+#[test]
+fn a_list_shows_the_ranges_of_its_families() {
+    let line = "periodic list --A 5,4,3 --r 0,0,1 --h 1 --family S2.1";
+    let document = bifdiag(&format!("{line} --json")).succeeds().json();
+    let l: Vec<f64> = list(&list(&document["families"])[0]["orbits"]).iter().map(|orbit| number(&orbit["l"])).collect();
+    let [least, most] = [f64::min, f64::max].map(|of| l.iter().copied().reduce(of).unwrap());
+    // It begins and ends at one equilibrium.
+    assert!((l[0] - l[l.len() - 1]).abs() < 1e-3 && most - least > 4.0, "{least} {most}");
+    bifdiag(line).succeeds().printing(&format!("{least:.3} … {most:.3}"));
+}
+
+/// Why no family begins: which of the two reasons it is.
+#[test]
+fn a_family_that_does_not_begin_says_why() {
+    let text = bifdiag("periodic family --A 1,1,2 --r 0,0,0 --l 1").succeeds().stdout();
+    let reasons: Vec<&str> =
+        text.lines().filter_map(|line| line.split_once("not begun: ")).map(|found| found.1).collect();
+    let multiple = "the other pair is a multiple of this one, or zero";
+    assert_eq!(
+        reasons,
+        [multiple, multiple, multiple, multiple, "the equilibrium is one of a circle or sphere of them"]
+    );
+}

@@ -109,6 +109,9 @@ fn shares_of_a_map_are_those_of_the_area_that_is_painted() {
     let key = fs::read_to_string(place.path().join("maps/map.caption.txt")).unwrap();
     assert!(key.lines().nth(1).is_some_and(|heading| heading.contains("share of the area")), "{key}");
     let share = |class: &str| key.lines().find(|line| line.contains(class)).map(|row| row.contains("below 0.1%"));
+    // How many regions each class has, also where none of the bodies has it.
+    let regions = key.lines().find(|line| line.contains("4ba1a9867682")).and_then(|row| row.split_whitespace().nth(2));
+    assert_eq!(regions, Some("10"), "{key}");
     // None of the bodies has the first, two on the edge the second; those with the third cannot exist.
     let shares = ["4ba1a9867682", "b08c7fbbe74e", "bddb4c712713"].map(share);
     assert_eq!(shares, [Some(false), Some(true), None], "{key}");

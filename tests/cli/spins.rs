@@ -346,7 +346,8 @@ fn without_an_axis_all_of_them_are_listed() {
     paper.printing("no axis is permanent at every spin").printing("(fold)").printing("by energy");
     let free = bifdiag("critical-spin --body euler").succeeds();
     assert_eq!(free.stdout().matches("permanent axis").count(), 3);
-    bifdiag("critical-spin --A 1,1,1 --r 0,0,0").succeeds().printing("rotation about every axis is steady");
+    let ball = bifdiag("critical-spin --A 1,1,1 --r 0,0,0").succeeds();
+    assert_eq!(ball.stdout().matches("rotation about every axis").count(), 1, "{}", ball.stdout());
     bifdiag("critical-spin --body paper --tolerance 1%").refused().telling("no axis of this body is permanent");
 }
 
@@ -630,4 +631,43 @@ fn each_end_has_its_own_axis_of_a_pair() {
     }
     let circle = bifdiag("critical-spin --A 2,2,3.5 --r 0,0,0.4 --axis x --json").succeeds().json();
     assert_eq!(circle["families"].as_array().unwrap().len(), 1);
+}
+
+/// ω² = 1/2 there, ½ · 2 · ½ − ½.
+#[test]
+fn the_energy_of_a_threshold_is_zero_where_it_is_exactly() {
+    for (line, end) in [
+        ("critical-spin --A 2,2,3 --r 0.3,0.4,0", "-axis"),
+        ("critical-spin --A 3,2,2 --r 0,1,1", "-axis"),
+        ("critical-spin --A 2e9,2e9,3e9 --r 3e8,4e8,0", "-axis"),
+    ] {
+        let text = bifdiag(line).succeeds().stdout();
+        let row = text.lines().find(|row| row.starts_with(end) && row.contains("fork")).unwrap();
+        assert_eq!(row.split_whitespace().rev().nth(2), Some("0"), "{text}");
+    }
+}
+
+/// Where moments of all parts are exactly equal, no range comes from their rounding: C = A = B, C = A and A = B, with a weight,
+/// a distance and a mass that are not exact.
+#[test]
+fn equal_moments_of_a_part_make_no_ranges() {
+    let part = |rest: &str| {
+        let line = format!("critical-spin --units kg,m,s --axis z {rest}");
+        let found = bifdiag(&line).succeeds();
+        let json = bifdiag(&format!("{line} --json")).succeeds().json();
+        let ranges = json["tolerance"]["ranges"].as_array().unwrap();
+        (found.stdout(), ranges.iter().map(|range| range["up"].as_str().unwrap().to_owned()).collect::<Vec<_>>())
+    };
+    let (text, ends) = part("--inertia-com 0.03,0.03,0.05,0,0,0 --com 0,0,0.1 --mass 2 --g 9.81±0.5%");
+    assert_eq!(ends, ["+axis"], "{text}");
+    assert!(text.contains("-axis up, each of these parts is elliptic (local minimum) at every spin"), "{text}");
+    assert!(text.contains("none of these parts is linearly unstable from 119.936 rpm on"), "{text}");
+    let (text, ends) = part("--inertia 0.05,0.05,0.05,0,0,0 --com 0,0,0.1±1% --mass 2±1% --g 9.81");
+    assert_eq!(ends, ["+axis"], "{text}");
+    let (text, ends) = part("--inertia-com 0.03,0.03,0.058,0,0,0 --com 0,0,0.1±1% --mass 2±1% --g 9.81");
+    assert_eq!(ends, ["+axis", "+axis"], "{text}");
+    let (text, ends) = part("--inertia 0.05,0.06,0.05,0,0,0 --com 0,0,0.1 --mass 2±1% --g 9.81");
+    assert_eq!(ends, ["+axis", "+axis", "-axis"], "{text}");
+    // K_B = ρ + s (C − B): Ω² = 1.962 / 0.01 ± 1%.
+    assert!(text.contains("133.087 .. 134.426"), "{text}");
 }

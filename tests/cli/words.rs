@@ -199,6 +199,12 @@ fn other_spellings_lead_to_the_same_thing() {
     assert_eq!(told("Staude"), told("relative equilibria"));
     assert_eq!(told("pitchforks"), told("fork"));
     assert_eq!(told("hamiltonian hopf"), told("Hamiltonian-Hopf"));
+    // What stands in parentheses tells things of one name apart.
+    for word in ["fold", "folds"] {
+        let told = told(word);
+        assert!(told.contains("fold (of steady axes)") && told.contains("of periodic orbits") && told.contains("cusp"));
+    }
+    assert_eq!(told("fold of steady axes"), told("fold (of steady axes)"));
     bifdiag("explain pichfork").refused().telling("the nearest is pitchfork").printing_nothing();
     bifdiag("explain xyzzyxyzzy").refused().telling("has no such term; `bifdiag explain` lists");
     let atlas = |body: &str| bifdiag(&format!("--body {body} --json")).succeeds().stdout();

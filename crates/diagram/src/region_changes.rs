@@ -70,7 +70,7 @@ pub fn rotation_changes(rotation: &AxisRotation, atlas: Option<&Atlas>) -> Vec<R
         omega: change.omega,
         error_bound: change.error_bound,
         l: rotation.l(change.omega),
-        h: rotation.h(change.omega),
+        h: rotation.h_at(&change),
         types: [change.from, change.to].map(|kind| rotation.own(kind)),
         stability: Some(change),
         region: None,

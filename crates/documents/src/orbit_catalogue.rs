@@ -101,10 +101,11 @@ fn completeness(families: &[ListedFamilyDocument]) -> (bool, String) {
     let left = [
         says(FamilyEnd::Members, "family goes on", "families go on"),
         says(FamilyEnd::Lost, "family was followed no further", "families were followed no further"),
+        says(FamilyEnd::Resonant, "pair is resonant: no family was begun", "pairs are resonant: no family was begun"),
         says(
-            FamilyEnd::Resonant,
-            "pair is resonant or not of an isolated equilibrium: no family was begun",
-            "pairs are resonant or not of isolated equilibria: no family was begun",
+            FamilyEnd::NotIsolated,
+            "pair is of an equilibrium that is not isolated: no family was begun",
+            "pairs are of equilibria that are not isolated: no family was begun",
         ),
     ];
     let left: Vec<String> = left.into_iter().flatten().collect();

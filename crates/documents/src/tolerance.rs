@@ -1,6 +1,6 @@
 //! What tolerances do to the spins at which rotation about an axis changes, as a document.
 
-use bifdiag_body::part::{INPUT_NAMES, Measured, MeasuredPart, Part, Spin};
+use bifdiag_body::part::{Measured, MeasuredPart, Part, Spin};
 use bifdiag_equilibria::permanent::SpinRange;
 use bifdiag_numbers::{Number, decimal};
 use bifdiag_schema::{
@@ -18,10 +18,10 @@ pub(crate) fn tolerance(tolerances: Tolerances<'_>, found: &Tolerated, second: f
         class: name.as_ref().map(ToString::to_string),
         parts: *parts,
     };
-    let measured = |part: &MeasuredPart, k: usize| MeasuredDocument {
-        name: INPUT_NAMES[k].to_owned(),
-        value: decimal::short(&part.inputs[k].value),
-        within: decimal::short(&part.inputs[k].within),
+    let measured = |part: &MeasuredPart, k: usize| {
+        let (name, value) = part.named(k);
+        let within = decimal::short(&part.inputs[k].within);
+        MeasuredDocument { name: name.to_owned(), value: decimal::short(value), within }
     };
     let (relative, inputs) = match tolerances {
         Tolerances::Exact => (None, Vec::new()),
@@ -70,10 +70,13 @@ pub(crate) fn measured_command(command: &str, part: &Part, measured: &MeasuredPa
     };
     let list = |numbers: &[Measured]| numbers.iter().map(text).collect::<Vec<_>>().join(",");
     let products = measured.inputs[3..6].iter().any(|product| !product.value.is_zero());
+    let is_zero = |number: &Measured| number.value.is_zero() && number.within.is_zero();
+    let pivot = (!measured.pivot.iter().all(is_zero)).then(|| list(&measured.pivot));
     CommandLine::new(command)
         .option(if measured.about_com { "inertia-com" } else { "inertia" }, list(&measured.inputs[..6]))
         .option_if("products", products.then_some("tensor"))
-        .option("com", list(&measured.inputs[6..9]))
+        .option("com", list(&measured.com()))
+        .option_if("pivot", pivot)
         .option("mass", list(&measured.inputs[9..10]))
         .option("units", &part.units)
         .option("g", list(&measured.inputs[10..]))

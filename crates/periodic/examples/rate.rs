@@ -5,10 +5,10 @@
 //! ```
 //! The families of every equilibrium of two bodies, the paper's and one without a mirror, at six momenta, up to 200 members each.
 
-use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 use bifdiag_body::Body;
+use bifdiag_dynamics::section::Monitor;
 use bifdiag_equilibria::critical::critical;
 use bifdiag_periodic::family::{FamilyOptions, Held, families};
 use rustix::time::{ClockId, clock_gettime};
@@ -20,8 +20,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         Body::parse(&["2", "11/10", "1"], &["0.94868", "0", "0.61623"])?,
         Body::parse(&["3", "2.2", "1.7"], &["0.3", "-0.5", "0.8"])?,
     ];
-    let go = AtomicBool::new(false);
-    let options = FamilyOptions { held: Held::Momentum, members: 200, branches: false, stop: &go };
+    let monitor = Monitor::default();
+    let options = FamilyOptions { held: Held::Momentum, members: 200, branches: false, monitor: &monitor };
     let (mut members, mut events, mut largest, mut time) = (0, 0, 0.0_f64, Duration::ZERO);
     for body in &bodies {
         for l in MOMENTA {

@@ -1,16 +1,13 @@
 //! Families from equilibria: where they begin and end, how well their members close, what happens on the way.
 
-use std::sync::atomic::AtomicBool;
-
 use bifdiag_body::Body;
 use bifdiag_dynamics::field::HeavyTop;
+use bifdiag_dynamics::section::Monitor;
 use bifdiag_equilibria::critical::{Equilibrium, critical};
 use bifdiag_periodic::catalogue::Catalogue;
 use bifdiag_periodic::family::{Family, FamilyOptions, Held, Stretch, families};
 use bifdiag_periodic::orbit::{Fixed, PeriodicOrbit, correct};
 use bifdiag_schema::{FamilyEnd, OrbitEventKind};
-
-static GO: AtomicBool = AtomicBool::new(false);
 
 fn body(moments: [&str; 3], center: [&str; 3]) -> Body {
     Body::parse(&moments, &center).unwrap()
@@ -21,7 +18,8 @@ fn paper() -> Body {
 }
 
 fn followed(body: &Body, equilibrium: &Equilibrium, members: usize, held: Held) -> Vec<Family> {
-    let options = FamilyOptions { held, members, branches: false, stop: &GO };
+    let monitor = Monitor::default();
+    let options = FamilyOptions { held, members, branches: false, monitor: &monitor };
     families(body, equilibrium, &options).unwrap()
 }
 
@@ -254,4 +252,23 @@ fn families_of_mirror_images_are_mirror_images() {
             assert!(kind == other_kind && (l - other_l).abs() < 1e-6, "{one:?}\n{other:?}");
         }
     }
+}
+
+/// Of Lagrange's top that hangs the slow family comes to the circle of minima, whose precession does not turn in the body: no
+/// separatrix. h over 1/T goes to that of the circle.
+#[test]
+fn precessions_end_along_the_circle_that_does_not_turn() {
+    let body = body(["2", "2", "1"], ["0", "0", "1"]);
+    let list = critical(&body, &"1.5".parse().unwrap()).unwrap().list;
+    let (circle, axis) = (&list[0], &list[1]);
+    let found = followed(&body, axis, 1500, Held::Momentum);
+    let family = found.iter().find(|family| family.frequency < 1.0).unwrap();
+    assert_eq!(family.stretch.end.kind, FamilyEnd::Circle);
+    assert_eq!(family.stretch.end.curves, ["S12.1"]);
+    let members = &family.stretch.members;
+    let [p, q] = [&members[members.len() - 200], &members[members.len() - 1]];
+    // h is h₀ + c/T² there: the circle has the least of all precessions.
+    let [a, b] = [p, q].map(|orbit| 1.0 / (orbit.period * orbit.period));
+    let limit = q.h - b * (p.h - q.h) / (a - b);
+    assert!(q.h - circle.h > 1e-3 && (limit - circle.h).abs() < 1e-4, "{limit} {}", circle.h);
 }

@@ -70,6 +70,8 @@ term! {
         Equilibrium = "equilibrium",
         /// Its period grows without bound, as its orbits come ever nearer to equilibria.
         Separatrix = "separatrix",
+        /// Its period grows without bound, as its orbits come ever nearer to a circle of equilibria, along which they run.
+        Circle = "circle",
         /// It joins another family: its orbits become symmetric, or run twice through one of half the period.
         Joined = "joined",
         /// So many members were asked for.
@@ -78,6 +80,8 @@ term! {
         Lost = "lost",
         /// It was not begun: the other pair of eigenvalues is a multiple of this one, or zero.
         Resonant = "resonant",
+        /// It was not begun: the equilibrium is one of a circle or a sphere of them.
+        NotIsolated = "not-isolated",
     }
 }
 

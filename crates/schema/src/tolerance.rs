@@ -36,7 +36,8 @@ pub struct ToleranceDocument {
 /// A number of a part that is known to within so much.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct MeasuredDocument {
-    /// Ixx, …, com x, …, mass: as entries of the tensor, and from the fixed point.
+    /// Ixx, …, com x, …, mass, g, products as entries of the tensor; `pivot x` where that is known to within so much, and `com x -
+    /// pivot x` where both are, or the pivot is not the origin.
     pub name: String,
     /// The nominal value, exact.
     pub value: String,

@@ -60,7 +60,8 @@ pub fn run(arguments: &ShareArguments, quiet: bool) -> Result<(), Failure> {
         let next = done(&journal);
         let group = next..to.min(next + GROUP);
         let size = cells.within(group.clone());
-        let rows = map_tiles(&solver, &cells, group, &options, &monitor).map_err(unmapped)?;
+        let tiles = || map_tiles(&solver, &cells, group, &options, &monitor);
+        let rows = progress.beside(&monitor.orbits, "orbits followed", tiles).map_err(unmapped)?;
         if monitor.is_stopped() {
             break;
         }

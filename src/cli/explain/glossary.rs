@@ -75,11 +75,14 @@ impl Glossary {
 }
 
 impl Entry {
-    /// All its names; of `stable (energy)` what stands in the parentheses, too.
+    /// All its names; of `stable (energy)` what stands in the parentheses, too, and of `fold (of steady axes)` what stands before.
     fn names(&self) -> impl Iterator<Item = &'static str> + '_ {
         let all = self.terms.iter().chain(&self.also_called).copied();
-        let inner = |name: &'static str| name.split_once(" (")?.1.strip_suffix(')');
-        all.flat_map(move |name| std::iter::once(name).chain(inner(name)))
+        let part = |name: &'static str| {
+            let (before, inner) = name.split_once(" (")?;
+            if inner.starts_with("of ") { Some(before) } else { inner.strip_suffix(')') }
+        };
+        all.flat_map(move |name| std::iter::once(name).chain(part(name)))
     }
 
     fn is_called(&self, word: &str) -> bool {
@@ -104,7 +107,8 @@ fn parts(cell: &'static str) -> Vec<&'static str> {
     cell.split(outside).map(|part| part.trim().trim_matches('`')).filter(|part| !part.is_empty()).collect()
 }
 
-/// A word without what spellings differ in: capitals, blanks, hyphens inside, apostrophes, accents, raised and lowered digits.
+/// A word without what spellings differ in: capitals, blanks, parentheses, hyphens inside, apostrophes, accents, raised and
+/// lowered digits.
 pub fn folded(word: &str) -> String {
     let mut out = String::new();
     let mut rest = word.trim().chars().peekable();
@@ -122,7 +126,7 @@ pub fn folded(word: &str) -> String {
             'ℝ' => out.push('r'),
             'é' | 'è' => out.push('e'),
             // The circumflex of r̂, and what stands between words.
-            '\u{302}' | ' ' | '_' | '\'' | '’' | '′' | '`' | '.' => {}
+            '\u{302}' | ' ' | '(' | ')' | '_' | '\'' | '’' | '′' | '`' | '.' => {}
             _ => out.extend(c.to_lowercase()),
         }
     }

@@ -211,9 +211,14 @@ impl PartArguments {
     fn measured(&self, numbers: &Numbers, properties: &MassProperties) -> Option<MeasuredPart> {
         let exact = |value: RBig| Measured { value, within: RBig::ZERO };
         let gravity = || numbers.gravity.clone();
-        let mut part = if self.file.is_some() {
+        let part = if self.file.is_some() {
             let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = properties.about_com.rows().clone();
-            let [x, y, z] = properties.com.clone();
+            // They are those seen from the pivot.
+            let mut com = properties.com.clone();
+            for (coordinate, pivot) in com.iter_mut().zip(numbers.pivot.iter().flatten()) {
+                *coordinate += &pivot.value;
+            }
+            let [x, y, z] = com;
             let list = [xx, yy, zz, xy, xz, yz, x, y, z, properties.mass.clone()].map(exact);
             MeasuredPart::new(true, list, gravity())
         } else {
@@ -226,15 +231,9 @@ impl PartArguments {
                     product.value = -product.value.clone();
                 }
             }
-            for (coordinate, pivot) in part.inputs[6..9].iter_mut().zip(numbers.pivot.iter().flatten()) {
-                coordinate.value -= &pivot.value;
-            }
             part
         };
-        // Only the vector from the pivot to the centre of mass counts.
-        for (coordinate, pivot) in part.inputs[6..9].iter_mut().zip(numbers.pivot.iter().flatten()) {
-            coordinate.within += &pivot.within;
-        }
+        let part = numbers.pivot.iter().cloned().fold(part, MeasuredPart::seen_from);
         let is_exact = part.uncertain().next().is_none();
         (!is_exact).then_some(part)
     }

@@ -37,13 +37,13 @@ const CROSSINGS: usize = 2000;
 /// When the motion cannot be followed, or ffmpeg fails.
 pub fn file(problem: &Problem<'_>, path: &Path) -> Result<(PathBuf, Vec<u8>), Failure> {
     let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-    let moving = |scene: &AnimationScene<'_>| draw_animation(scene).map(|picture| picture.svg);
-    if ending != "mp4" {
-        let svg = animation(problem, EDGES, moving)??;
-        return Ok((path.to_owned(), if ending == "html" { page(&svg) } else { svg }.into_bytes()));
+    let is_film = ending == "mp4";
+    if is_film && has_ffmpeg() {
+        return Ok((path.to_owned(), animation(problem, EDGES_OF_FILM, film)??));
     }
-    if let Some(film) = animation(problem, EDGES_OF_FILM, film)?? {
-        return Ok((path.to_owned(), film));
+    let svg = animation(problem, EDGES, |scene| draw_animation(scene).map(|picture| picture.svg))??;
+    if !is_film {
+        return Ok((path.to_owned(), if ending == "html" { page(&svg) } else { svg }.into_bytes()));
     }
     let page_at = path.with_extension("html");
     tracing::warn!(
@@ -51,11 +51,18 @@ pub fn file(problem: &Problem<'_>, path: &Path) -> Result<(PathBuf, Vec<u8>), Fa
         path.display(),
         page_at.display()
     );
-    Ok((page_at, page(&animation(problem, EDGES, moving)??).into_bytes()))
+    Ok((page_at, page(&svg).into_bytes()))
 }
 
-/// The frames as a film; `None` without ffmpeg.
-fn film(scene: &AnimationScene<'_>) -> Result<Option<Vec<u8>>, Failure> {
+/// It can be run.
+fn has_ffmpeg() -> bool {
+    let mut asked = Command::new("ffmpeg");
+    let run = asked.arg("-version").stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).status();
+    !matches!(run, Err(error) if error.kind() == std::io::ErrorKind::NotFound)
+}
+
+/// The frames as a film.
+fn film(scene: &AnimationScene<'_>) -> Result<Vec<u8>, Failure> {
     let failure = |error: std::io::Error| Failure::work("ffmpeg did not take the film").because(error);
     let first = draw_frame(scene, 0)?.to_pixels(FILM_DPI)?;
     let place = tempfile::tempdir().map_err(failure)?;
@@ -67,10 +74,8 @@ fn film(scene: &AnimationScene<'_>) -> Result<Option<Vec<u8>>, Failure> {
     // Players want an even number of pixels.
     let even = "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white";
     ffmpeg.args(["-framerate", &rate.to_string(), "-i", "-", "-vf", even, "-pix_fmt", "yuv420p"]).arg(&out);
-    let mut running = match ffmpeg.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn() {
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
-        running => running.map_err(failure)?,
-    };
+    let running = ffmpeg.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn();
+    let mut running = running.map_err(failure)?;
     // What it says when it ends early is told below.
     let mut taken = Ok(());
     if let Some(mut input) = running.stdin.take() {
@@ -86,7 +91,7 @@ fn film(scene: &AnimationScene<'_>) -> Result<Option<Vec<u8>>, Failure> {
         let said = String::from_utf8_lossy(&done.stderr);
         return Err(Failure::work(format!("ffmpeg made no film: {}", said.trim())));
     }
-    taken.and_then(|()| std::fs::read(&out)).map(Some).map_err(failure)
+    taken.and_then(|()| std::fs::read(&out)).map_err(failure)
 }
 
 /// Frames at equal times from the first one to the last.

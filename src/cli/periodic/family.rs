@@ -1,13 +1,13 @@
 //! `bifdiag periodic family`: the families of periodic orbits that begin at relative equilibria.
 
 use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
 
 use bifdiag_body::Number;
 use bifdiag_documents::Subject;
+use bifdiag_dynamics::section::Monitor;
 use bifdiag_equilibria::critical::Equilibrium;
 use bifdiag_periodic::catalogue::Catalogue;
-use bifdiag_periodic::family::{Family, FamilyOptions, Held};
+use bifdiag_periodic::family::{Family, FamilyError, FamilyOptions, Held};
 use bifdiag_plot::{Theme, draw_periods};
 use bifdiag_schema::{
     FamilyEnd, FamilyEndingDocument, OrbitEventKind, PeriodicFamiliesDocument, PeriodicFamilyDocument,
@@ -17,7 +17,7 @@ use clap::Args;
 use crate::cli::export::{FileSet, PictureArguments, PictureFormat, answer};
 use crate::cli::failure::{Failure, failed, no_such_curve};
 use crate::cli::input::{BodyArguments, head, motion_units, values};
-use crate::cli::terminal::{Report, Table, Timings, counted, significant};
+use crate::cli::terminal::{Progress, Report, Table, Timings, counted, significant};
 
 pub const FAMILY_EXAMPLES: &str = "\
 Examples:
@@ -62,7 +62,7 @@ pub const DIGITS: usize = 6;
 /// What is said where there is no answer.
 pub const NOT_FOUND: &str = "the families could not be followed";
 
-pub fn run(arguments: &FamilyArguments, timings: &Timings) -> Result<(), Failure> {
+pub fn run(arguments: &FamilyArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
     let id = arguments.from.as_ref().map(|id| id.to_ascii_uppercase().replace('−', "-"));
     let (held, value) = match (&arguments.momentum, &arguments.energy) {
@@ -79,13 +79,15 @@ pub fn run(arguments: &FamilyArguments, timings: &Timings) -> Result<(), Failure
     }
     let catalogue = Catalogue::new(&subject.body).map_err(failed(NOT_FOUND))?;
     let equilibria = starts(&catalogue, held, value, id.as_deref())?;
-    let options =
-        FamilyOptions { held, members: arguments.members, branches: arguments.branches, stop: &AtomicBool::new(false) };
-    let mut found: Vec<(Equilibrium, Vec<Family>)> = Vec::with_capacity(equilibria.len());
-    for equilibrium in equilibria {
-        let of_it = timings.stage("families", || catalogue.families(&equilibrium, &options));
-        found.push((equilibrium, of_it.map_err(failed(NOT_FOUND))?));
-    }
+    let monitor = Monitor::default();
+    let options = FamilyOptions { held, members: arguments.members, branches: arguments.branches, monitor: &monitor };
+    let follow = |equilibrium: Equilibrium| {
+        let families = catalogue.families(&equilibrium, &options)?;
+        Ok((equilibrium, families))
+    };
+    let work = || equilibria.into_iter().map(follow).collect::<Result<Vec<(Equilibrium, Vec<Family>)>, FamilyError>>();
+    let progress = Progress::open("orbits found", quiet);
+    let found = timings.stage("families", || progress.watching(&monitor.orbits, work)).map_err(failed(NOT_FOUND))?;
     let mut command = subject.command("periodic family");
     if let Some(id) = &id {
         command = command.option("from", id);
@@ -157,6 +159,9 @@ fn text(subject: &Subject, document: &PeriodicFamiliesDocument, written: &[PathB
             }
         }
     }
+    if document.families.iter().any(|family| !family.events.is_empty()) {
+        report.line("two special orbits of one kind between neighbouring orbits are not seen");
+    }
     report.line("");
     report.line(if document.families.is_empty() {
         "no family begins here: no equilibrium has a pair of imaginary eigenvalues"
@@ -177,9 +182,10 @@ fn table(family: &PeriodicFamilyDocument, free: &'static str) -> Table {
     let every = family.members.len().div_ceil(ROWS * (family.events.len() + 1)).max(1);
     let mut events = family.events.iter().peekable();
     let last = family.members.len() - 1;
+    let mut shown: Option<[String; 8]> = None;
     for (number, orbit) in family.members.iter().enumerate() {
         if number % every == 0 || number == last {
-            table.row([
+            let row = [
                 significant(if free == "h" { orbit.h } else { orbit.l }, DIGITS),
                 significant(orbit.period, DIGITS),
                 significant(orbit.multipliers[0][0] + orbit.multipliers[1][0], DIGITS),
@@ -188,7 +194,12 @@ fn table(family: &PeriodicFamilyDocument, free: &'static str) -> Table {
                 if orbit.symmetric { "yes" } else { "no" }.to_owned(),
                 significant(orbit.action, DIGITS),
                 String::new(),
-            ]);
+            ];
+            // Near an equilibrium orbits differ by less than is printed.
+            if shown.as_ref() != Some(&row) {
+                table.row(row.clone());
+            }
+            shown = Some(row);
         }
         while let Some(event) = events.next_if(|event| event.after == number) {
             let place = if free == "h" { event.h } else { event.l };
@@ -209,6 +220,7 @@ fn table(family: &PeriodicFamilyDocument, free: &'static str) -> Table {
                 blank(),
                 words.to_owned(),
             ]);
+            shown = None;
         }
     }
     table
@@ -223,8 +235,8 @@ fn ending(end: &FamilyEndingDocument) -> String {
         FamilyEnd::Joined => "joins another family".to_owned(),
         FamilyEnd::Members => "goes on".to_owned(),
         FamilyEnd::Lost => "was followed no further".to_owned(),
-        FamilyEnd::Resonant => {
-            "not begun: the other pair is a multiple of this one, or the equilibrium is not isolated".to_owned()
-        }
+        FamilyEnd::Circle => format!("runs along the circle {curves} ever more slowly, T without bound"),
+        FamilyEnd::Resonant => "not begun: the other pair is a multiple of this one, or zero".to_owned(),
+        FamilyEnd::NotIsolated => "not begun: the equilibrium is one of a circle or sphere of them".to_owned(),
     }
 }

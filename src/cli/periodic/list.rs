@@ -1,10 +1,11 @@
 //! `bifdiag periodic list`: the families of all equilibria of a body, and which of their orbits are wanted.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 
 use bifdiag_body::Number;
 use bifdiag_documents::{Asked, Subject, families_listed, periodic_list};
+use bifdiag_dynamics::section::Monitor;
 use bifdiag_equilibria::curves::CurveName;
 use bifdiag_periodic::catalogue::{Catalogue, Wanted};
 use bifdiag_periodic::family::{FamilyError, FamilyOptions, Held};
@@ -137,14 +138,14 @@ pub fn run(arguments: &ListArguments, quiet: bool) -> Result<(), Failure> {
         wanted,
     };
     let work = Work { subject: &subject, catalogue: &catalogue, asked: &asked, arguments };
-    let stop = Arc::new(AtomicBool::new(false));
-    let told = Arc::clone(&stop);
-    let interruptible = stoppable(move || told.store(true, Ordering::Relaxed));
+    let monitor = Arc::new(Monitor::default());
+    let told = Arc::clone(&monitor);
+    let interruptible = stoppable(move || told.stop.store(true, Ordering::Relaxed));
     match target {
         Some(DataTarget::File { path, format }) => {
             let journal = work.journal(&path)?;
             let mut kept = Kept { journal: Some(journal), families: Vec::new() };
-            work.follow(&mut kept, &stop, interruptible, quiet)?;
+            work.follow(&mut kept, &monitor, interruptible, quiet)?;
             let document = work.document(kept.families);
             let table = columns(&document)?;
             let files = written(&table, (&path, format))?;
@@ -155,7 +156,7 @@ pub fn run(arguments: &ListArguments, quiet: bool) -> Result<(), Failure> {
         }
         stdout => {
             let mut kept = Kept { journal: None, families: Vec::new() };
-            work.follow(&mut kept, &stop, interruptible, quiet)?;
+            work.follow(&mut kept, &monitor, interruptible, quiet)?;
             let document = work.document(kept.families);
             if stdout.is_some() {
                 return print(DataFormat::Csv.bytes(&columns(&document)?)?);
@@ -209,7 +210,7 @@ impl Work<'_> {
     }
 
     /// Follows the families at every value that the journal lacks.
-    fn follow(&self, kept: &mut Kept, stop: &AtomicBool, interruptible: Stoppable, quiet: bool) -> Result<(), Failure> {
+    fn follow(&self, kept: &mut Kept, monitor: &Monitor, interruptible: Stoppable, quiet: bool) -> Result<(), Failure> {
         let mut done = 0;
         if let Some(journal) = &mut kept.journal {
             done = journal.blocks().len();
@@ -222,8 +223,8 @@ impl Work<'_> {
         let total = self.asked.values.len() as u64;
         let progress = Progress::new(done as u64, total, "values", quiet);
         for value in &self.asked.values[done..] {
-            let found = self.at(value, stop)?;
-            if stop.load(Ordering::Relaxed) {
+            let found = progress.beside(&monitor.orbits, "orbits found", || self.at(value, monitor))?;
+            if monitor.is_stopped() {
                 break;
             }
             if let Some(journal) = &mut kept.journal {
@@ -253,11 +254,11 @@ impl Work<'_> {
     }
 
     /// The families at one value.
-    fn at(&self, value: &Number, stop: &AtomicBool) -> Result<Vec<ListedFamilyDocument>, Failure> {
+    fn at(&self, value: &Number, monitor: &Monitor) -> Result<Vec<ListedFamilyDocument>, Failure> {
         let Asked { held, members, branches, ref wanted, .. } = *self.asked;
         let only = self.arguments.family.as_ref();
         let starts = self.catalogue.starts(held, value, only.map(|only| only.curve)).map_err(failed(NOT_FOUND))?;
-        let options = FamilyOptions { held, members, branches, stop };
+        let options = FamilyOptions { held, members, branches, monitor };
         let found: Result<Vec<_>, FamilyError> = starts
             .into_par_iter()
             .map(|start| {

@@ -117,9 +117,11 @@ fn of_families(document: &PeriodicListDocument) -> Table {
         let orbits = &family.orbits;
         let stable = orbits.iter().filter(|listed| listed.orbit.stability == OrbitStability::Elliptic).count();
         let range = |value: &dyn Fn(&PeriodicOrbitDocument) -> f64| {
-            let ends = [orbits.first(), orbits.last()].map(|listed| listed.map(|listed| value(&listed.orbit)));
-            let [Some(first), Some(last)] = ends else { return String::new() };
-            format!("{} … {}", significant(first, 4), significant(last, 4))
+            let values = || orbits.iter().map(|listed| value(&listed.orbit));
+            let (Some(least), Some(most)) = (values().reduce(f64::min), values().reduce(f64::max)) else {
+                return String::new();
+            };
+            format!("{} … {}", significant(least, 4), significant(most, 4))
         };
         table.row([
             significant(if fixed == "l" { family.l } else { family.h }, DIGITS),
@@ -147,7 +149,8 @@ fn ending(end: &FamilyEndingDocument) -> String {
         FamilyEnd::Joined => "joins another family".to_owned(),
         FamilyEnd::Members => "goes on".to_owned(),
         FamilyEnd::Lost => "followed no further".to_owned(),
-        FamilyEnd::Resonant => "not begun".to_owned(),
+        FamilyEnd::Circle => format!("along circle {curves}"),
+        FamilyEnd::Resonant | FamilyEnd::NotIsolated => "not begun".to_owned(),
     }
 }
 

@@ -47,7 +47,7 @@ pub enum PeriodicCommand {
 pub fn run(arguments: &PeriodicArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     match &arguments.command {
         None => short::run(&arguments.short, timings, quiet),
-        Some(PeriodicCommand::Family(arguments)) => family::run(arguments, timings),
+        Some(PeriodicCommand::Family(arguments)) => family::run(arguments, timings, quiet),
         Some(PeriodicCommand::List(arguments)) => list::run(arguments, quiet),
     }
 }

@@ -39,7 +39,10 @@ fn text(subject: &Subject, document: &SteadySpinsDocument) -> String {
         report.line("steady axes that move with the spin:");
         families(&mut report, &moving, document.part.is_some());
     }
-    report.line(counts(document));
+    // Of a ball it is said above.
+    if document.families.iter().all(|family| family.axes != Multiplicity::Sphere) {
+        report.line(counts(document));
+    }
     if let Some(note) = &document.note {
         report.line(format!("note: {note}"));
     }
@@ -157,9 +160,6 @@ pub fn exceptions(report: &mut Report, isolated: impl Iterator<Item = (String, I
 
 /// How many axes there are, in words.
 fn counts(document: &SteadySpinsDocument) -> String {
-    if document.families.iter().any(|family| family.axes == Multiplicity::Sphere) {
-        return "rotation about every axis is steady".to_owned();
-    }
     let list = document.counts.iter().enumerate().map(|(number, count)| {
         let circles = match count.circles {
             0 => String::new(),

@@ -7,7 +7,7 @@ use std::thread::Thread;
 use std::time::{Duration, Instant};
 
 use bifdiag_exact::statistics;
-use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use indicatif::{HumanCount, HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 use super::stderr::{is_terminal, say};
 
@@ -24,6 +24,8 @@ const PERIOD: Duration = Duration::from_millis(100);
 pub struct Progress {
     /// `None` where no progress is shown.
     bar: Option<ProgressBar>,
+    /// What is counted.
+    things: String,
     /// When the last line was written.
     last_line: Mutex<Instant>,
 }
@@ -31,8 +33,8 @@ pub struct Progress {
 impl Progress {
     /// Of `total` things; `done` of them were there before.
     pub fn new(done: u64, total: u64, things: &str, quiet: bool) -> Self {
-        let template = format!("{{bar:40}} {{percent}}% {{human_pos}} {things}, {{rate}}/s, {{eta}} left");
-        Self::styled(Some(total), &template, quiet).starting_at(done)
+        let template = format!("{{bar:40}} {{percent}}% {{human_pos}} {things}{{pace}}{{msg}}");
+        Self::styled(Some(total), &template, things, quiet).starting_at(done)
     }
 
     /// Of `total` bytes, or of an unknown number; a message says what they are.
@@ -40,23 +42,21 @@ impl Progress {
         // What comes from a pipe is its own measure: lines are written as it goes on.
         let quiet = quiet || !is_terminal();
         let template = if total.is_some() { "{bar:40} {percent}% {msg}, {eta} left" } else { "{spinner} {msg}" };
-        Self::styled(total, template, quiet)
+        Self::styled(total, template, "bytes", quiet)
     }
 
     /// Of work whose end is not known; `things` are counted.
     pub fn open(things: &str, quiet: bool) -> Self {
-        let progress = Self::styled(None, "{spinner} {human_pos} {msg}, {rate}/s", quiet);
-        progress.message(things);
-        progress
+        Self::styled(None, &format!("{{spinner}} {{human_pos}} {things}{{pace}}"), things, quiet)
     }
 
-    fn styled(total: Option<u64>, template: &str, quiet: bool) -> Self {
+    fn styled(total: Option<u64>, template: &str, things: &str, quiet: bool) -> Self {
         let bar = (!quiet).then(|| {
             let style =
                 ProgressStyle::with_template(template).unwrap_or_else(|_unknown_key| ProgressStyle::default_bar());
-            ProgressBar::with_draw_target(total, ProgressDrawTarget::hidden()).with_style(style.with_key("rate", rate))
+            ProgressBar::with_draw_target(total, ProgressDrawTarget::hidden()).with_style(style.with_key("pace", pace))
         });
-        Self { bar, last_line: Mutex::new(Instant::now()) }
+        Self { bar, things: things.to_owned(), last_line: Mutex::new(Instant::now()) }
     }
 
     fn starting_at(self, done: u64) -> Self {
@@ -100,13 +100,13 @@ impl Progress {
         let mut last_line = self.last_line.lock().unwrap_or_else(PoisonError::into_inner);
         if last_line.elapsed() > BETWEEN_LINES {
             *last_line = Instant::now();
-            match bar.length() {
-                Some(total) => {
-                    let left = HumanDuration(bar.eta());
-                    say(&format!("{position} of {total}, {:.0} a second, {left} left", bar.per_sec()));
-                }
-                None => say(&format!("{position} {}, {:.0} a second", bar.message(), bar.per_sec())),
-            }
+            let of = bar.length().map_or_else(String::new, |total| format!(" of {total}"));
+            let pace = match (bar.per_sec(), bar.length()) {
+                (0.0, _) => String::new(),
+                (rate, None) => format!(", {rate:.0} a second"),
+                (rate, Some(_)) => format!(", {rate:.0} a second, {} left", HumanDuration(bar.eta())),
+            };
+            say(&format!("{position}{of} {}{pace}{}", self.things, bar.message()));
         }
     }
 
@@ -119,22 +119,37 @@ impl Progress {
 
     /// Does the work while the bar shows what the work counts.
     pub fn watching<T>(&self, counter: &AtomicU64, work: impl FnOnce() -> T) -> T {
+        let result = self.looking(|| self.set(counter.load(Ordering::Relaxed)), work);
+        self.finish();
+        result
+    }
+
+    /// Does a part of the work, which counts smaller things while it goes on: these are told beside the bar.
+    pub fn beside<T>(&self, counter: &AtomicU64, things: &str, work: impl FnOnce() -> T) -> T {
+        let look = || {
+            let count = HumanCount(counter.load(Ordering::Relaxed));
+            self.message(format_args!("; {count} {things}"));
+            self.add(0);
+        };
+        self.looking(look, work)
+    }
+
+    /// Does the work, with a look at it now and then.
+    fn looking<T>(&self, look: impl Fn() + Sync, work: impl FnOnce() -> T) -> T {
         if self.bar.is_none() {
             return work();
         }
         let over = AtomicBool::new(false);
-        let result = std::thread::scope(|scope| {
+        std::thread::scope(|scope| {
             let watcher = scope.spawn(|| {
                 while !over.load(Ordering::Relaxed) {
                     std::thread::park_timeout(PERIOD);
-                    self.set(counter.load(Ordering::Relaxed));
+                    look();
                 }
             });
             let _over = AtEnd { over: &over, watcher: watcher.thread() };
             work()
-        });
-        self.finish();
-        result
+        })
     }
 }
 
@@ -151,9 +166,15 @@ impl Drop for AtEnd<'_> {
     }
 }
 
-/// How many a second.
-fn rate(state: &ProgressState, out: &mut dyn fmt::Write) {
-    let _never_fails = write!(out, "{:.0}", state.per_sec());
+/// How many a second, and how long it will take, once that is known.
+fn pace(state: &ProgressState, out: &mut dyn fmt::Write) {
+    let rate = state.per_sec();
+    let left = || format!(", {:#} left", HumanDuration(state.eta()));
+    let _never_fails = match (rate > 0.0, state.len()) {
+        (false, _) => Ok(()),
+        (true, None) => write!(out, ", {rate:.0}/s"),
+        (true, Some(_)) => write!(out, ", {rate:.0}/s{}", left()),
+    };
 }
 
 /// A clock that speaks only when asked to.

@@ -34,9 +34,11 @@ impl Measured {
 /// How many numbers a part has: six of the tensor, three of the centre of mass, the mass and gravity.
 pub const INPUTS: usize = 11;
 
+/// Where the centre of mass stands among them.
+const COM: usize = 6;
+
 /// Their names.
-pub const INPUT_NAMES: [&str; INPUTS] =
-    ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz", "com x", "com y", "com z", "mass", "g"];
+const INPUT_NAMES: [&str; INPUTS] = ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz", "com x", "com y", "com z", "mass", "g"];
 
 /// The numbers of a part as they were measured.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -44,8 +46,10 @@ pub struct MeasuredPart {
     /// The tensor is about the centre of mass, else about the fixed point.
     pub about_com: bool,
     /// Ixx, Iyy, Izz, Ixy, Ixz, Iyz as entries of the tensor, the centre of mass from the fixed point, the mass, and the
-    /// acceleration of gravity in m/s², in the order of [`INPUT_NAMES`].
+    /// acceleration of gravity in m/s².
     pub inputs: [Measured; INPUTS],
+    /// The fixed point in the axes in which the part was described; the centre of mass above is seen from it.
+    pub pivot: [Measured; 3],
 }
 
 impl MeasuredPart {
@@ -54,7 +58,42 @@ impl MeasuredPart {
     pub fn new(about_com: bool, part: [Measured; INPUTS - 1], gravity: Measured) -> Self {
         let mut inputs = part.into_iter().chain([gravity]);
         let next = |_| inputs.next().unwrap_or_else(|| unreachable!("as many as there are"));
-        Self { about_com, inputs: std::array::from_fn(next) }
+        let zero = Measured { value: RBig::ZERO, within: RBig::ZERO };
+        Self { about_com, inputs: std::array::from_fn(next), pivot: std::array::from_fn(|_| zero.clone()) }
+    }
+
+    /// With the centre of mass and a pivot in the same axes, both as they were measured: the vector between them counts.
+    #[must_use]
+    pub fn seen_from(mut self, pivot: [Measured; 3]) -> Self {
+        for (coordinate, pivot) in self.inputs[COM..].iter_mut().zip(&pivot) {
+            coordinate.value -= &pivot.value;
+            coordinate.within += &pivot.within;
+        }
+        Self { pivot, ..self }
+    }
+
+    /// The centre of mass in the axes of the pivot.
+    #[must_use]
+    pub fn com(&self) -> [Measured; 3] {
+        std::array::from_fn(|k| {
+            let (between, pivot) = (&self.inputs[COM + k], &self.pivot[k]);
+            Measured { value: &between.value + &pivot.value, within: &between.within - &pivot.within }
+        })
+    }
+
+    /// What one of the numbers is called, and its nominal value.
+    #[must_use]
+    pub fn named(&self, input: usize) -> (&'static str, &RBig) {
+        /// Where the pivot alone, or both, are not exact.
+        const NAMES: [[&str; 2]; 3] =
+            [["pivot x", "com x - pivot x"], ["pivot y", "com y - pivot y"], ["pivot z", "com z - pivot z"]];
+        let own = &self.inputs[input];
+        let pivot = input.checked_sub(COM).and_then(|k| Some((self.pivot.get(k)?, NAMES[k])));
+        match pivot {
+            Some((pivot, [name, _])) if !pivot.within.is_zero() && pivot.within == own.within => (name, &pivot.value),
+            Some((pivot, [_, both])) if !pivot.within.is_zero() || !pivot.value.is_zero() => (both, &own.value),
+            _ => (INPUT_NAMES[input], &own.value),
+        }
     }
 
     /// Indices of the numbers that are not exact.
@@ -66,7 +105,7 @@ impl MeasuredPart {
     #[must_use]
     pub fn nominal(&self) -> Self {
         let exact = |number: &Measured| Measured { value: number.value.clone(), within: RBig::ZERO };
-        Self { about_com: self.about_com, inputs: self.inputs.each_ref().map(exact) }
+        Self { inputs: self.inputs.each_ref().map(exact), ..self.clone() }
     }
 
     /// The same part with all numbers but this one exact.
@@ -128,11 +167,9 @@ mod tests {
     fn every_part_of_the_box_lies_within_the_bounds() {
         let numbers = [30, 40, 50, 1, -2, 3, 1, 2, -4, 5, 10];
         for about_com in [true, false] {
-            let inputs = std::array::from_fn(|k| Measured {
-                value: exact(numbers[k]),
-                within: RBig::from_parts(1.into(), (k + 2).into()),
-            });
-            let part = MeasuredPart { about_com, inputs };
+            let measured =
+                |k: usize| Measured { value: exact(numbers[k]), within: RBig::from_parts(1.into(), (k + 2).into()) };
+            let part = MeasuredPart::new(about_com, std::array::from_fn(measured), measured(10));
             let units: Units = "kg,cm,s".parse().unwrap();
             let (tensor, center) = part.bounds(&units);
             for number in 0..200_usize {
@@ -159,11 +196,11 @@ mod tests {
 
     #[test]
     fn exact_numbers_stay_exact() {
-        let inputs = std::array::from_fn(|k| Measured {
-            value: if k == 10 { RBig::ONE } else { RBig::from(k + 1) },
-            within: if k == 7 { RBig::ONE } else { RBig::ZERO },
-        });
-        let part = MeasuredPart { about_com: false, inputs };
+        let inputs: Vec<Measured> = (1..INPUTS)
+            .map(|k| Measured { value: RBig::from(k), within: if k == 8 { RBig::ONE } else { RBig::ZERO } })
+            .collect();
+        let one = Measured { value: RBig::ONE, within: RBig::ZERO };
+        let part = MeasuredPart::new(false, inputs.try_into().unwrap(), one);
         assert_eq!(part.uncertain().collect::<Vec<_>>(), [7]);
         assert_eq!(part.only(3).uncertain().count(), 0);
         let (tensor, center) = part.bounds(&Units::default());

@@ -15,6 +15,6 @@ mod quantity;
 mod units;
 
 pub use mass::{Existence, Inequality, MassError, MassProperties, Part, Products, tensor_of};
-pub use measured::{INPUT_NAMES, INPUTS, Measured, MeasuredPart};
+pub use measured::{INPUTS, Measured, MeasuredPart};
 pub use quantity::{Dimension, Quantity, QuantityError, Unit};
 pub use units::{Spin, SpinError, SpinUnit, Units, UnitsError};

@@ -52,6 +52,12 @@ impl Class {
         Self { name: ClassName::of_text(&text), text }
     }
 
+    /// How many regions it has; the forbidden one, R0 of its text, is none.
+    #[must_use]
+    pub fn regions(&self) -> usize {
+        self.text.lines().filter(|line| line.starts_with('R')).count() - 1
+    }
+
     /// Its name: the first 12 hexadecimal digits of the SHA-256 of [`Class::text`].
     #[must_use]
     pub fn name(&self) -> &ClassName {
@@ -92,7 +98,7 @@ mod tests {
     #[test]
     fn the_class_of_the_papers_body() {
         let class = class(&Preset::find("paper").unwrap().body());
-        assert_eq!((class.name().as_str(), class.text().lines().count()), ("4b99dc25201f", 2 + 9), "{}", class.text());
+        assert_eq!((class.name().as_str(), class.regions()), ("4b99dc25201f", 9), "{}", class.text());
         assert!(
             class.text().contains("R6 S2-2D2+: 14 maximum R2 Y 21 saddle-pair R4 x 15 P- R7 x\n"),
             "{}",

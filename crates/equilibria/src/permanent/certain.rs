@@ -1,7 +1,7 @@
 //! Parts of a box for all of which an axis is permanent: C, A, B and the weight, and with them the closed form of [`spin_ranges`](super::spin_ranges).
 
 use bifdiag_body::part::{INPUTS, Measured, MeasuredPart, Units};
-use bifdiag_numbers::enclosure::Arithmetic;
+use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
 use bifdiag_numbers::interval::Interval;
 use dashu_ratio::RBig;
 
@@ -12,8 +12,25 @@ use super::rotation::AxisRotation;
 pub(super) struct AxisBox {
     /// C, A, B.
     pub moments: [Interval; 3],
+    /// C − A, C − B and A − B, which are 0 exactly where the moments of every part are equal.
+    pub differences: [Interval; 3],
     /// −ρ, zero or of one sign.
     pub weight: Interval,
+}
+
+/// The pairs of moments whose differences count.
+const PAIRS: [[usize; 2]; 3] = [[0, 1], [0, 2], [1, 2]];
+
+impl AxisBox {
+    /// Of parts whose moments vary each for itself between two exact ends.
+    pub fn new(ends: &[[RBig; 2]; 3], weight: Interval) -> Self {
+        let between = |from: &RBig, to: &RBig| exactly(from).hull(&exactly(to));
+        Self {
+            moments: ends.each_ref().map(|[from, to]| between(from, to)),
+            differences: PAIRS.map(|[i, j]| between(&(&ends[i][0] - &ends[j][1]), &(&ends[i][1] - &ends[j][0]))),
+            weight,
+        }
+    }
 }
 
 const COM: usize = 6;
@@ -31,14 +48,17 @@ pub(super) fn boxes(
     rotation: &AxisRotation,
     up: [f64; 3],
 ) -> Option<Vec<AxisBox>> {
-    let moves_tensor = |k: usize| k < MASS || (k == MASS && measured.about_com);
-    let boxes = if measured.uncertain().any(moves_tensor) {
-        along_coordinates(measured, units, up)?
-    } else {
+    let moves_tensor = |k: usize| k < COM || (k <= MASS && measured.about_com);
+    let exact =
+        |weight| AxisBox::new(&rotation.moments.each_ref().map(|moment| [moment.clone(), moment.clone()]), weight);
+    let boxes = if !measured.uncertain().any(|k| k < MASS || moves_tensor(k)) {
         // r = m g c: mass and gravity scale the weight, and nothing else.
         let share = |k: usize| measured.inputs[k].enclosed() / exactly(&measured.inputs[k].value);
-        let weight = exactly(&-&rotation.weight) * share(MASS) * share(GRAVITY);
-        vec![AxisBox { moments: rotation.moments.each_ref().map(exactly), weight }]
+        vec![exact(exactly(&-&rotation.weight) * share(MASS) * share(GRAVITY))]
+    } else {
+        let found = along_coordinates(measured, units, up)?;
+        let is_exact = !measured.uncertain().any(moves_tensor);
+        if is_exact { found.into_iter().map(|found| exact(found.weight)).collect() } else { found }
     };
     let has_sign = |found: &AxisBox| found.weight.is_positive().is_some() || found.weight == Interval::ZERO;
     boxes.iter().all(has_sign).then_some(boxes)
@@ -78,16 +98,23 @@ fn along_coordinates(measured: &MeasuredPart, units: &Units, up: [f64; 3]) -> Op
         let (tensor, center) = part.bounds(units);
         let [i, j] = others;
         let [a, b, d] = [tensor[i][i], tensor[j][j], tensor[i][j]];
-        let [first, second] = if d == Interval::ZERO {
-            [a, b]
+        let c = tensor[axis][axis];
+        // The mass at the axis adds the same to both.
+        let apart = |i: usize, j: usize| {
+            let [first, second] = [i, j].map(|k| &part.inputs[k]);
+            let is_exact = first.within.is_zero() && second.within.is_zero();
+            if is_exact { exactly(&(&first.value - &second.value)) } else { first.enclosed() - second.enclosed() }
+        };
+        let [first, second, across] = if d == Interval::ZERO {
+            [a, b, apart(i, j)]
         } else {
             // The eigenvalues of the block across the axis.
             let half = Interval::point(0.5);
-            let (middle, apart) = (half * (a + b), ((half * (a - b)).square() + d.square()).sqrt());
-            [middle - apart, middle + apart]
+            let (middle, apart) = (half * (a + b), ((half * apart(i, j)).square() + d.square()).sqrt());
+            [middle - apart, middle + apart, -apart.twice()]
         };
         let weight = if up[axis] < 0.0 { -center[axis] } else { center[axis] };
-        AxisBox { moments: [tensor[axis][axis], first, second], weight }
+        AxisBox { moments: [c, first, second], differences: [c - first, c - second, across], weight }
     };
     Some(pieces.map(one).collect())
 }

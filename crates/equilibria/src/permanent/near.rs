@@ -6,7 +6,7 @@
 //! rotation.
 
 use bifdiag_body::Body;
-use bifdiag_body::part::{INPUT_NAMES, INPUTS, MeasuredPart, Part};
+use bifdiag_body::part::{INPUTS, MeasuredPart, Part};
 use bifdiag_numbers::Number;
 use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
 use bifdiag_numbers::interval::Interval;
@@ -88,7 +88,7 @@ pub fn settled_types_of_part(part: &Part, measured: &MeasuredPart, up: [f64; 3],
         let moved = alone.iter().map(|(input, found)| (*input, unsettled(found))).filter(|(_, moved)| *moved > least);
         // Of equals the first.
         let most = moved.max_by(|p, q| p.1.total_cmp(&q.1).then(q.0.cmp(&p.0)));
-        range.most = most.map(|(input, moved)| (INPUT_NAMES[input], moved));
+        range.most = most.map(|(input, moved)| (measured.named(input).0, moved));
     }
     found
 }

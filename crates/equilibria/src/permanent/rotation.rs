@@ -224,6 +224,16 @@ impl AxisRotation {
         self.moments[0].to_f64().value() * omega
     }
 
+    /// h at a change, 0 where it is.
+    #[must_use]
+    pub fn h_at(&self, change: &SpinChange) -> f64 {
+        let half = &self.moments[0] / RBig::from(2);
+        if change.squared.place_of(&(&self.weight / &half)) == Ordering::Equal {
+            return 0.0;
+        }
+        (half * &change.squared.lo - &self.weight).to_f64().value()
+    }
+
     /// (h, l) at a spin, exactly on the curve.
     #[must_use]
     pub fn point(&self, omega: &RBig) -> (Number, Number) {

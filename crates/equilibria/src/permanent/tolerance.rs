@@ -46,14 +46,10 @@ pub struct SpinRange {
 /// known to relative tolerances below 1.
 #[must_use]
 pub fn spin_ranges(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> Vec<SpinRange> {
-    let around = |value: &RBig, tolerance: &RBig| {
-        let end = |factor: RBig| Interval::rational(&(value * factor), ());
-        end(RBig::ONE - tolerance).hull(&end(RBig::ONE + tolerance))
-    };
-    let whole = AxisBox {
-        moments: std::array::from_fn(|k| around(&rotation.moments[k], &tolerances[k])),
-        weight: -around(&rotation.weight, &tolerances[3]),
-    };
+    let around = |value: &RBig, tolerance: &RBig| [value * (RBig::ONE - tolerance), value * (RBig::ONE + tolerance)];
+    let [lighter, heavier] = around(&rotation.weight, &tolerances[3]).map(|end| Interval::rational(&end, ()));
+    let ends = std::array::from_fn(|k| around(&rotation.moments[k], &tolerances[k]));
+    let whole = AxisBox::new(&ends, -lighter.hull(&heavier));
     let mut found = ranges_over(rotation, &[whole]);
     let nominal = rotation.changes();
     let sampled: Vec<Vec<SpinChange>> =
@@ -152,11 +148,11 @@ fn joined(mut ranges: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 
 /// Intervals of s that hold every root of K_A, K_B and the discriminant over the box.
 fn root_ranges(of: &AxisBox) -> Vec<[f64; 2]> {
-    let AxisBox { moments: [axis, first, second], weight } = *of;
+    let AxisBox { moments, differences: [above_first, above_second, across], weight } = *of;
     let mut ranges: Vec<[f64; 2]> =
-        [first, second].into_iter().filter_map(|moment| quotient(weight, axis - moment)).collect();
+        [above_first, above_second].into_iter().filter_map(|difference| quotient(weight, difference)).collect();
     if weight.is_positive() == Some(true) {
-        ranges.extend(collisions(axis, first, second).into_iter().flatten().map(|range| {
+        ranges.extend(collisions(moments, across).into_iter().flatten().map(|range| {
             let range = range * weight.twice();
             [range.lo.max(0.0), range.hi]
         }));
@@ -169,8 +165,9 @@ fn root_ranges(of: &AxisBox) -> Vec<[f64; 2]> {
 /// All positive quotients of two intervals, of which the first is zero or has a sign.
 fn quotient(weight: Interval, difference: Interval) -> Option<[f64; 2]> {
     let Some(upward) = weight.is_positive() else {
-        // s (C − A) alone: no root at any spin but where the difference vanishes.
-        return difference.is_positive().is_none().then_some([0.0, f64::INFINITY]);
+        // s (C − A) alone: no root at any spin but where the difference vanishes for some parts and not for all.
+        let may_vanish = difference.is_positive().is_none() && difference != Interval::ZERO;
+        return may_vanish.then_some([0.0, f64::INFINITY]);
     };
     let (weight, difference) = if upward { (weight, difference) } else { (-weight, -difference) };
     if difference.hi <= 0.0 {
@@ -181,15 +178,20 @@ fn quotient(weight: Interval, difference: Interval) -> Option<[f64; 2]> {
     Some([least, most])
 }
 
-/// s−/(2w) and s+/(2w) over a box of moments, each the hull over its pieces; `None` where p and q have different signs
-/// throughout.
-fn collisions(axis: Interval, first: Interval, second: Interval) -> [Option<Interval>; 2] {
+/// s−/(2w) and s+/(2w) over a box of moments C, A, B with this A − B, each the hull over its pieces; `None` where p and q have
+/// different signs throughout.
+fn collisions(moments: [Interval; 3], across: Interval) -> [Option<Interval>; 2] {
     let mut hulls: [Option<Interval>; 2] = [None, None];
-    let [axis, first, second] = [axis, first, second].map(pieces);
+    let [axis, first, second] = moments.map(pieces);
+    let is_symmetric = across == Interval::ZERO;
     for c in &axis {
         for a in &first {
-            for b in &second {
-                let Some(found) = collisions_of_piece(*c, *a, *b) else { continue };
+            let same = [*a];
+            for b in if is_symmetric { &same } else { &second[..] } {
+                let Some(mut found) = collisions_of_piece(*c, *a, *b) else { continue };
+                if is_symmetric {
+                    found[0] = Interval::ZERO;
+                }
                 for (hull, found) in hulls.iter_mut().zip(found) {
                     *hull = Some(hull.map_or(found, |hull| hull.hull(&found)));
                 }
@@ -218,12 +220,7 @@ fn collisions_of_piece(c: Interval, a: Interval, b: Interval) -> Option<[Interva
     let most = |moment: Interval| Interval::between(0.0, (moment / c.square()).hi);
     let kept = |found: Interval, most: Interval| found.meet(&most).unwrap_or(most);
     let upper = kept(sum / below, most(a + b));
-    let lower = if a == b && a.lo >= a.hi {
-        Interval::ZERO
-    } else {
-        kept((b - a).square() / (sum * (p + q)), most(a.hull(&b)))
-    };
-    Some([lower, upper])
+    Some([kept((b - a).square() / (sum * (p + q)), most(a.hull(&b))), upper])
 }
 
 /// An interval in pieces that cover it; one alone where it is a point.

@@ -21,6 +21,9 @@ const RESONANT: f64 = 1e-6;
 impl Course<'_> {
     /// The family of the pair ±i`frequency`, in the units of the reduced top.
     pub fn beginning_at(&self, equilibrium: &Equilibrium, frequency: f64) -> Result<Stretch, FamilyError> {
+        if !matches!(equilibrium.multiplicity, Multiplicity::Points(1)) {
+            return Ok(Stretch::none(FamilyEnd::NotIsolated));
+        }
         let units = self.units;
         let point = self.space.point(&state_of(equilibrium, self.moments).reduced(units));
         let others = equilibrium.eigenvalues.pairs.map(|[re, im]| (re, units.reduce(im, Dimension::FREQUENCY)));
@@ -30,7 +33,7 @@ impl Course<'_> {
             None => true,
             Some((re, im)) => *re == 0.0 && ((im / frequency).round() - im / frequency).abs() < RESONANT,
         };
-        if resonant || !matches!(equilibrium.multiplicity, Multiplicity::Points(1)) {
+        if resonant {
             return Ok(Stretch::none(FamilyEnd::Resonant));
         }
         let Some(direction) = oscillation(&self.space.linearised(&point), frequency) else {

@@ -3,7 +3,7 @@
 use std::sync::atomic::Ordering;
 
 use bifdiag_dynamics::field::{Dimension, HeavyTop, TopUnits};
-use bifdiag_equilibria::critical::{Equilibrium, RelativeEquilibria};
+use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, RelativeEquilibria};
 use bifdiag_schema::{FamilyEnd, OrbitEventKind};
 
 use super::event::events;
@@ -33,6 +33,8 @@ pub(super) struct Course<'a> {
 struct Places {
     points: Vec<Phase>,
     curves: Vec<Option<String>>,
+    /// It is one of a circle of them.
+    on_circle: Vec<bool>,
 }
 
 /// Steps along a family: γ, l in their unit and the logarithm of the period count.
@@ -58,6 +60,10 @@ const NEAR: f64 = 1e-3;
 const GROWN: f64 = 2.0;
 /// Or the trace so large: a fast pair of eigenvalues leaves no time for the period to grow.
 const STEEP: f64 = 1e8;
+/// An orbit that comes so near to a circle of equilibria ends at it if its period grows as the distance shrinks, within a tenth:
+/// it runs along the circle, at a speed that vanishes with the distance. A separatrix takes the logarithm.
+const BESIDE: f64 = 0.05;
+const ALIKE: f64 = 0.1;
 /// Equilibria so many times as near as the nearest one belong to one separatrix.
 const TOGETHER: f64 = 10.0;
 
@@ -106,6 +112,7 @@ impl<'a> Course<'a> {
             let state = bifdiag_dynamics::field::State { gamma, l };
             places.points.push(self.space.point(&state.reduced(self.units)));
             places.curves.push(equilibrium.curve.map(|curve| curve.to_string()));
+            places.on_circle.push(equilibrium.multiplicity == Multiplicity::Circle);
         }
         Ok(places)
     }
@@ -119,7 +126,7 @@ impl<'a> Course<'a> {
             end: End { kind: FamilyEnd::Members, curves: Vec::new() },
         };
         let mut last = first;
-        while found.members.len() < self.options.members && !self.options.stop.load(Ordering::Relaxed) {
+        while found.members.len() < self.options.members && !self.options.monitor.is_stopped() {
             let setting = self.setting();
             let next = setting.ahead(&last, step).ok();
             let is_fine = |next: &Member| {
@@ -156,6 +163,7 @@ impl<'a> Course<'a> {
                 break;
             }
             found.members.push(next.orbit.clone());
+            self.options.monitor.orbits.fetch_add(1, Ordering::Relaxed);
             if let Some(end) = self.end(&last, &next, period)? {
                 found.end = end;
                 break;
@@ -165,6 +173,16 @@ impl<'a> Course<'a> {
             last = next;
         }
         Ok(found)
+    }
+
+    /// The equilibria at the momentum of a member, and how near it comes to each.
+    fn nearest(&self, member: &Member) -> Result<(Places, Vec<f64>), FamilyError> {
+        if self.options.held == Held::Momentum {
+            return Ok((self.places.clone(), member.nearest.clone()));
+        }
+        let places = self.places_at(self.units.restore(member.orbit.l, Dimension::MOMENTUM))?;
+        let nearest = walk(&self.space, &member.shot, &[], &places.points).nearest;
+        Ok((places, nearest))
     }
 
     /// The end that a member has reached.
@@ -177,14 +195,17 @@ impl<'a> Course<'a> {
         if !shrinks && member.orbit.period < GROWN * period && member.orbit.trace.abs() < STEEP {
             return Ok(None);
         }
-        let (places, nearest) = match self.options.held {
-            Held::Momentum => (self.places.clone(), member.nearest.clone()),
-            Held::Energy => {
-                let places = self.places_at(self.units.restore(member.orbit.l, Dimension::MOMENTUM))?;
-                let nearest = walk(&self.space, &member.shot, &[], &places.points).nearest;
-                (places, nearest)
+        let (places, nearest) = self.nearest(member)?;
+        if let Some(circle) = (0..nearest.len()).find(|&k| places.on_circle[k] && nearest[k] < BESIDE) {
+            let (others, earlier) = self.nearest(before)?;
+            let same = (0..earlier.len()).find(|&k| others.on_circle[k] && others.curves[k] == places.curves[circle]);
+            let shrunk = same.map_or(0.0, |k| libm::log(earlier[k] / nearest[circle]));
+            let grown = libm::log(member.orbit.period / before.orbit.period);
+            if shrunk > 0.0 && (shrunk / grown - 1.0).abs() < ALIKE {
+                let curves = places.curves[circle].clone().into_iter().collect();
+                return Ok(Some(End { kind: FamilyEnd::Circle, curves }));
             }
-        };
+        }
         let least = nearest.iter().copied().fold(f64::INFINITY, f64::min);
         let bound = if shrinks { 4.0 * SHRUNK } else { NEAR };
         if least > bound {

@@ -1,9 +1,8 @@
 //! What a family is, and how far it is followed.
 
-use std::sync::atomic::AtomicBool;
-
 use bifdiag_body::Number;
 use bifdiag_dynamics::field::{Dimension, HeavyTop};
+use bifdiag_dynamics::section::Monitor;
 use bifdiag_equilibria::critical::CriticalError;
 use bifdiag_schema::{FamilyEnd, OrbitEventKind};
 use thiserror::Error;
@@ -28,8 +27,8 @@ pub struct FamilyOptions<'a> {
     pub members: usize,
     /// Follow the families that begin at doublings and branches too.
     pub branches: bool,
-    /// Cancellation.
-    pub stop: &'a AtomicBool,
+    /// Counts the orbits of the families, and can stop the work.
+    pub monitor: &'a Monitor,
 }
 
 /// How a family ends.
