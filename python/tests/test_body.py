@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+import pydoc
 from decimal import Decimal
 from fractions import Fraction
 
@@ -158,3 +159,13 @@ def test_type_checkers_find_typing_errors(tmp_path):
     told, _, status = api.run([str(code), "--cache-dir", str(tmp_path), "--ignore-missing-imports"])
     lines = {int(line.split(":")[1]) for line in told.splitlines() if ": error:" in line}
     assert status == 1 and lines == set(range(3 + len(right), 3 + len(right) + len(wrong))), told
+
+
+def test_the_first_screen_of_help_names_everything():
+    told = pydoc.plain(pydoc.render_doc(bifdiag.Body)).splitlines()
+    screen = "\n".join(told[:30])
+    public = [name for name in dir(bifdiag.Body) if not name.startswith("_")]
+    assert [name for name in public if f"`{name}`" not in screen] == []
+    # It had 414 lines, one of them of 1,356 characters.
+    assert len(told) < 340 and max(map(len, told)) < 330
+    assert not [line for line in told if line.startswith(" |  _") and not line.startswith(" |  __")]

@@ -116,3 +116,11 @@ def test_a_picture_shows_every_cell(chart):
         assert values[chart.i[row] * 12 + 3, chart.j[row] * 12] == chart.fraction[row]
     assert ((values <= 1) | (values == UNKNOWN) | np.isnan(values)).all()
     assert {line.get_gid() for line in ax.lines} <= set(chart.body.atlas().curves.ids)
+
+
+def test_tables_of_a_map_name_the_regions(chart):
+    pytest.importorskip("pandas")
+    frame = chart.to_pandas()
+    assert frame["region"].tolist() == chart.id.tolist() and frame["code"].tolist() == chart.region.tolist()
+    some = chart[chart.part == 1]
+    assert type(some) is bifdiag.ChaosMap and some.shape == chart.shape and (some.part == 1).all()

@@ -74,3 +74,26 @@ def test_slices_are_lists_too(atlas):
     some = atlas.regions[1:3]
     assert type(some) is type(atlas.regions) and some.ids == ("R2", "R3") and some["R3"] == atlas.regions[2]
     assert some.flat()["id"].tolist() == ["R2", "R3"] and len(atlas.curves[::2]) == -(-len(atlas.curves) // 2)
+
+
+def test_lists_of_names_are_lists_in_arrow(atlas):
+    pa, pl = pytest.importorskip("pyarrow"), pytest.importorskip("polars")
+    table = pa.table(atlas.regions)
+    assert table["boundary"].to_pylist() == [list(region.boundary) for region in atlas.regions]
+    assert table["neighbours"].to_pylist()[0][0] == "forbidden"
+    assert pl.DataFrame(atlas.events)["curves"].to_list() == [list(event.curves) for event in atlas.events]
+    assert pa.table(atlas.curves)["coincides_with"].type == pa.list_(pa.string())
+    empty = pa.table(atlas.events[:0])
+    assert empty.num_rows == 0
+
+
+def test_notebooks_show_every_table(atlas, paper):
+    for table in (
+        paper.orbit([0.6, 0, 0.8], omega=[1, 0.3, 1], t=3),
+        atlas.classify([0, 3.8], 3.25),
+        paper.periodic_orbits("2.6", "3.25"),
+    ):
+        shown = table._repr_html_()
+        assert shown.startswith("<table><tr><th>") and shown.count("<tr>") <= 21
+    assert "and 181 more rows" in paper.orbit([0.6, 0, 0.8], omega=[1, 0.3, 1], t=3)._repr_html_()
+    assert "<td>R5</td>" in atlas.classify([0, 3.8], 3.25)._repr_html_()

@@ -170,7 +170,16 @@ def test_a_body_and_its_sphere_are_drawn(paper):
     # U may be smaller than the grid.
     least = paper.critical(3.25)[0]
     ax = paper.plot_sphere(float(least["h"]) + 1e-9, 3.25)
-    assert np.allclose(np.array(ax.lines[0].get_data_3d())[:, 0], least["gamma"])
+    assert any(np.allclose(np.ravel(marks._offsets3d), 1.01 * least["gamma"]) for marks in ax.collections[1:])
+    # Marks of every relative equilibrium, and the poles.
+    found = paper.critical(3.25)
+    kinds = ("minimum", "saddle", "maximum")
+    at = {kind: [np.ravel(m._offsets3d) / 1.01 for m in ax.collections[1:] if m.get_gid() == kind] for kind in kinds}
+    assert sum(map(len, at.values())) == len(found)
+    assert all(min(np.linalg.norm(one - row["gamma"]) for one in at[kinds[row["index"]]]) < 1e-9 for row in found)
+    assert sum("hat" in str(marks.get_gid()) for marks in ax.collections) == 2
+    with pytest.raises(bifdiag.InputError, match=r"lowest energy at l = 1 is -\d"):
+        paper.plot_sphere(-5, 1)
 
 
 def test_a_plane_of_bodies_is_drawn():

@@ -274,7 +274,7 @@ def test_many_starts_are_one_table(paper):
     ]:
         with pytest.raises(bifdiag.InputError, match=message):
             paper.orbit(gamma, np.ones(wrong), times)
-    with pytest.raises(bifdiag.InputError):
+    with pytest.raises(bifdiag.InputError, match="one start at a time"):
         paper.orbit(gamma, l, times, proved=True)
 
 
@@ -318,7 +318,8 @@ def test_starts_may_be_exact_texts(paper):
     told = paper.orbit(["0.6", 0, "0.8"], omega=[1, "1/3", 1], t=2)
     assert told == paper.orbit([0.6, 0, 0.8], omega=[1, 1 / 3, 1], t=2)
     for options, message in [
-        ({"omega": [1, "x", 1]}, "omega = "),
+        ({"omega": [1, "x", 1]}, "omega: 'x' is not a number"),
+        ({"omega": [1, "1/0", 1]}, "omega: '1/0' is not a number"),
         ({"omega": [1, 1, 1], "tolerance": -1}, "tolerance = -1 is not usable"),
         ({"omega": [1, 1, 1], "t": [3, 2, 1]}, r"t\[1\] = 2.0 is before t\[0\]"),
         ({"omega": [1, 1, 1], "t": []}, "one or more"),

@@ -77,7 +77,9 @@ def points(h: Any, l: Any, invalid: str) -> Points:
         out-of-range entries: the message names the first.
     """
     if invalid not in POLICIES:
-        raise InputError(f'invalid = {invalid!r}: "mark" gives such points the code -4, "raise" refuses them')
+        raise InputError(
+            f'invalid = {invalid!r}: "mark" marks what is no finite number and answers the rest, "raise" refuses it'
+        )
     h, l, dress, index, template = _undressed(h, l)
     (h_values, h_valid), (l_values, l_valid) = _numbers(h, "h"), _numbers(l, "l")
     try:

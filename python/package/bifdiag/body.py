@@ -1,5 +1,7 @@
 """Bodies."""
 
+from __future__ import annotations
+
 import warnings
 from collections.abc import Iterable
 from typing import Any
@@ -21,47 +23,25 @@ UNPHYSICAL = (
 class Body(RealParts, Diagrams, Motions):
     """A heavy rigid body with a fixed point, given by exact numbers.
 
-    Parameters
-    ----------
-    A : three numbers
-        Principal moments of inertia about the fixed point, A_i > 0.
-    r : three numbers
-        Centre of mass relative to the fixed point in principal axes, times m g.
-
-    Raises
-    ------
-    BodyError
-        If a moment is not positive.
-    InputError
-        If a value is not a number.
-
-    Warns
-    -----
-    BodyWarning
-        If no distribution of mass has these moments and this centre of mass (it needs A_i + A_j > A_k, or equality and
-        r_k = 0). The answers are those of the equations.
-
-    Notes
-    -----
-    Made also by `preset`, `from_inertia` (a tensor) and `from_part` (a file). Its numbers are `A` and `r` as texts, `exact`
-    both; `moments`, `com` and `weight` are floats, and `units`, `part`, `physical`, `measured` tell of real parts.
-    Questions: `atlas` (the whole (h, l) plane), `classify` (one point), `critical` (steady rotations at one l or many),
-    `critical_spin` (spins at which these change), `section` (a Poincaré section), `orbit` (a motion). Pictures: `plot`,
-    `plot_sphere`.
+    ======================  ===========================================================================================
+    ``Body(A, r)``          principal moments about the fixed point; centre of mass in principal axes, times m g
+    made also by            `preset` (a name), `from_inertia` (a tensor), `from_part` (a file)
+    numbers                 `A`, `r`, `exact` (texts); `moments`, `com`, `weight` (floats)
+    real parts              `units`, `part`, `physical`, `measured` (known to ±)
+    the (h, l) plane        `atlas` (all of it), `classify` (a point)
+    steady rotations        `critical` (at one l or many), `critical_spin` (where they change)
+    motion                  `orbit` (in space, also proved), `section` (Poincaré's)
+    chaos, periodic orbits  `chaos` (a share, a map), `periodic_orbits` (all at a point), `periodic_families`
+    pictures                `plot`, `plot_sphere`, ``body.atlas().plot()``
+    ======================  ===========================================================================================
 
     An int, a str, a Fraction and a Decimal are used as they are, a float as its shortest decimal: ``1.1`` and
-    ``"11/10"`` are the same number. Units are those of A and r: with H = ½⟨l, A⁻¹ l⟩ − ⟨γ, r⟩, h has the unit of r, and l
-    that of √(A r). γ points *down*: the body hangs at γ = +r̂ and stands at γ = −r̂. The page "Conventions" has the
-    equations of motion. Bodies are equal if their numbers are equal.
+    ``"11/10"`` are the same number. h has the unit of r, l that of √(A r): H = ½⟨l, A⁻¹ l⟩ − ⟨γ, r⟩. γ points *down*: the
+    body hangs at γ = +r̂. The page "Conventions" has the equations. Bodies are equal if their numbers are.
 
-    Examples
-    --------
-    >>> import bifdiag
-    >>> body = bifdiag.Body(A=[2, "11/10", 1], r=[0.94868, 0, 0.61623])
-    >>> body
-    Body(A=[2, 11/10, 1], r=[0.94868, 0, 0.61623])
-    >>> body.classify(3.8, 3.25).signature
-    'S2+T2'
+    What is wrong with a question raises `InputError`, a moment that is not positive `BodyError`; a question without an
+    answer raises `RangeError`. A body that no distribution of mass can have gives a `BodyWarning`. ``threads``: None is
+    one, 0 one per core; no result depends on it. The page "Examples" has one of each question.
     """
 
     __slots__ = ()
@@ -73,27 +53,13 @@ class Body(RealParts, Diagrams, Motions):
             warnings.warn(UNPHYSICAL, BodyWarning, stacklevel=2)
 
     @classmethod
-    def preset(cls, name: str) -> "Body":
+    def preset(cls, name: str) -> Body:
         """A named body.
 
-        Parameters
-        ----------
-        name : str
-            ``"paper"`` (of 2008, with nine regions), ``"kovalevskaya"``, ``"goryachev-chaplygin"``, ``"lagrange"``,
-            ``"euler"`` (r = 0), ``"katok:1"`` … ``"katok:7"`` (one of each of Katok's classes), ``"projpm"`` and
-            ``"projections12"`` (of figures of the paper), ``"isotropic"`` (equal moments), ``"plate"``, ``"rod"``,
-            ``"ten"`` (with ten relative equilibria at one l).
-
-        Raises
-        ------
-        InputError
-            If there is no body of this name; the message lists the names.
-
-        Examples
-        --------
-        >>> import bifdiag
-        >>> bifdiag.Body.preset("kovalevskaya")
-        Body(A=[2, 2, 1], r=[1, 0, 0])
+        ``"paper"`` (of 2008, with nine regions), ``"kovalevskaya"``, ``"goryachev-chaplygin"``, ``"lagrange"``,
+        ``"euler"`` (r = 0), ``"katok:1"`` … ``"katok:7"`` (one of each of Katok's classes), ``"projpm"`` and
+        ``"projections12"`` (of figures of the paper), ``"isotropic"`` (equal moments), ``"plate"``, ``"rod"``,
+        ``"ten"`` (with ten relative equilibria at one l).
         """
         return cls._of(_core.Body.preset(name))
 

@@ -25,11 +25,13 @@ class Collection(Generic[Item]):
     """A list of records that does not change: ``regions[4]``, ``regions["R5"]``, ``regions[1:3]``; and a table.
 
     The table has a row for each record; `to_pandas`, `to_arrow`, `to_xarray` and, through the PyCapsule interface,
-    ``polars.DataFrame(regions)`` hand it on. Its columns are numbers, bools and texts; lists of names are one text with
-    spaces between them.
+    ``polars.DataFrame(regions)`` hand it on. Its columns are numbers, bools and texts; lists of names are lists in Arrow
+    and polars, elsewhere one text with spaces between them.
     """
 
     COLUMNS: ClassVar[dict[str, Callable[[Any], Any]]] = {}
+    LISTS: ClassVar[dict[str, Callable[[Any], Any]]] = {}
+    """Those of the columns that are lists of names."""
 
     # Records are made when they are first looked at.
     def __init__(self, sources: Iterable[Any], make: Callable[[Any], Item], ids: tuple[str, ...] | None = None) -> None:
@@ -103,8 +105,8 @@ class Collection(Generic[Item]):
         return frame_of(self.flat())
 
     def to_arrow(self) -> "pyarrow.Table":
-        """An Arrow table; ``bifdiag[tables]`` installs pyarrow."""
-        return arrow_of(self.flat())
+        """An Arrow table, in which lists of names are lists; ``bifdiag[tables]`` installs pyarrow."""
+        return arrow_of(self.flat() | {name: _texts([value(item) for item in self]) for name, value in self.LISTS.items()})
 
     def to_xarray(self) -> "xarray.Dataset":
         """A Dataset over ``row``; ``bifdiag[tables]`` installs xarray."""
@@ -149,11 +151,19 @@ class Regions(Collection[Item]):
         "l_to": lambda region: region.l_range[1],
         "h_width": lambda region: region.h_width,
         "boundary": lambda region: " ".join(region.boundary),
-        "neighbours": lambda region: " ".join(beside.region or "forbidden" for beside in region.neighbours),
+        "neighbours": lambda region: " ".join(_neighbours(region)),
+    }
+    LISTS: ClassVar[dict[str, Callable[[Any], Any]]] = {
+        "boundary": lambda region: region.boundary,
+        "neighbours": lambda region: _neighbours(region),
     }
 
     def __repr__(self) -> str:
         return "\n".join([f"{len(self)} regions", *map(_line, self)])
+
+
+def _neighbours(region: Any) -> list[str]:
+    return [beside.region or "forbidden" for beside in region.neighbours]
 
 
 def _line(region: Any) -> str:
@@ -172,6 +182,7 @@ class Events(Collection[Item]):
         "l_error": lambda event: event.l_error,
         "curves": lambda event: " ".join(event.curves),
     }
+    LISTS: ClassVar[dict[str, Callable[[Any], Any]]] = {"curves": lambda event: event.curves}
 
     def __repr__(self) -> str:
         def line(name: str, event: Any) -> str:
@@ -196,6 +207,11 @@ class Curves(Collection[Item]):
         "branch_name": lambda curve: curve.branch_name,
         "coincides_with": lambda curve: " ".join(curve.coincides_with),
     }
+    LISTS: ClassVar[dict[str, Callable[[Any], Any]]] = {
+        "stability": lambda curve: _runs(part.stability for part in curve.stability),
+        "verdict": lambda curve: _runs(part.nonlinear.verdict for part in curve.stability),
+        "coincides_with": lambda curve: curve.coincides_with,
+    }
 
 
 class Changes(Collection[Item]):
@@ -208,6 +224,13 @@ class Changes(Collection[Item]):
         "curve": lambda change: change.curve,
         "error_bound": lambda change: change.error_bound,
     }
+
+
+def _texts(lists: list[Any]) -> npt.NDArray[np.object_]:
+    """A column of lists of texts."""
+    column = np.empty(len(lists), dtype=object)
+    column[:] = [list(names) for names in lists]
+    return column
 
 
 def _same(item: Item) -> Item:  # type: ignore[misc]

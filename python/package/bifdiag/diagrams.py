@@ -1,5 +1,7 @@
 """What is asked of a body about its steady rotations and its (h, l) plane."""
 
+from __future__ import annotations
+
 import json
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, cast
@@ -37,24 +39,6 @@ class Diagrams(Given):
         certificate : bool
             Prove the whole diagram and include in the document what `bifdiag.verify` needs to check it, like ``bifdiag
             --certificate``. This takes about ten times as long.
-
-        Returns
-        -------
-        Atlas
-
-        Raises
-        ------
-        RangeError
-            If the atlas of this body cannot be computed or proved.
-        InputError
-            If a certificate is requested for a fast atlas.
-
-        Examples
-        --------
-        >>> import bifdiag
-        >>> atlas = bifdiag.Body.preset("paper").atlas()
-        >>> len(atlas.regions)
-        9
         """
         self._exactly()
         return Atlas(cast("Body", self), accuracy, certificate=certificate)
@@ -69,23 +53,6 @@ class Diagrams(Given):
             so the sign of l does not matter.
         accuracy : {"exact", "fast"}
             As in `atlas`.
-
-        Returns
-        -------
-        Classification
-
-        Raises
-        ------
-        InputError
-            If h or l is not a finite number.
-        RangeError
-            If the point cannot be decided.
-
-        Examples
-        --------
-        >>> import bifdiag
-        >>> bifdiag.Body.preset("kovalevskaya").classify(2, 2).status
-        'critical'
         """
         document = self._exactly().classify(exact.text(h, "h"), exact.text(l, "l"), accuracy)
         return Classification._of(json.loads(document))
@@ -99,7 +66,7 @@ class Diagrams(Given):
             Vertical angular momentum. At −l the same equilibria rotate in the opposite direction; at l = 0 the body is
             at rest, hanging or standing.
         threads : int, optional
-            None: one; 0: one per core. The result does not depend on it.
+            As of all questions: `Body`.
         invalid : {"mark", "raise"}
             What becomes of an entry of an array that is NaN, masked, infinite, or beyond 1e±150: it has no row, and
             ``meta["invalid"]`` its place; or an error names it.
@@ -107,24 +74,8 @@ class Diagrams(Given):
         Returns
         -------
         Equilibria
-            A row for each relative equilibrium, by increasing h: a structured array with named columns, which `Equilibria`
-            explains, and with `to_pandas`, `to_arrow` and `to_xarray`. For an array of l the additional column ``l_index``
-            is the position in ``np.ravel(l)``; an index of pandas, and dimensions and coordinates of xarray are kept.
-            Angular velocities and eigenvalues are in radians per unit of time.
-
-        Raises
-        ------
-        InputError
-            If an l is not a number, or a single one not finite; with ``invalid="raise"`` for the first invalid entry.
-
-        Examples
-        --------
-        >>> import bifdiag
-        >>> found = bifdiag.Body.preset("paper").critical("3.25")
-        >>> found["index"]
-        array([0, 0, 1, 1, 2, 2], dtype=int8)
-        >>> found[found["index"] == 2].stable_by.tolist()
-        ['arnold', 'arnold']
+            A row for each, by increasing h, in radians per unit of time. For an array of l the column ``l_index`` is the
+            position in ``np.ravel(l)``; an index of pandas, and dimensions and coordinates of xarray are kept.
         """
         return Equilibria._compute(self._exactly(), l, threads, invalid)
 
@@ -145,21 +96,6 @@ class Diagrams(Given):
         -------
         dict
             The document of ``bifdiag critical-spin --json``; the page "Formats" of the program's documentation explains it.
-
-        Raises
-        ------
-        InputError
-            If the command line refuses an argument.
-
-        Examples
-        --------
-        >>> import bifdiag
-        >>> tensor = [["0.24±1%", 0, 0], [0, 0.24, 0], [0, 0, 0.17]]
-        >>> top = bifdiag.Body.from_inertia(tensor, com=[0, 0, "80±0.5 mm"], mass="2 kg", g=9.81)
-        >>> top.measured, top.com.tolist()
-        (True, [0.0, 0.0, 0.08])
-        >>> sorted(top.critical_spin("z"))[:3]
-        ['A', 'axis', 'changes']
         """
         arguments = ["critical-spin", "--json", *self._options()]
         if axis is not None:

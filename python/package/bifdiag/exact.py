@@ -160,9 +160,15 @@ def floats(values: Any, name: str) -> np.ndarray:
         pass
     try:
         given = np.asarray(values, dtype=object)
-        rounded = [float(value(text(entry, name))) for entry in given.flat]
-    except (TypeError, ValueError) as error:
+    except ValueError as error:
         raise InputError(f"{name} = {values!r}: {error}") from error
+    rounded = []
+    for entry in given.flat:
+        told = text(entry, name)
+        try:
+            rounded.append(float(value(told)))
+        except (ValueError, ArithmeticError) as error:
+            raise InputError(f"{name}: {entry!r} is not a number") from error
     return np.array(rounded, dtype=np.float64).reshape(given.shape)
 
 

@@ -1,5 +1,7 @@
 """A body as it was given: its numbers, exactly and as floats."""
 
+from __future__ import annotations
+
 import json
 from collections.abc import Iterable
 from typing import Any

@@ -1,5 +1,7 @@
 """What is asked of a body about its motion."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Any, Literal, TypeAlias, overload
 
@@ -69,25 +71,7 @@ class Motions(Given):
             Compute verdict, Lyapunov exponent and rotation number of each orbit. Without them a section takes a quarter
             of the time, and every verdict is ``"open"``.
         threads : int, optional
-            None: one; 0: one per core. The result does not depend on it.
-
-        Returns
-        -------
-        Section
-
-        Raises
-        ------
-        InputError
-            If (h, l) is forbidden or on a curve, if r = 0, or if a start is not in U.
-        RangeError
-            If the section cannot be computed.
-
-        Examples
-        --------
-        >>> import bifdiag
-        >>> section = bifdiag.Body.preset("paper").section(3.8, 3.25, orbits=4, crossings=10)
-        >>> section.gamma.shape
-        (44, 3)
+            As of all questions: `Body`.
         """
         return Section._compute(
             self._exactly(), h, l, orbits, crossings, seed, starts, max_time, condition, tolerance, chaos, threads
@@ -163,25 +147,6 @@ class Motions(Given):
         -------
         Motion or ProvedMotion
             Of many starts one table, whose column ``orbit`` is the place of the start; a proof takes one at a time.
-
-        Raises
-        ------
-        InputError
-            If the state or the times are invalid.
-        RangeError
-            If the integrator cannot continue. A proof that ends before the last time is an answer:
-            `ProvedMotion.complete` is then False.
-
-        Examples
-        --------
-        >>> import bifdiag
-        >>> body = bifdiag.Body.preset("paper")
-        >>> motion = body.orbit(gamma=[0.6, 0, 0.8], omega=[1, 0.3, 1], t=[0, 1, 2])
-        >>> motion.quaternion.shape
-        (3, 4)
-        >>> proved = body.orbit(gamma=[0.6, 0, 0.8], omega=[1, 0.3, 1], t=[0, 1, 2], proved=True)
-        >>> proved.contains("gamma", motion.gamma).tolist(), proved.widest < 1e-10
-        ([True, True, True], True)
         """
         if not proved:
             if digits is not None or bound is not None:
@@ -190,6 +155,8 @@ class Motions(Given):
             return Motion._compute(self._exactly(), gamma, l, omega, t, phi, error)
         if tolerance is not None:
             raise InputError("a proof has no tolerance; give bound, the widest interval wanted")
+        if max(np.ndim(gamma), np.ndim(l), np.ndim(omega)) > 1:
+            raise InputError("a proof takes one start at a time; call orbit for each")
         widest = 1e-10 if bound is None else bound
         return ProvedMotion._compute(self._exactly(), gamma, l, omega, t, phi, digits, widest)
 
@@ -249,27 +216,7 @@ class Motions(Given):
         seed : int
             Another choice of the orbits, equally spread.
         threads : int, optional
-            None: one; 0: one per core. The result does not depend on it.
-
-        Returns
-        -------
-        ChaosPoint or ChaosMap
-
-        Raises
-        ------
-        InputError
-            If the point is forbidden, on a curve, or too near to one.
-        RangeError
-            If the diagram of the body is not known, or orbits cannot be followed.
-
-        Examples
-        --------
-        >>> import bifdiag
-        >>> body = bifdiag.Body.preset("paper")
-        >>> [share.energy_surface for share in body.chaos(3.8, 3.25, error=0.2).components]
-        ['S3', 'S3']
-        >>> body.chaos(window=((5, 6), (1, 2)), cells=4, error=0.2).grid().shape
-        (4, 4)
+            As of all questions: `Body`.
         """
         if h is not None and l is not None:
             if window is not None or cells is not None:
@@ -292,25 +239,7 @@ class Motions(Given):
         crossings : int
             The most crossings of P in a period, inward and outward: 2, 4, … 24.
         threads : int, optional
-            None: one; 0: one per core. The result does not depend on it.
-
-        Returns
-        -------
-        PeriodicOrbits
-
-        Raises
-        ------
-        InputError
-            If (h, l) is forbidden or on a curve, or if r = 0.
-        RangeError
-            If the orbits cannot be found.
-
-        Examples
-        --------
-        >>> import bifdiag
-        >>> orbits = bifdiag.Body.preset("paper").periodic_orbits("2.6", "3.25")
-        >>> len(orbits), orbits.complete, sorted(set(orbits.stability.tolist()))
-        (2, True, ['elliptic'])
+            As of all questions: `Body`.
         """
         return PeriodicOrbits._compute(self._exactly(), h, l, crossings, threads)
 
@@ -335,23 +264,5 @@ class Motions(Given):
             The most orbits of a family.
         branches : bool
             Follow the families that begin at doublings and crossings too.
-
-        Returns
-        -------
-        tuple of PeriodicFamily
-
-        Raises
-        ------
-        InputError
-            If there is no such curve, or no equilibrium there.
-        RangeError
-            If the families cannot be followed.
-
-        Examples
-        --------
-        >>> import bifdiag
-        >>> (first, *_) = bifdiag.Body.preset("paper").periodic_families(l=1.5, curve="G2.1", members=20)
-        >>> first.curve, len(first), first.free
-        ('G2.1', 20, 'h')
         """
         return families(self._exactly(), h, l, curve, members, branches)

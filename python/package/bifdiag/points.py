@@ -9,7 +9,7 @@ from .arrays import INVALID, Points
 from .collection import Regions
 from .optional import needed
 from .records import Component, Region
-from .tables import arrow_of, frame_of
+from .tables import Table, arrow_of, frame_of
 
 if TYPE_CHECKING:
     import pandas
@@ -140,6 +140,9 @@ class Classifications:
         """The table as a stream of Arrow, for polars, duckdb and their like."""
         stream: object = self.to_arrow().__arrow_c_stream__(requested_schema)
         return stream
+
+    def _repr_html_(self) -> str:
+        return Table(self.flat(), "{}")._repr_html_()
 
     def __reduce__(self) -> tuple[Any, ...]:
         table = (self._ids, self.signatures, self.components)

@@ -1,5 +1,7 @@
 """Real parts as bodies."""
 
+from __future__ import annotations
+
 import os
 from collections.abc import Iterable
 from typing import Any, Literal, TypeVar
@@ -55,22 +57,6 @@ class RealParts(Given):
             with its own unit, ``"250 g"``, and with what it is known to, ``"1.2±0.01"``, ``"1.2+-1%"``: `critical_spin`.
         unphysical : bool
             Accept an unphysical part, which no distribution of mass can have.
-
-        Raises
-        ------
-        BodyError
-            If the part cannot exist, or its mass is not positive.
-        InputError
-            If a value is not a number, the tensor is not symmetric, or a unit is unknown.
-
-        Examples
-        --------
-        >>> import bifdiag
-        >>> top = bifdiag.Body.from_inertia(
-        ...     [[2, 0.1, 0], [0.1, 1.5, 0], [0, 0, 1]], com=[0, 0, 50], mass=0.25, about="centre of mass", units="kg,mm,s"
-        ... )
-        >>> [round(moment, 6) for moment in top.part["principal_com"]["moments"]]
-        [1.0, 1.480742, 2.019258]
         """
         if about not in ("fixed point", "centre of mass"):
             raise InputError(f'about = {about!r}: the points are "fixed point" and "centre of mass"')
@@ -116,15 +102,6 @@ class RealParts(Given):
             Units of mass, length and time, such as ``"kg,mm,s"``: of a mesh and of all results.
         unphysical : bool
             Accept an unphysical part, which no distribution of mass can have.
-
-        Raises
-        ------
-        BodyError
-            If the part cannot exist.
-        InputError
-            If the file does not define a part: the mesh is open or inside out, its mass is not given, …
-        OSError
-            If the file cannot be read; FileNotFoundError if it is not there.
         """
         with open(path, "rb"):
             pass

@@ -1,5 +1,6 @@
 """Columns of equal length: what sections, motions and other tables have in common."""
 
+import html
 import io
 import json
 import os
@@ -21,6 +22,9 @@ if TYPE_CHECKING:
     import xarray
     from typing_extensions import Self
 
+
+ROWS = 20
+"""Rows that a notebook shows."""
 
 AnyTable = TypeVar("AnyTable", bound="StoredTable")
 
@@ -147,6 +151,14 @@ class Table:
         stream: object = self.to_arrow().__arrow_c_stream__(requested_schema)
         return stream
 
+    def _repr_html_(self) -> str:
+        few = self.flat() if len(self) <= ROWS else {name: column[:ROWS] for name, column in self.flat().items()}
+        heads = "".join(f"<th>{name}</th>" for name in few)
+        rows = zip(*(column.tolist() for column in few.values()), strict=True)
+        told = "".join("<tr>" + "".join(f"<td>{_cell(value)}</td>" for value in row) + "</tr>" for row in rows)
+        more = f"<p>and {len(self) - ROWS} more rows</p>" if len(self) > ROWS else ""
+        return f"<table><tr>{heads}</tr>{told}</table>{more}"
+
     def __eq__(self, other: object) -> bool:
         if type(self) is not type(other) or not isinstance(other, Table):
             return NotImplemented
@@ -207,6 +219,10 @@ def _field(name: str, column: npt.NDArray[Any]) -> tuple[Any, ...]:
     return (name, column.dtype, column.shape[1:]) if column.ndim > 1 else (name, column.dtype)
 
 
+def _cell(value: Any) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else html.escape("" if value is None else str(value))
+
+
 def _split(name: str, values: npt.NDArray[Any]) -> dict[str, npt.NDArray[Any]]:
     """A column, or the real and imaginary parts of one."""
     return {f"{name}_re": np.real(values), f"{name}_im": np.imag(values)} if values.dtype.kind == "c" else {name: values}
@@ -235,6 +251,8 @@ def arrow_of(columns: dict[str, npt.NDArray[Any]]) -> "pyarrow.Table":
     pa = needed("pyarrow", "tables")
 
     def array(column: npt.NDArray[Any]) -> Any:
+        if column.dtype == object and len(column) and all(isinstance(value, list) for value in column):
+            return pa.array(column.tolist(), pa.list_(pa.string()))
         if isinstance(column, np.ma.MaskedArray):
             return pa.array(column.data, mask=np.ma.getmaskarray(column))
         return pa.array(column.tolist() if column.dtype.kind in "OU" else np.ascontiguousarray(column))

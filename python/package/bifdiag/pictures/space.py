@@ -13,6 +13,12 @@ if TYPE_CHECKING:
     from ..body import Body
     from ..motion import Motion
 
+ABOVE = 1.01
+"""Marks stand a little above the sphere."""
+
+MARKS = [("o", "minimum"), ("s", "saddle"), ("^", "maximum")]
+"""Marks of relative equilibria by their index."""
+
 SMOOTH = 8
 """Pieces of the path of a motion between two times."""
 
@@ -20,8 +26,12 @@ POINTS = 200
 """Points of the sphere's picture along each side."""
 
 
-def sphere(given: "Body", h: Number, l: Number, ax: Any = None, *, figsize: Size | None = None, **surface: Any) -> Any:
+def sphere(
+    given: "Body", h: Number, l: Number, ax: Any = None, *, figsize: Size | None = None, legend: bool = True, **surface: Any
+) -> Any:
     """The accessible region U on the Poisson sphere: γ with l²/(2⟨γ, A γ⟩) − ⟨γ, r⟩ ≤ h, blue.
+
+    Marks are the relative equilibria at this l by their index, also those outside U; ±r̂ have their names.
 
     Parameters
     ----------
@@ -33,13 +43,14 @@ def sphere(given: "Body", h: Number, l: Number, ax: Any = None, *, figsize: Size
         Where; None makes a new figure.
     figsize : pair of float, optional
         Width and height of a new figure in inches.
+    legend : bool
+        Whether the marks are explained.
     **surface
         Whatever ``Axes3D.plot_surface`` knows.
 
     Returns
     -------
     Axes3D
-        Where U is smaller than the grid of the picture, dots stand at its minima.
 
     Raises
     ------
@@ -48,8 +59,9 @@ def sphere(given: "Body", h: Number, l: Number, ax: Any = None, *, figsize: Size
     ImportError
         Without matplotlib, which ``bifdiag[plot]`` brings.
     """
+    found = given.critical(l)
     if given.classify(h, l).status == "forbidden":
-        raise InputError(f"(h, l) = ({h}, {l}) is forbidden: h is below the minimum of the potential, so that U is empty")
+        raise InputError(f"(h, l) = ({h}, {l}) is forbidden: the lowest energy at l = {l} is {found.h.min():.16g}")
     energy, momentum = (float(exact.value(exact.text(number, name))) for number, name in ((h, "h"), (l, "l")))
     ax = space(ax, figsize)
     gamma = _directions()
@@ -58,11 +70,20 @@ def sphere(given: "Body", h: Number, l: Number, ax: Any = None, *, figsize: Size
     accessible = potential <= energy
     colours = np.where(accessible[..., None], [0.35, 0.6, 0.9, 1.0], [0.92, 0.92, 0.92, 0.6])
     style = {"rcount": POINTS, "ccount": POINTS, "linewidth": 0, "antialiased": False, "shade": True} | surface
-    ax.plot_surface(*np.moveaxis(gamma, -1, 0), facecolors=colours, **style)
-    if not accessible.any():
-        minima = given.critical(l)
-        minima = minima[(minima["index"] == 0) & (minima["h"] <= energy)]
-        ax.plot(*minima["gamma"].T, "o", color=(0.35, 0.6, 0.9), zorder=5)
+    drawn = ax.plot_surface(*np.moveaxis(gamma, -1, 0), facecolors=colours, **style)
+    # Each mark is a collection of its own and the sphere is sorted by its middle, so that it hides what lies behind.
+    drawn.set_sort_zpos(0.0)
+    for index, (mark, name) in enumerate(MARKS):
+        rows = found[(found["index"] == index) & (found.multiplicity == "1")]
+        for place, at in enumerate(rows.gamma * ABOVE):
+            told = {} if place else {"label": f"{name} of U(γ)"}
+            ax.scatter(*at[:, None], marker=mark, color="C3", s=24, depthshade=False, gid=name, **told)
+    length = float(np.linalg.norm(center))
+    for side, name in ((1, r"$+\hat{r}$"), (-1, r"$-\hat{r}$")) if length > 0 else ():
+        pole = center / length * side * 1.1
+        ax.scatter(*pole[:, None], marker=name, color="black", s=160, linewidths=0.3, depthshade=False, gid=name)
+    if legend and ax.get_legend_handles_labels()[0]:
+        ax.legend(loc="upper left", fontsize="small")
     ax.set_box_aspect((1, 1, 1))
     ax.set(xlabel="γ₁", ylabel="γ₂", zlabel="γ₃")
     return ax

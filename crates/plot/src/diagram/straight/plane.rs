@@ -37,7 +37,7 @@ impl Straight {
     }
 
     /// A position of the page in the unit square, with y upwards.
-    pub fn in_unit_square(&self, [x, y]: Point) -> Point {
+    pub(crate) fn in_unit_square(&self, [x, y]: Point) -> Point {
         [(x - self.rect.x) / self.rect.width, (self.rect.bottom() - y) / self.rect.height]
     }
 
