@@ -63,6 +63,15 @@ def test_the_scores_are_those_of_the_example(simulate):
             assert getattr(ours, key) == pytest.approx(theirs[key], rel=1e-3, abs=1e-13)
 
 
+def test_planted_mistakes_are_named():
+    """All twenty are flagged, at least fifteen by their name; nothing is found in the engine without one."""
+    run = subprocess.run([sys.executable, str(EXAMPLE / "toy.py")], capture_output=True, text=True, check=False)
+    lines = run.stdout.splitlines()
+    found = re.fullmatch(r"(\d+) of 20 named, 20 flagged", lines[-1])
+    assert run.returncode == 0 and found and int(found[1]) >= 15, run.stdout
+    assert lines[0].startswith("named    planted: nothing; found: nothing") and len(lines) == 22
+
+
 def test_wrong_engines_are_told(simulate):
     top = benchmark.top("ball")
 

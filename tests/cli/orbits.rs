@@ -231,6 +231,17 @@ fn advised_digits_go_further() {
     bifdiag(&format!("{line} --digits 5")).fails().telling("1 of 3 times is enclosed");
 }
 
+/// Times come from a file as they do from a range.
+#[test]
+fn a_proved_motion_takes_times_from_a_file() {
+    let place = tempfile::tempdir().unwrap();
+    fs::write(place.path().join("times.txt"), "0\n5\n10\n").unwrap();
+    let line = "orbit --body paper --gamma 0.6,0,0.8 --omega 1,0.3,1 --proved --json --times";
+    let ranged = bifdiag(&format!("{line} 0:10:3")).succeeds().json();
+    let listed = bifdiag(&format!("{line} times.txt")).inside(place.path()).succeeds().json();
+    assert_eq!((&ranged["times"], &ranged["enclosures"]), (&listed["times"], &listed["enclosures"]));
+}
+
 /// Sixty digits are sixty digits, and where digits end it is told what goes further.
 #[test]
 fn the_proof_has_as_many_digits_as_are_asked() {

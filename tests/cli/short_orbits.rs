@@ -43,6 +43,19 @@ fn the_table_tells_what_was_found() {
         .printing("complete:\n  evidence, not a proof");
 }
 
+/// A list says that nothing checks its proofs again, and `verify` takes none, be it whole or with an orbit less.
+#[test]
+fn a_list_at_a_point_says_that_it_is_not_checked() {
+    let place = tempfile::tempdir().unwrap();
+    let mut list = bifdiag("periodic --body paper --h 2.6 --l 3.25 --json").succeeds().json();
+    assert!(list["why"].as_str().unwrap().ends_with("; `bifdiag verify` does not check this list"), "{}", list["why"]);
+    for name in ["whole.json", "less.json"] {
+        std::fs::write(place.path().join(name), list.to_string()).unwrap();
+        bifdiag(&format!("verify {name}")).inside(place.path()).refused().telling("no atlas");
+        list["orbits"].as_array_mut().unwrap().pop();
+    }
+}
+
 /// A regular precession is a periodic orbit that lies in P.
 #[test]
 fn regular_precessions_are_said_to_be_left_out() {

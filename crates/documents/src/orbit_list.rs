@@ -63,7 +63,7 @@ fn why(body: &Body, list: &OrbitList) -> String {
     let lagrange = IntegrableCase::of(body).iter().any(|case| matches!(case, IntegrableCase::Lagrange(_)));
     let in_section =
         if lagrange { "; regular precessions lie in P, do not cross it, and were not looked for" } else { "" };
-    found_or_missing(list) + in_section
+    found_or_missing(list) + in_section + "; `bifdiag verify` does not check this list"
 }
 
 fn found_or_missing(list: &OrbitList) -> String {

@@ -11,6 +11,7 @@ use bifdiag_enclosure::orbit::{Ends, ProofOptions, ProvedMotion, prove};
 use bifdiag_enclosure::start::ExactStart;
 use dashu_ratio::RBig;
 use serde::Deserialize;
+use support::random::SplitMix64;
 
 #[derive(Deserialize)]
 struct Case {
@@ -94,6 +95,38 @@ fn every_enclosure_holds_the_oracle_and_none_is_wider_than_asked() {
         }
     }
     println!("{refused} were not told in 15 digits as well as asked");
+}
+
+/// What doubles enclose, up to where they end, holds what 102 bits know to twenty digits: random bodies and starts, long times.
+#[test]
+fn enclosures_in_doubles_hold_those_of_more_digits() {
+    let mut random = SplitMix64::new(1889);
+    let times = ["1", "3", "10", "30", "100"].map(exact);
+    let (mut compared, mut widest) = (0, 0.0_f64);
+    for round in 0..120 {
+        let mut three = |lo: f64, hi: f64| -> [String; 3] {
+            std::array::from_fn(|_| format!("{:.4}", lo + (hi - lo) * 0.5 * (1.0 + random.between(-1.0, 1.0))))
+        };
+        let (a, r) = (three(0.7, 1.3), three(-1.0, 1.0));
+        let Ok(body) = Body::parse(&a, &r) else { continue };
+        let [gamma, omega] = [three(-1.0, 1.0), three(-2.0, 2.0)].map(|v| v.map(|x| exact(&x)));
+        let start = ExactStart { gamma, omega, phi: RBig::ZERO };
+        let stop = AtomicBool::new(false);
+        let proved = |digits: u32, bound: f64| {
+            let options = ProofOptions { digits: Some(digits), bound, stop: &stop, steps: &AtomicU64::new(0) };
+            prove(&body, &start, &times, &options)
+        };
+        let (doubles, more) = (proved(15, 1e-2), proved(30, 1e-12));
+        for (sample, narrow) in doubles.samples.iter().zip(&more.samples) {
+            assert_eq!(sample.time, narrow.time);
+            for (outer, inner) in sample.enclosures().zip(narrow.enclosures()) {
+                assert!(outer[0] <= inner[0] && inner[1] <= outer[1], "{round}, {}: {outer:?} {inner:?}", sample.time);
+            }
+            compared += 1;
+            widest = widest.max(sample.width());
+        }
+    }
+    assert!(compared > 400 && widest > 1e-6, "{compared} {widest}");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use bifdiag_body::{Body, Number};
 use bifdiag_dynamics::poincare::SectionSetting;
 use bifdiag_dynamics::section::Monitor;
-use bifdiag_periodic::list::{ListOptions, OrbitList, list};
+use bifdiag_periodic::list::{ListOptions, ListedOrbit, OrbitList, list};
 use bifdiag_periodic::proof::{ProofError, prove};
 
 fn number(text: &str) -> Number {
@@ -82,6 +82,28 @@ fn a_body_without_symmetry_has_orbits_that_are_not_symmetric() {
     assert!(list.gaps.is_empty(), "{:?}", list.gaps);
     assert_eq!((list.orbits.len(), &list.index_sums[..]), (6, &[2][..]));
     assert!(list.orbits.iter().all(|listed| !listed.orbit.symmetric && listed.proof.is_ok()));
+}
+
+/// Between h = 0.2 and 0.3 an elliptic orbit becomes inverse-hyperbolic, and an elliptic one of twice its period splits off: one
+/// orbit more, and the sum for R² stays what it was, as does that for R.
+#[test]
+fn index_sums_are_kept_across_a_doubling() {
+    let [before, after] = ["0.2", "0.3"].map(|h| found(&setting(GENERIC.0, GENERIC.1, [h, "0.5"]), 4));
+    assert!(before.gaps.is_empty() && after.gaps.is_empty(), "{:?} {:?}", before.gaps, after.gaps);
+    assert_eq!((before.orbits.len(), after.orbits.len()), (4, 5));
+    assert_eq!((&before.index_sums[..], &after.index_sums[..]), (&[1, 3][..], &[1, 3][..]));
+    let short = |list: &OrbitList| list.orbits.iter().find(|listed| listed.orbit.crossings == 2).unwrap().orbit.clone();
+    let (elliptic, doubled) = (short(&before), short(&after));
+    assert!(elliptic.trace.abs() < 2.0 && doubled.trace < -2.0, "{} {}", elliptic.trace, doubled.trace);
+    let is_new = |listed: &&ListedOrbit| listed.orbit.crossings == 4 && listed.orbit.trace.abs() < 2.0;
+    assert_eq!(before.orbits.iter().filter(is_new).count(), 0);
+    let split = after.orbits.iter().find(is_new).unwrap();
+    assert!(
+        (split.orbit.period / (2.0 * doubled.period) - 1.0).abs() < 2e-3,
+        "{} {}",
+        split.orbit.period,
+        doubled.period
+    );
 }
 
 /// An orbit with four crossings has two maxima of ⟨γ,r⟩: it starts at the higher one, and what is proved is proved there.
