@@ -223,3 +223,31 @@ def test_a_scan_of_a_frame_has_its_index():
     joined = frame[["name"]].join(found.to_pandas())
     assert joined.loc["x", "A1"] == A[2, 0] and joined.loc["x", "name"] == "body 2"
     assert found[1:3].to_pandas().index.tolist() == ["w", "x"]
+
+
+def test_texts_of_counts_become_numbers():
+    A, r = rows(6)
+    found = bifdiag.scan(bodies=(np.vstack([A, [[-1, 1, 1]]]), np.vstack([r, [[1, 0, 0]]])))
+    counts, types = found.counts(), found.counts("types")
+    assert sum(counts.values())[:6].tolist() == found.regions[:6].tolist() and all(
+        array[6] == 0 for array in counts.values()
+    )
+    for row, body in enumerate(zip(A.tolist(), r.tolist(), strict=True)):
+        regions = bifdiag.Body(*body).atlas().regions
+        for name, array in counts.items():
+            assert array[row] == sum("+".join(sorted(region.signature.split("+"))) == name for region in regions)
+        assert types["k1n0"][row] == sum(
+            any((c.boundary_circles, len(c.poles)) == (1, 0) for c in one.components) for one in regions
+        )
+    with pytest.raises(bifdiag.InputError, match='"signatures" and "types"'):
+        found.counts("regions")
+
+
+@pytest.mark.parametrize(
+    ("suffix", "words"), [("csv", "a scan .CSV.*pandas.read_csv"), ("jsonl", "a scan .JSON Lines.*read_json")]
+)
+def test_a_scan_is_known_as_one(suffix, words, tmp_path):
+    path = tmp_path / f"scan.{suffix}"
+    bifdiag.scan(samples=2, out=path)
+    with pytest.raises(bifdiag.InputError, match=words):
+        bifdiag.Atlas.load(path)

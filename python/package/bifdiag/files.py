@@ -17,6 +17,8 @@ READERS = {
     "family of periodic orbits": ("a family of periodic orbits (NPZ)", "bifdiag.PeriodicFamily.load reads it"),
     "archive": ("an archive of other arrays (NPZ)", "numpy.load reads it"),
     "array": ("a single array (NPY)", "numpy.load reads it"),
+    "scan": ("a scan (CSV)", "pandas.read_csv reads it"),
+    "lines": ("a scan (JSON Lines)", "pandas.read_json with lines=True reads it"),
     "table": ("a Parquet file", "pandas.read_parquet reads it"),
     "document": ("another document (JSON)", "json.load reads it"),
     "nothing": ("empty", "nothing was written there"),
@@ -45,6 +47,10 @@ ARCHIVES = {
     "orbit": "section",
 }
 """Arrays by which archives are known."""
+
+
+BEGINNINGS = {"scan": b"index,A1,A2,A3,r1,r2,r3,", "lines": b'{"index":0,"A1":'}
+"""How texts begin that are known by it."""
 
 
 def require(path: str | os.PathLike[str], wanted: str) -> None:
@@ -77,6 +83,10 @@ def _kind(path: Path) -> str:
         return "array"
     if head[:4] == b"PAR1":
         return "table"
+    begin = path.read_bytes()[:32]
+    for kind, words in BEGINNINGS.items():
+        if begin.startswith(words):
+            return kind
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
     except ValueError:

@@ -33,7 +33,7 @@ COLUMNS = ("A1", "A2", "A3", "r1", "r2", "r3")
 class Scan(Table):
     """The rows of a scan, one for each body, as arrays; the page "Files" describes the columns.
 
-    Of a DataFrame of bodies `to_pandas` has the index, so that ``frame.join(scan.to_pandas(), rsuffix="_scan")`` brings the
+    Of a DataFrame of bodies `to_pandas` has the index, so that ``frame[["name"]].join(scan.to_pandas())`` brings the
     answers beside its own columns.
 
     Attributes
@@ -58,6 +58,17 @@ class Scan(Table):
 
     def _selected(self, kept: Any) -> "Scan":
         return Scan({name: column[kept] for name, column in self._columns.items()}, self._meta, self._labels)
+
+    def counts(self, name: Literal["signatures", "types"] = "signatures") -> dict[str, npt.NDArray[np.int64]]:
+        """How many regions of each body have a signature, or show a type of component: an array for each that occurs.
+
+        ``pandas.DataFrame(scan.counts())`` has a column for each.
+        """
+        if name not in ("signatures", "types"):
+            raise InputError(f'name = {name!r}: the columns with counts are "signatures" and "types"')
+        found = [dict(word.rsplit(":", 1) for word in (told or "").split()) for told in self[name].tolist()]
+        every = sorted({word for one in found for word in one})
+        return {word: np.array([int(one.get(word, 0)) for one in found], dtype=np.int64) for word in every}
 
     def to_pandas(self) -> "pandas.DataFrame":
         """A DataFrame, with the index of that of the bodies if there was one; ``bifdiag[tables]`` installs pandas."""
