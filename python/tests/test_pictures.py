@@ -363,3 +363,13 @@ def test_many_motions_are_many_lines(paper):
     # Through wide steps nothing is made up.
     wide = paper.orbit(gamma=[1, 0, 0], omega=[1, 0.3, 1], t=[0, 5, 10])
     assert len(wide.plot().lines[0].get_data_3d()[0]) == 3
+
+
+def test_numbers_of_spheres_do_not_overlap(paper):
+    motion = paper.orbit([0.6, 0, 0.8], omega=[1, 0.3, 1], t=3)
+    for ax in (motion.plot(), paper.plot_sphere(3.8, 3.25)):
+        ax.figure.draw_without_rendering()
+        for axis in (ax.xaxis, ax.yaxis, ax.zaxis):
+            boxes = [label.get_window_extent() for label in axis.get_ticklabels()]
+            assert len(boxes) == 3
+            assert not any(box.overlaps(other) for place, box in enumerate(boxes) for other in boxes[:place])

@@ -66,9 +66,12 @@ class Scan(Table):
         """
         if name not in ("signatures", "types"):
             raise InputError(f'name = {name!r}: the columns with counts are "signatures" and "types"')
-        found = [dict(word.rsplit(":", 1) for word in (told or "").split()) for told in self[name].tolist()]
+        found: list[dict[str, int]] = []
+        for told in self[name].tolist():
+            parts = [word.rpartition(":") for word in str(told or "").split()]
+            found.append({word: int(count) for word, _, count in parts})
         every = sorted({word for one in found for word in one})
-        return {word: np.array([int(one.get(word, 0)) for one in found], dtype=np.int64) for word in every}
+        return {word: np.array([one.get(word, 0) for one in found], dtype=np.int64) for word in every}
 
     def to_pandas(self) -> "pandas.DataFrame":
         """A DataFrame, with the index of that of the bodies if there was one; ``bifdiag[tables]`` installs pandas."""

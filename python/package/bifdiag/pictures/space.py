@@ -13,6 +13,9 @@ if TYPE_CHECKING:
     from ..body import Body
     from ..motion import Motion
 
+TICKS = (-1, 0, 1)
+"""More numbers on the axes of a sphere would overlap."""
+
 ABOVE = 1.01
 """Marks stand a little above the sphere."""
 
@@ -85,7 +88,7 @@ def sphere(
     if legend and ax.get_legend_handles_labels()[0]:
         ax.legend(loc="upper left", fontsize="small")
     ax.set_box_aspect((1, 1, 1))
-    ax.set(xlabel="γ₁", ylabel="γ₂", zlabel="γ₃")
+    ax.set(xlabel="γ₁", ylabel="γ₂", zlabel="γ₃", xticks=TICKS, yticks=TICKS, zticks=TICKS)
     return ax
 
 
@@ -161,6 +164,7 @@ def motion(given: "Motion", ax: Any = None, *, figsize: Size | None = None, **li
         ax.plot(x[:1], y[:1], z[:1], "o", color=drawn.get_color())
     ax.plot([0, 0], [0, 0], [-1, 1], color="0.6", linewidth=0.8)
     ax.set(xlim=(-1, 1), ylim=(-1, 1), zlim=(-1, 1), xlabel="$x$", ylabel="$y$", zlabel="up")
+    ax.set(xticks=TICKS, yticks=TICKS, zticks=TICKS)
     ax.set_box_aspect((1, 1, 1))
     return ax
 
