@@ -670,4 +670,26 @@ fn equal_moments_of_a_part_make_no_ranges() {
     assert_eq!(ends, ["+axis", "+axis", "-axis"], "{text}");
     // K_B = ρ + s (C − B): Ω² = 1.962 / 0.01 ± 1%.
     assert!(text.contains("133.087 .. 134.426"), "{text}");
+    // C = A while B is open: there is no root of K_A. About the centre of mass m z² = 0.02 is added to A and B.
+    for rest in
+        ["--inertia 0.05,0.06±1%,0.05,0,0,0 --com 0,0,0.1", "--inertia-com 0.03,0.04±1%,0.05,0,0,0 --com 0,0,0.1"]
+    {
+        let (text, ends) = part(&format!("{rest} --mass 2 --g 9.81"));
+        assert_eq!(ends, ["+axis", "+axis", "-axis"], "{text}");
+        assert!(!text.contains(".. inf"), "{text}");
+    }
+    let (text, ends) = part("--inertia 0.05,0.06±1%,0.05,0,0,0 --com 0,0,0 --mass 2 --g 9.81");
+    assert!(ends.is_empty() && text.contains("+axis up, each of these parts is elliptic at every spin"), "{text}");
+    let (text, _) =
+        part("--inertia-com 0.05,0.06,0.07,0.001±1%,0,0 --products integral --com 0,0,0.1 --mass 2 --g 9.81");
+    assert!(text.contains("Ixy -0.001 ± 0.00001 (products as entries of the tensor; bounds"), "{text}");
+}
+
+/// Only what has a tolerance is named.
+#[test]
+fn tolerances_of_zero_are_not_told_as_such() {
+    let text = bifdiag("critical-spin --A 1,1,1 --r 0,0,1 --tolerance weight=1%").succeeds();
+    text.printing("every part within 1 ± 0.01 of the weight (bounds, not samples; what is not named is exact):");
+    let text = bifdiag("critical-spin --A 1,1,2 --r 0,0,1 --axis z --tolerance axis=1%,across=2%").succeeds();
+    text.printing("within 1 ± 0.01 of the moment about the axis, 1 ± 0.02 of the others (bounds");
 }

@@ -84,7 +84,11 @@ fn text(subject: &Subject, document: &PeriodicDocument) -> String {
     }
     if !document.continua.is_empty() {
         report.line("");
-        report.line("one orbit of each continuum of orbits of one period:");
+        report.line(if document.complete {
+            "one orbit of each continuum of orbits of one period:"
+        } else {
+            "one orbit of each piece that was found of continua of orbits of one period (several may be of one):"
+        });
         report.line(table(&document.continua).text());
     }
     motion_units(subject, &mut report);

@@ -3,7 +3,8 @@
 use bifdiag_body::Number;
 use bifdiag_numbers::decimal;
 use bifdiag_schema::{
-    AxisEnd, CriticalSpinDocument, SampledClassDocument, SpinRangeDocument, SpinType, ToleranceDocument,
+    AxisEnd, CriticalSpinDocument, MeasuredDocument, SampledClassDocument, SpinRangeDocument, SpinType,
+    ToleranceDocument,
 };
 use dashu_ratio::RBig;
 
@@ -90,10 +91,11 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
     report.line(if [first, second, weight].iter().all(|other| *other == axis) {
         format!("every part whose moments and weight differ by a factor of 1 ± {axis} at most (bounds, not samples):")
     } else {
-        format!(
-            "every part within 1 ± {axis} of the moment about the axis, 1 ± {first} of the others, 1 ± {weight} of the weight \
-             (bounds, not samples):"
-        )
+        let known = [(axis, "the moment about the axis"), (first, "the others"), (weight, "the weight")];
+        let loose = known.iter().filter(|(share, _)| *share != "0");
+        let loose: Vec<String> = loose.map(|(share, what)| format!("1 ± {share} of {what}")).collect();
+        let exact = if loose.len() < known.len() { "; what is not named is exact" } else { "" };
+        format!("every part within {} (bounds, not samples{exact}):", loose.join(", "))
     });
     ranges(report, &tolerance.ranges, document.slow.as_ref(), true);
     report.line(classes(tolerance));
@@ -109,7 +111,9 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
 fn measured(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[SpinType; 2]>) {
     let inputs: Vec<String> =
         tolerance.inputs.iter().map(|input| format!("{} {} ± {}", input.name, input.value, input.within)).collect();
-    report.line(format!("every part with {} (bounds, not samples):", inputs.join(", ")));
+    let is_product = |input: &MeasuredDocument| ["Ixy", "Ixz", "Iyz"].contains(&&*input.name) && input.value != "0";
+    let products = if tolerance.inputs.iter().any(is_product) { "products as entries of the tensor; " } else { "" };
+    report.line(format!("every part with {} ({products}bounds, not samples):", inputs.join(", ")));
     beside(report, tolerance, slow);
 }
 

@@ -18,7 +18,7 @@ pub enum PoincareError {
     WeightlessBody,
     /// h is below the minimum of the effective potential.
     #[error(
-        "(h, l) = ({h}, {l}) is forbidden: the lowest energy at l = {l} is {lowest} (branch {branch}); choose h above it"
+        "(h, l) = ({h}, {l}) is forbidden: the lowest energy at l = {l} is {lowest} (curve {branch}); choose h above it"
     )]
     Forbidden {
         /// h as given.

@@ -51,14 +51,14 @@ pub(super) fn boxes(
     let moves_tensor = |k: usize| k < COM || (k <= MASS && measured.about_com);
     let exact =
         |weight| AxisBox::new(&rotation.moments.each_ref().map(|moment| [moment.clone(), moment.clone()]), weight);
-    let boxes = if !measured.uncertain().any(|k| k < MASS || moves_tensor(k)) {
-        // r = m g c: mass and gravity scale the weight, and nothing else.
-        let share = |k: usize| measured.inputs[k].enclosed() / exactly(&measured.inputs[k].value);
-        vec![exact(exactly(&-&rotation.weight) * share(MASS) * share(GRAVITY))]
-    } else {
+    let boxes = if measured.uncertain().any(|k| k < MASS || moves_tensor(k)) {
         let found = along_coordinates(measured, units, up)?;
         let is_exact = !measured.uncertain().any(moves_tensor);
         if is_exact { found.into_iter().map(|found| exact(found.weight)).collect() } else { found }
+    } else {
+        // r = m g c: mass and gravity scale the weight, and nothing else.
+        let share = |k: usize| measured.inputs[k].enclosed() / exactly(&measured.inputs[k].value);
+        vec![exact(exactly(&-&rotation.weight) * share(MASS) * share(GRAVITY))]
     };
     let has_sign = |found: &AxisBox| found.weight.is_positive().is_some() || found.weight == Interval::ZERO;
     boxes.iter().all(has_sign).then_some(boxes)
@@ -99,22 +99,33 @@ fn along_coordinates(measured: &MeasuredPart, units: &Units, up: [f64; 3]) -> Op
         let [i, j] = others;
         let [a, b, d] = [tensor[i][i], tensor[j][j], tensor[i][j]];
         let c = tensor[axis][axis];
-        // The mass at the axis adds the same to both.
+        // m z² adds the same to both moments across the axis, and nothing to that about it.
+        let [mass, z] = [&part.inputs[MASS], &part.inputs[COM + axis]];
+        let added = if part.about_com { &mass.value * &z.value * &z.value } else { RBig::ZERO };
+        let is_added_exactly = !part.about_com || (mass.within.is_zero() && z.within.is_zero());
         let apart = |i: usize, j: usize| {
             let [first, second] = [i, j].map(|k| &part.inputs[k]);
-            let is_exact = first.within.is_zero() && second.within.is_zero();
-            if is_exact { exactly(&(&first.value - &second.value)) } else { first.enclosed() - second.enclosed() }
+            let is_exact = first.within.is_zero() && second.within.is_zero() && (is_added_exactly || i != axis);
+            let own = &first.value - &second.value;
+            match (is_exact, i == axis) {
+                (true, true) => exactly(&(own - &added)),
+                (true, false) => exactly(&own),
+                (false, true) => c - tensor[j][j],
+                (false, false) => first.enclosed() - second.enclosed(),
+            }
         };
-        let [first, second, across] = if d == Interval::ZERO {
-            [a, b, apart(i, j)]
+        let (first, second, differences) = if d == Interval::ZERO {
+            let differences = [apart(axis, i), apart(axis, j), apart(i, j)];
+            (a, b, differences)
         } else {
             // The eigenvalues of the block across the axis.
             let half = Interval::point(0.5);
             let (middle, apart) = (half * (a + b), ((half * apart(i, j)).square() + d.square()).sqrt());
-            [middle - apart, middle + apart, -apart.twice()]
+            let [first, second] = [middle - apart, middle + apart];
+            (first, second, [c - first, c - second, -apart.twice()])
         };
         let weight = if up[axis] < 0.0 { -center[axis] } else { center[axis] };
-        AxisBox { moments: [c, first, second], differences: [c - first, c - second, across], weight }
+        AxisBox { moments: [c, first, second], differences, weight }
     };
     Some(pieces.map(one).collect())
 }
