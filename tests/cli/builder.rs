@@ -77,6 +77,14 @@ impl Run {
         self.ends_with(2)
     }
 
+    /// Exit status 0, or `None` with exit status 2: there is no answer for this input.
+    pub fn succeeds_unless_refused(mut self) -> Option<Done> {
+        let output = self.command.output().expect("the program starts");
+        let done = Done { line: self.line, output };
+        assert!(matches!(done.output.status.code(), Some(0 | 2)), "bifdiag {}\n{}", done.line, done.stderr());
+        done.output.status.success().then_some(done)
+    }
+
     /// Exit status 1: something else went wrong.
     pub fn fails(self) -> Done {
         self.ends_with(1)

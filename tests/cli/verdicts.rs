@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::builder::bifdiag;
+use crate::builder::{bifdiag, plain};
 
 fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value}"))
@@ -128,165 +128,6 @@ fn friction_wakes_a_slender_sleeping_top() {
     assert!((from - (1.0 / 0.8_f64).sqrt()).abs() < 1e-12, "{flat}");
 }
 
-/// A flat top that stands: with falling l it leaves the axis at a pitchfork, precesses, falls at a cusp, and hangs in the end.
-#[test]
-fn a_rotation_that_slows_down_ends_at_rest() {
-    let found = bifdiag("spin-down --A 2,2,3 --r 0,0,1 --from L-.2 --l 6 --json").succeeds().json();
-    let path = list(&found["path"]);
-    let first = &path[0];
-    assert_eq!((&first["curve"], number(&first["l"][0])), (&json!("L-.2"), 6.0), "{found}");
-    assert_eq!(path.last().unwrap()["event"], json!("rest"), "{found}");
-    // It hangs with the energy −|r|, and each stretch begins where the one before it ends.
-    assert!((number(&path.last().unwrap()["h"][1]) + 1.0).abs() < 1e-12, "{found}");
-    assert!(path.windows(2).all(|pair| pair[0]["l"][1] == pair[1]["l"][0]), "{found}");
-    // No minimum: lost at once.
-    let lost = bifdiag("spin-down --body paper --from G0.1 --l 3.25 --json").succeeds().json();
-    assert_eq!(lost["path"][0]["event"], json!("start"), "{lost}");
-    bifdiag("spin-down --body paper --from G0.1 --l 3.25").succeeds().printing("no minimum: falls");
-    bifdiag("spin-down --body paper --from R5").refused().telling("the body has no such curve");
-    bifdiag("spin-down --body paper --from G2.1 --l -1").succeeds();
-}
-
-#[test]
-fn the_way_of_a_slowdown_is_drawn_over_the_diagram() {
-    let place = tempfile::tempdir().unwrap();
-    let line = format!("spin-down --body paper --from G1.3 --l 2.6 --out {}", place.path().display());
-    bifdiag(&line).succeeds().printing("spin-down.svg");
-    let picture = std::fs::read_to_string(place.path().join("spin-down.svg")).unwrap();
-    assert!(picture.contains("\"main-way\"") && picture.contains("the way"));
-    bifdiag(&format!("{line} --width 86mm")).succeeds();
-    let picture = std::fs::read_to_string(place.path().join("spin-down.svg")).unwrap();
-    assert!(picture.contains("width=\"86mm\""));
-    let without = bifdiag("spin-down --body paper --from G1.3 --l 2.6").succeeds().stdout();
-    assert!(!without.contains("written"), "{without}");
-}
-
-type Vector = [f64; 3];
-
-fn cross([a, b, c]: Vector, [x, y, z]: Vector) -> Vector {
-    [b * z - c * y, c * x - a * z, a * y - b * x]
-}
-
-fn dot(p: Vector, q: Vector) -> f64 {
-    (0..3).map(|k| p[k] * q[k]).sum()
-}
-
-/// A damped top: inner friction −δA(ω − Ωγ), which conserves l, and friction −εω at the pivot, which takes it.
-struct Damped {
-    a: Vector,
-    r: Vector,
-    inner: f64,
-    pivot: f64,
-}
-
-impl Damped {
-    fn omega(&self, momentum: Vector) -> Vector {
-        [0, 1, 2].map(|k| momentum[k] / self.a[k])
-    }
-
-    /// γ' = γ × ω, **l**' = **l** × ω − γ × r − friction.
-    fn field(&self, [gamma, momentum]: [Vector; 2]) -> [Vector; 2] {
-        let omega = self.omega(momentum);
-        let j: f64 = (0..3).map(|k| self.a[k] * gamma[k] * gamma[k]).sum();
-        let steady = dot(gamma, momentum) / j;
-        let (turn, weight) = (cross(momentum, omega), cross(gamma, self.r));
-        let friction = |k: usize| self.inner * self.a[k] * (omega[k] - steady * gamma[k]) + self.pivot * omega[k];
-        [cross(gamma, omega), [0, 1, 2].map(|k| turn[k] - weight[k] - friction(k))]
-    }
-
-    /// One step of Runge and Kutta's method.
-    fn step(&self, state: [Vector; 2], t: f64) -> [Vector; 2] {
-        let moved = |by: [Vector; 2], t: f64| [0, 1].map(|n| [0, 1, 2].map(|k| state[n][k] + t * by[n][k]));
-        let first = self.field(state);
-        let second = self.field(moved(first, t / 2.0));
-        let third = self.field(moved(second, t / 2.0));
-        let fourth = self.field(moved(third, t));
-        [0, 1].map(|n| {
-            [0, 1, 2]
-                .map(|k| state[n][k] + t / 6.0 * (first[n][k] + 2.0 * second[n][k] + 2.0 * third[n][k] + fourth[n][k]))
-        })
-    }
-
-    fn energy(&self, [gamma, momentum]: [Vector; 2]) -> f64 {
-        0.5 * dot(momentum, self.omega(momentum)) - dot(gamma, self.r)
-    }
-}
-
-/// The way of the paper's body from G1.3, integrated with inner friction and three small rates at the pivot: it falls at the
-/// cusp, the later the faster l is lost, by the ⅔ power of the rate (a passage through a fold), and goes on along G2.1.
-#[test]
-fn a_damped_motion_falls_where_spin_down_says() {
-    let found = bifdiag("spin-down --body paper --from G1.3 --l 2.6 --json").succeeds().json();
-    let path = list(&found["path"]);
-    assert_eq!((&path[0]["event"], &path[1]["curve"]), (&json!("cusp"), &json!("G2.1")), "{found}");
-    let cusp = number(&path[0]["l"][1]);
-    let vector = |value: &Value| -> Vector { [0, 1, 2].map(|k| number(&value[k])) };
-    let at = |l: f64, branch: &str| {
-        let all = bifdiag(&format!("critical --body paper --l {l} --json")).succeeds().json();
-        list(&all["critical"]).iter().find(|point| point["branch"] == json!(branch)).unwrap().clone()
-    };
-    let start = at(2.6, "G1.3");
-    let a: Vector = [2.0, 1.1, 1.0];
-    let gamma = vector(&start["gamma"]);
-    let begin = [gamma, [0, 1, 2].map(|k| number(&start["omega"]) * a[k] * gamma[k])];
-    let target = number(&at(1.2, "G2.1")["h"]);
-    let falls: Vec<f64> = [4e-3, 2e-3, 1e-3]
-        .into_iter()
-        .map(|pivot| {
-            let top = Damped { a, r: [0.94868, 0.0, 0.61623], inner: 0.4, pivot };
-            let (mut state, mut fall) = (begin, None);
-            loop {
-                state = top.step(state, 0.04);
-                let l = dot(state[0], state[1]);
-                // Half-way down to G2.1, whose energy there is about −0.03.
-                if fall.is_none() && top.energy(state) < 0.75 {
-                    fall = Some(l);
-                }
-                if l < 1.2 {
-                    assert!((top.energy(state) - target).abs() < 1e-3, "{pivot} {}", top.energy(state));
-                    return fall.unwrap();
-                }
-            }
-        })
-        .collect();
-    let late = falls.iter().map(|l| cusp - l).collect::<Vec<_>>();
-    assert!(late.iter().all(|late| *late > 0.0) && late[2] < 0.1, "{late:?}");
-    let ratio = late[1] / late[2];
-    assert!((ratio - libm::pow(2.0, 2.0 / 3.0)).abs() < 0.1, "{late:?} {ratio}");
-}
-
-/// The default start is the end of the curve, whatever the rounding of its l.
-#[test]
-fn a_spin_down_begins_at_the_end_of_its_curve() {
-    let curves = [
-        ("2,3,4", "1,0,0", "L+.1"),
-        ("2,3,4", "0,0,-1", "L-.1"),
-        ("2,3,4", "0,0,-1", "S1.1"),
-        ("2.3,2.7,1.5", "0,-.8,-.2", "G1.2"),
-    ];
-    for (moments, center, curve) in curves {
-        let line = format!("spin-down --A {moments} --r {center} --from={curve} --json");
-        let found = bifdiag(&line).succeeds().json();
-        assert!(!found["path"].as_array().unwrap().is_empty(), "{line}");
-    }
-    // At a pitchfork that is a minimum the rotation goes on as one of the pair; elsewhere the regions are those beside it.
-    for (moments, curve, next) in [("2,2,3", "L-.1", "S12.1"), ("1,2,3", "L-.2", "S2.1")] {
-        let line = format!("spin-down --A {moments} --r 0,0,1 --from={curve} --json");
-        let path = bifdiag(&line).succeeds().json()["path"].clone();
-        assert_eq!(
-            (path[0]["curve"].as_str(), path[0]["event"].as_str() == Some("start")),
-            (Some(next), false),
-            "{path}"
-        );
-    }
-    // Where a pair of saddles closes upon a minimum of larger l, the point is a saddle.
-    bifdiag("spin-down --A 2,2.5,3 --r 0,0,1 --from=L-.2").succeeds().printing("no minimum: falls, to L+.1");
-    let lost = bifdiag("spin-down --body kovalevskaya --from L-.1 --json").succeeds().json();
-    assert_eq!(lost["path"][0]["regions"], json!(["R1", "R4"]), "{lost}");
-    bifdiag("spin-down --A 2,3,4 --r 1,0,0 --from L+.1").succeeds().printing("hangs at rest");
-    bifdiag("spin-down --A 1,2,3 --r 0,0,0 --from S3.1").succeeds().printing("comes to rest");
-}
-
 /// A verdict by Arnold's theorem between two changes is one with isolated exceptions, and says so.
 #[test]
 fn a_range_of_spins_admits_its_isolated_exceptions() {
@@ -304,4 +145,56 @@ fn a_range_of_spins_admits_its_isolated_exceptions() {
         .collect();
     assert!(!by_arnold.is_empty() && by_arnold.iter().all(|stretch| stretch["nonlinear"]["proved"] == json!(false)));
     bifdiag("show L-.1 --A 1.71,2.63,2.11 --r 0,0,1").succeeds().printing("alone (D4 = 0): stable (Arnold's theorem)");
+}
+
+/// All verdict changes of the paper's curve G0.1: beside each the distance from the resonance, or D₄, has opposite signs, and
+/// there are no others between them.
+#[test]
+fn verdicts_of_the_papers_curve_change_where_its_normal_form_says() {
+    let atlas = bifdiag("--body paper --json --no-drawing").succeeds().json();
+    let changes: Vec<&Value> =
+        list(&atlas["verdict_changes"]).iter().filter(|change| change["curve"] == json!("G0.1")).collect();
+    let told: Vec<_> = changes.iter().map(|one| (one["kind"].as_str().unwrap(), number(&one["l"]))).collect();
+    let expected = [("1:1", 1.947_890_544), ("1:2", 2.236_708_031), ("D4", 2.327_799_985), ("1:3", 3.030_861_365)];
+    assert_eq!(told.len(), expected.len(), "{told:?}");
+    let at = |l: f64| {
+        let found = bifdiag(&format!("critical --body paper --l {l} --json")).succeeds().json();
+        list(&found["critical"]).iter().find(|point| point["branch"] == json!("G0.1")).unwrap().clone()
+    };
+    let of = |point: &Value, kind: &str| match kind {
+        "D4" => number(&point["nonlinear"]["D4_over_s"]),
+        kind => number(&point["nonlinear"]["near"][kind]),
+    };
+    for ((change, (kind, l)), (expected_kind, near)) in changes.iter().zip(&told).zip(expected) {
+        assert!(*kind == expected_kind && (l - near).abs() < 1e-6, "{told:?}");
+        let there = at(*l);
+        assert!((number(&there["h"]) - number(&change["h"])).abs() < 1e-12, "{change} {there}");
+        if *kind == "1:1" {
+            // Below it no pair is imaginary.
+            assert_eq!(
+                (&at(l - 1e-6)["stability"], &at(l + 1e-6)["stability"]),
+                (&json!("complex"), &json!("elliptic"))
+            );
+            continue;
+        }
+        let [below, above] = [l - 1e-6, l + 1e-6].map(|l| of(&at(l), kind));
+        assert!(below * above < 0.0 && below.abs().max(above.abs()) < 1e-3, "{kind} {below} {above}");
+    }
+    // At the resonance 1:2 D₄ has a pole.
+    for kind in ["1:2", "1:3", "D4"] {
+        let mut signs: Vec<f64> = (0..120).map(|k| of(&at(1.95 + 0.05 * f64::from(k)), kind).signum()).collect();
+        signs.dedup();
+        assert_eq!(signs.len(), if kind == "D4" { 3 } else { 2 }, "{kind}");
+    }
+}
+
+/// The picture says what its lines mean.
+#[test]
+fn the_legend_tells_what_solid_thin_and_dashed_lines_mean() {
+    let place = tempfile::tempdir().unwrap();
+    bifdiag(&format!("--body paper --out {}", place.path().display())).succeeds();
+    let picture = plain(&std::fs::read_to_string(place.path().join("diagram.svg")).unwrap());
+    for told in ["solid: stable, with friction too", "thin: stable without friction", "dashed: unstable"] {
+        assert!(picture.contains(told), "{told}");
+    }
 }

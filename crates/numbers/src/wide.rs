@@ -23,14 +23,8 @@ pub type Wide = Bounded<Big>;
 /// Intervals whose ends have 128 bits.
 pub type Interval128 = Bounded<FixedFloat<2>>;
 
-/// Intervals whose ends have 256 bits.
-pub type Interval256 = Bounded<FixedFloat<4>>;
-
 /// Intervals whose ends have 384 bits.
 pub type Interval384 = Bounded<FixedFloat<6>>;
-
-/// Intervals whose ends have 640 bits.
-pub type Interval640 = Bounded<FixedFloat<10>>;
 
 /// Intervals whose ends have 1024 bits.
 pub type Interval1024 = Bounded<FixedFloat<16>>;

@@ -4,7 +4,7 @@
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
 use bifdiag_numbers::interval::Interval;
-use bifdiag_numbers::wide::{Interval128, Interval256, Interval384, Wide};
+use bifdiag_numbers::wide::{Interval128, Interval384, Interval1024, Wide};
 use dashu_ratio::RBig;
 use proptest::prelude::*;
 
@@ -85,7 +85,7 @@ fn holds([lo, hi]: [f64; 2], value: &RBig) -> bool {
 
 impl Set for Wide {}
 impl Set for Interval128 {}
-impl Set for Interval256 {}
+impl Set for Interval1024 {}
 impl Set for Interval384 {}
 
 impl Set for Interval {
@@ -210,7 +210,7 @@ proptest! {
             arithmetic::<Wide>(pair, bits)?;
         }
         arithmetic::<Interval128>(pair, ())?;
-        arithmetic::<Interval256>(pair, ())?;
+        arithmetic::<Interval1024>(pair, ())?;
         arithmetic::<Interval384>(pair, ())?;
     }
 
@@ -221,7 +221,7 @@ proptest! {
             roots::<Wide>(x, bits)?;
         }
         roots::<Interval128>(x, ())?;
-        roots::<Interval256>(x, ())?;
+        roots::<Interval1024>(x, ())?;
         roots::<Interval384>(x, ())?;
     }
 
@@ -232,7 +232,7 @@ proptest! {
             order::<Wide>(pair, bits)?;
         }
         order::<Interval128>(pair, ())?;
-        order::<Interval256>(pair, ())?;
+        order::<Interval1024>(pair, ())?;
         order::<Interval384>(pair, ())?;
     }
 
@@ -246,7 +246,7 @@ proptest! {
                 numbers::<Wide>(&p, bits)?;
             }
             numbers::<Interval128>(&p, ())?;
-            numbers::<Interval256>(&p, ())?;
+            numbers::<Interval1024>(&p, ())?;
             numbers::<Interval384>(&p, ())?;
         }
     }

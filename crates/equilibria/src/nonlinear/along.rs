@@ -15,7 +15,6 @@ use crate::curves::{CriticalSet, CurveId};
 use crate::stability::exact::{ExactBody, FamilyChart, StabilityProfile, StationKind, compare};
 use crate::stability::{Constants, LinearType, LinearTypes, Reduced, State};
 use bifdiag_body::Body;
-use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
 use bifdiag_numbers::polynomial::{Polynomial, Root};
 use bifdiag_numbers::wide::{Interval128, Interval384};
@@ -258,27 +257,22 @@ impl OnFamily<'_> {
     }
 
     /// The equilibria over a range of t.
-    fn over<E: Enclosure<Precision = ()>>(&self, [lo, hi]: &[RBig; 2]) -> (Constants<E>, State<E>) {
+    fn over(&self, [lo, hi]: &[RBig; 2]) -> (Constants<Interval384>, State<Interval384>) {
         let c = self.body.constants(());
         let state = self.chart.state_over(self.body, &c, [lo, hi]);
         (c, state)
     }
 
-    /// The sign of D₆ over a range of t.
-    fn sixth<E: Enclosure<Precision = ()>>(&self, range: &[RBig; 2]) -> Option<Sign> {
-        let (c, state) = self.over::<E>(range);
-        let reduced = Reduced::new(&c, &state);
-        let (kind, setting) = (LinearType::Elliptic, MAXIMUM);
-        Question { c: &c, state: &state, reduced: &reduced, kind, setting }.sixth()?.strict_sign()
-    }
-
     /// The point at a zero of the determinant; `None` if a narrower range can tell more, and there is one.
     fn zero(&self, range: &[RBig; 2], is_last: bool) -> Option<VerdictChange> {
-        let (c, state) = self.over::<Interval384>(range);
+        let (c, state) = self.over(range);
         if !is_last && !state.is_sharp(&c) {
             return None;
         }
-        let verdict = match self.sixth::<Interval128>(range).or_else(|| self.sixth::<Interval384>(range)) {
+        let reduced = Reduced::new(&c, &state);
+        let (kind, setting) = (LinearType::Elliptic, MAXIMUM);
+        let sixth = Question { c: &c, state: &state, reduced: &reduced, kind, setting }.sixth();
+        let verdict = match sixth.and_then(|value| value.strict_sign()) {
             Some(_) => (NonlinearVerdict::Stable, Reason::Arnold),
             None if !is_last => return None,
             None => (NonlinearVerdict::Open, Reason::Degenerate),

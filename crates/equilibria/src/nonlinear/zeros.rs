@@ -13,7 +13,7 @@ use crate::stability::exact::{ExactBody, Family, FamilyChart};
 use crate::stability::{Constants, Reduced};
 use bifdiag_numbers::enclosure::Enclosure;
 use bifdiag_numbers::form::EnclosedForm;
-use bifdiag_numbers::wide::{Interval128, Interval256, Interval640, Interval1024};
+use bifdiag_numbers::wide::{Interval128, Interval384, Interval1024};
 
 /// The zeros of D₄ between two places of a family inside of which it is elliptic, by rising t, as they are judged from ranges of
 /// t that hold one each; `None` where enclosures do not isolate all of them, or one is at an end. A range that is not judged
@@ -29,12 +29,8 @@ pub(super) fn zeros<T>(
         return Some(found);
     }
     let bits = bits_that_part(body, chart, range);
-    let medium = if bits <= 256 { enclosed::<Interval256>(body, chart, range) } else { None };
-    let large = || if bits <= 640 { enclosed::<Interval640>(body, chart, range) } else { None };
-    medium
-        .and_then(|zeros| all(zeros, false))
-        .or_else(|| all(large()?, false))
-        .or_else(|| all(enclosed::<Interval1024>(body, chart, range)?, true))
+    let medium = if bits <= 384 { enclosed::<Interval384>(body, chart, range) } else { None };
+    medium.and_then(|zeros| all(zeros, false)).or_else(|| all(enclosed::<Interval1024>(body, chart, range)?, true))
 }
 
 /// About as many bits as part N from 0 at the ends: interpolation costs two for each degree at most, and beside special bodies N
