@@ -188,6 +188,7 @@ impl Writer {
                 _ => continue,
             };
             let size = span.font_size().get() * scale(transform) * POINTS;
+            #[expect(clippy::cast_possible_truncation, reason = "the width of a text in points")]
             let width = length(text_width(chunk.text().trim(), f64::from(size)) as f32);
             let at = place(Point::from_xy(x, y), transform);
             let size = format!("\\fontsize{{{}bp}}{{{}bp}}\\selectfont", length(size), length(1.2 * size));
