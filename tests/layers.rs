@@ -30,7 +30,7 @@ const ORDER: [(&str, &str); 15] = [
     ("crates/periodic/src", "flow reversor shooting walk orbit family catalogue chart section_map proof list"),
     (
         "crates/survey/src",
-        "parallel parameter design signature scan border path space strata nearest subdivision search tolerance",
+        "parallel parameter design signature scan border events path space strata nearest subdivision search tolerance",
     ),
     (
         "crates/documents/src",

@@ -3,12 +3,13 @@
 use std::collections::BTreeMap;
 use std::error::Error;
 
-use bifdiag::pictures::{Seen, Shown, map};
+use bifdiag::pictures::{EventScene, Seen, Shown, events, map};
 use bifdiag_body::{Body, Preset};
 use bifdiag_exact::Accuracy;
 use bifdiag_plot::{Map, MapAxis, MapBodies, MapLine, MapNote, Width, draw_map};
 use bifdiag_schema::BodyParameter;
-use bifdiag_survey::border::{self, BodySegment, BorderEventKind, BorderOptions};
+use bifdiag_survey::border::{BodySegment, BorderOptions};
+use bifdiag_survey::events::follow;
 use bifdiag_survey::scan::{ScanRow, known_classes};
 use bifdiag_survey::{BodyFamily, Design};
 use rayon::prelude::*;
@@ -130,113 +131,27 @@ fn reorder(map: &mut Map, order: &[usize]) {
 /// The range of η of the map from Lagrange to Kovalevskaya.
 const ETA: [f64; 2] = [0.8, 2.2];
 
-/// From here on bodies exist: 2 ≤ η + 1.
-const LEAST: f64 = 1.0;
-
 /// Its range of l.
 const L: [f64; 2] = [1.3, 3.3];
 
 /// A = (2, η, 1), r = (1, 0, 0): the classes over η, the momenta of all events, and what happens at the borders.
 fn lagrange_to_kovalevskaya() -> Result<Map, Box<dyn Error>> {
-    let family = body_family(["2", "1", "1"], ["1", "0", "0"])?;
-    let vary = ["A2=0.8025:2.1975:280"];
-    let found = rows(family, &vary)?;
-    let axes = [BodyParameter::A2, BodyParameter::A3];
-    let seen: Vec<Seen> = found.iter().map(|row| Seen::new(row, axes, Shown::Class)).collect();
-    let mut map = map(&seen, axes, Shown::Class);
-    let borders = borders(&found);
-    map.bodies = strips(&map, &found, &borders);
-    map.impossible = vec![vec![[ETA[0], L[0]], [LEAST, L[0]], [LEAST, L[1]], [ETA[0], L[1]]]];
+    const BODIES: usize = 1120;
+    let end = |eta: f64| Body::from_f64([2.0, eta, 1.0], [1.0, 0.0, 0.0]);
+    let segment = BodySegment::new(end(ETA[0])?, end(ETA[1])?);
+    let tracks = follow(&segment, BODIES, &BorderOptions::default());
+    let mut map = events(&EventScene { tracks: &tracks, segment: &segment, parameter: BodyParameter::A2, l: L });
     number_as_katok(&mut map);
-    map.title = String::from("From Lagrange (η = 1) to Kovalevskaya (η = 2)");
-    map.subtitle = String::from("A = (2, η, 1), r = (1, 0, 0); colours: class; lines: the momenta l of all events");
-    map.x = MapAxis { name: "η".to_owned(), range: ETA };
-    map.y = MapAxis { name: "l".to_owned(), range: L };
-    add_events(&mut map);
+    map.title = String::from("From Lagrange (A2 = 1) to Kovalevskaya (A2 = 2)");
+    map.subtitle.push_str("; L+, L−: from +r̂, −r̂; S2, S3: pair over axis 2, 3");
     map.lines.push(MapLine {
         points: dense(&[[1.0, L[0]], [1.0, L[1]]]),
         dashed: true,
         hue: 4,
-        text: "η = 1: Lagrange's top, two moments equal; no border of classes".to_owned(),
+        text: "A2 = 1: Lagrange's top, two moments equal; no border of classes".to_owned(),
         ..MapLine::default()
     });
-    map.notes.push(MapNote { at: [1.0, L[1] - 0.08], text: "1".to_owned(), hue: 4, ring: false });
-    for (eta, event) in borders {
-        map.lines.push(MapLine {
-            points: dense(&[[eta, L[0]], [eta, L[1]]]),
-            dashed: true,
-            text: format!("η = {}: {event}", short(eta)).replace('-', "−"),
-            ..MapLine::default()
-        });
-        map.notes.push(MapNote { at: [eta, L[1] - 0.08], text: short(eta), hue: 0, ring: false });
-    }
     Ok(map)
-}
-
-/// With four decimals as far as they are needed: 3/2 is no measured number.
-fn short(eta: f64) -> String {
-    format!("{eta:.4}").trim_end_matches('0').trim_end_matches('.').to_owned()
-}
-
-/// The classes over η between their borders, over all of l, which is no parameter of the body.
-fn strips(map: &Map, found: &[ScanRow], borders: &[(f64, BorderEventKind)]) -> MapBodies {
-    let mut ends = vec![LEAST];
-    ends.extend(borders.iter().map(|(eta, _)| *eta).filter(|eta| *eta > LEAST));
-    ends.push(ETA[1]);
-    let strip = |pair: &[f64]| {
-        let (from, to) = (pair[0], pair[1]);
-        let inside = found.iter().find(|row| (from..to).contains(&row.values[0][1]));
-        let class = inside.and_then(|row| row.class.as_ref()).map(ToString::to_string);
-        let entry = map.entries.iter().position(|entry| Some(&entry.key) == class.as_ref());
-        (entry, vec![[from, L[0]], [to, L[0]], [to, L[1]], [from, L[1]]])
-    };
-    MapBodies::Areas {
-        pieces: ends.windows(2).map(strip).collect(),
-        seen: Vec::new(),
-        borders: Vec::new(),
-        told: String::new(),
-    }
-}
-
-/// Kinds of events, in the order of their colours.
-const EVENTS: [&str; 3] = ["pitchfork", "cusp", "crossing"];
-
-/// Draws the momenta of all events over η, one line for each event's name.
-fn add_events(map: &mut Map) {
-    const COLUMNS: u32 = 1120;
-    let mut lines: BTreeMap<String, Vec<[f64; 2]>> = BTreeMap::new();
-    for n in 0..=COLUMNS {
-        let eta = ETA[0] + (ETA[1] - ETA[0]) * (f64::from(n) + 0.37) / f64::from(COLUMNS + 1);
-        let Ok(body) = Body::from_f64([2.0, eta, 1.0], [1.0, 0.0, 0.0]) else { continue };
-        let Ok(atlas) = bifdiag_diagram::fast::atlas(&body) else { continue };
-        for (label, l) in border::named_events(&atlas) {
-            lines.entry(label.to_string()).or_default().push([eta, l]);
-        }
-    }
-    map.subtitle.push_str("; L+, L−: from +r̂, −r̂; S2, S3: pair over axis 2, 3");
-    for (name, points) in &lines {
-        for run in points.chunk_by(|p, q| q[0] - p[0] < 0.006) {
-            let (hue, kind) =
-                EVENTS.iter().enumerate().find(|(_, kind)| name.starts_with(**kind)).unwrap_or((3, &"event"));
-            let text = format!("momentum of a {kind}");
-            let name = name.replace('-', "−");
-            map.lines.push(MapLine { points: run.to_vec(), dashed: false, hue: hue + 1, text, name });
-        }
-    }
-}
-
-/// Where the class changes between neighbouring bodies over η, and what happens there.
-fn borders(rows: &[ScanRow]) -> Vec<(f64, BorderEventKind)> {
-    let body = |row: &ScanRow| Body::from_f64(row.values[0], row.values[1]).ok();
-    let between = |pair: &[ScanRow]| {
-        if pair[0].class.as_ref()? == pair[1].class.as_ref()? {
-            return None;
-        }
-        let segment = BodySegment::new(body(&pair[0])?, body(&pair[1])?);
-        let border = border::find(&segment, &BorderOptions::default()).ok()?;
-        Some((segment.coordinate(BodyParameter::A2.place(), border.t).to_f64().value(), border.event.kind))
-    };
-    rows.windows(2).filter_map(between).collect()
 }
 
 /// The paper's body, r2 and r3 varied.

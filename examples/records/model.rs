@@ -65,7 +65,7 @@ impl Model {
             ProvedMotionDocument ChaosPointDocument ChaosMapDocument PartAnswerDocument SteadyAxesDocument StateDocument CriticalSpinDocument SteadySpinsDocument SpinDownDocument
             PeriodicDocument PeriodicFamiliesDocument PeriodicListDocument
             BodiesDocument ExplanationDocument BatchErrorDocument
-            RowDocument ScanSummaryDocument BorderDocument ComparisonDocument PointProofDocument FindDocument ClassesDocument StandingDocument
+            RowDocument ScanSummaryDocument BorderDocument EventTracksDocument ComparisonDocument PointProofDocument FindDocument ClassesDocument StandingDocument
         }
         let definitions = generator.take_definitions(true);
         let types = definitions.iter().map(|(name, schema)| Type {

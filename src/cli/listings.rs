@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use bifdiag_schema::{
     AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ChaosMapDocument, ChaosPointDocument,
     ClassDocument, ClassesDocument, ClassificationDocument, ComparisonDocument, CriticalDocument, CriticalSpinDocument,
-    ExplanationDocument, FindDocument, GridDocument, MotionDocument, PartAnswerDocument, PeriodicDocument,
-    PeriodicFamiliesDocument, PeriodicListDocument, PointProofDocument, ProvedMotionDocument, RowDocument,
-    ScanSummaryDocument, SectionDocument, SectionsDocument, SpinDownDocument, StandingDocument, StateDocument,
-    SteadyAxesDocument, SteadySpinsDocument,
+    EventTracksDocument, ExplanationDocument, FindDocument, GridDocument, MotionDocument, PartAnswerDocument,
+    PeriodicDocument, PeriodicFamiliesDocument, PeriodicListDocument, PointProofDocument, ProvedMotionDocument,
+    RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument, SpinDownDocument, StandingDocument,
+    StateDocument, SteadyAxesDocument, SteadySpinsDocument,
 };
 use clap::{Args, Command, ValueEnum};
 use schemars::{Schema, schema_for};
@@ -116,6 +116,8 @@ pub enum Name {
     ScanSummary,
     /// The answer of `bifdiag scan border --json`
     ScanBorder,
+    /// The answer of `bifdiag scan events --json`
+    ScanEvents,
     /// The answer of `bifdiag compare --json`
     Compare,
     /// The answer of `bifdiag classify --certificate`
@@ -158,6 +160,7 @@ impl Name {
             Self::ScanRow => schema_for!(RowDocument),
             Self::ScanSummary => schema_for!(ScanSummaryDocument),
             Self::ScanBorder => schema_for!(BorderDocument),
+            Self::ScanEvents => schema_for!(EventTracksDocument),
             Self::Compare => schema_for!(ComparisonDocument),
             Self::PointProof => schema_for!(PointProofDocument),
             Self::Find => schema_for!(FindDocument),

@@ -18,10 +18,10 @@ use super::shown::{Bodies, Seen, Shown, Shows, shared};
 const ENTRIES: usize = 30;
 
 /// What is shown, on which part of the area of the map or by which part of the bodies, and where.
-struct Counted<'a> {
-    shows: &'a Shows,
-    part: f64,
-    at: Option<[f64; 2]>,
+pub struct Counted<'a> {
+    pub shows: &'a Shows,
+    pub part: f64,
+    pub at: Option<[f64; 2]>,
 }
 
 /// The map of some bodies, the most frequent class first.
@@ -124,7 +124,7 @@ fn counted_by<'a>(
 }
 
 /// The area of a polygon.
-fn area(corners: &[[f64; 2]]) -> f64 {
+pub fn area(corners: &[[f64; 2]]) -> f64 {
     let next = corners.iter().cycle().skip(1);
     0.5 * corners.iter().zip(next).map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f64>().abs()
 }
@@ -148,7 +148,7 @@ fn share(part: f64) -> String {
 
 /// The legend: what is shown, by how many of the bodies, with how many regions; from `last` on in one entry. Classes have
 /// numbers, and named bodies name theirs.
-fn entries(order: &[Counted<'_>], last: usize) -> Vec<MapEntry> {
+pub fn entries(order: &[Counted<'_>], last: usize) -> Vec<MapEntry> {
     let known = known(order);
     let entry = |(number, found): (usize, &Counted<'_>)| match found.shows {
         Shows::Class(class, regions) => MapEntry {

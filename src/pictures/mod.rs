@@ -1,6 +1,8 @@
 //! What pictures need of several layers at once; `plot` knows finished documents alone.
 
 #[cfg(feature = "parallel")]
+mod events;
+#[cfg(feature = "parallel")]
 mod existence;
 #[cfg(feature = "parallel")]
 mod map;
@@ -13,6 +15,8 @@ use bifdiag_equilibria::critical::critical;
 use bifdiag_plot::CurveSource;
 use bifdiag_schema::RelativeEquilibriumDocument;
 
+#[cfg(feature = "parallel")]
+pub use events::{EventScene, events, momenta};
 #[cfg(feature = "parallel")]
 pub use map::map;
 #[cfg(feature = "parallel")]

@@ -440,3 +440,41 @@ fn found_witnesses_are_what_they_say() {
 fn without_parquet_the_feature_is_named() {
     bifdiag(&format!("{GENERAL} --out a.parquet")).refused().telling("feature `parquet`").telling(".csv");
 }
+
+/// The events of A = (2, A2, 1), r = (1, 0, 0): each momentum is that of the atlas of the body, and each stretch has one class.
+#[test]
+fn events_are_followed_from_border_to_border() {
+    let place = tempfile::tempdir().unwrap();
+    let line = "scan events --body kovalevskaya --vary A2=1:2.2:48";
+    let text = bifdiag(&format!("{line} --data e.csv")).inside(place.path()).succeeds();
+    text.printing("A = (2, A2, 1)")
+        .printing("48 bodies in 4 stretches of one class each")
+        .printing("A2 = 1.5: the cusp of S2 reaches its pitchfork\nA2 = 2: a pitchfork goes through infinity");
+    let rows = fs::read_to_string(place.path().join("e.csv")).unwrap();
+    assert!(rows.starts_with("track,event,value,h,l\n"), "{rows}");
+    let picture = fs::read_to_string(place.path().join("bifdiag-out/events.svg")).unwrap();
+    assert!(picture.contains(">7 regions<") && !picture.contains(">0 regions<"));
+    let document = bifdiag(&format!("{line} --json")).inside(place.path()).succeeds().json();
+    let events = document["events"].as_array().unwrap();
+    let mut seen = 0;
+    // Where one class ends, so do its events.
+    for body in [5, 20, 30, 44] {
+        let value = 1.0 + 1.2 * (f64::from(body) + 0.5) / 48.0;
+        let atlas = bifdiag(&format!("--A 2,{value},1 --r 1,0,0 --json")).inside(place.path()).succeeds().json();
+        let mut expected: Vec<f64> =
+            atlas["events"].as_array().unwrap().iter().map(|e| e["l"].as_f64().unwrap()).collect();
+        let mut found: Vec<f64> = Vec::new();
+        for event in events {
+            let [at, l] = ["at", "l"].map(|name| event[name].as_array().unwrap());
+            let here = at.iter().position(|at| (at.as_f64().unwrap() - value).abs() < 1e-9);
+            found.extend(here.map(|here| l[here].as_f64().unwrap()));
+        }
+        for list in [&mut expected, &mut found] {
+            list.sort_by(f64::total_cmp);
+        }
+        assert_eq!(found.len(), expected.len(), "{value}: {found:?} {expected:?}");
+        assert!(found.iter().zip(&expected).all(|(p, q)| (p - q).abs() < 1e-9 * q), "{value}: {found:?} {expected:?}");
+        seen += found.len();
+    }
+    assert!(seen > 12);
+}

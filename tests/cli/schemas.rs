@@ -148,6 +148,7 @@ fn documents_fit_their_schemas() {
     assert_fits("class", &bifdiag("class 01036ac4a504 --json").succeeds().json());
     assert_fits("classes-at", &bifdiag("classes --at --body paper --lines 2 --json").succeeds().json());
     assert_fits("scan-border", &bifdiag("scan border --body katok:2 --vary A3=0.7:0.8 --json").succeeds().json());
+    assert_fits("scan-events", &bifdiag("scan events --body paper --vary r2=0.01:0.4:9 --json").succeeds().json());
     let scan = "scan --body paper --vary r2=0:0.5:3,r3=0:0.5:3 --format jsonl --out -";
     for row in bifdiag(scan).succeeds().json_lines() {
         assert_fits("scan-row", &row);
@@ -192,6 +193,7 @@ fn all_schemas_come_in_one_object() {
         "scan-row",
         "scan-summary",
         "scan-border",
+        "scan-events",
         "compare",
         "point-proof",
         "find",

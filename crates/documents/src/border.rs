@@ -1,10 +1,12 @@
 //! Borders between classes as documents.
 
 use bifdiag_schema::{
-    BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument, CommandLine, FoundBorderDocument,
+    BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument, CommandLine, EventTrackDocument,
+    EventTracksDocument, FoundBorderDocument,
 };
 use bifdiag_survey::ParameterRange;
 use bifdiag_survey::border::{BodySegment, Border, BorderEvent, BorderEventKind};
+use bifdiag_survey::events::{EventTrack, EventTracks, Stretch};
 
 use crate::body::head;
 use crate::scan::range;
@@ -12,6 +14,15 @@ use crate::scan::range;
 /// A border on a segment along which some parameters vary.
 #[must_use]
 pub fn border(border: &Border, segment: &BodySegment, vary: &[ParameterRange], command: CommandLine) -> BorderDocument {
+    BorderDocument {
+        head: head(command.json()),
+        vary: vary.iter().map(range).collect(),
+        borders: vec![found(border, segment, vary)],
+        atlases: border.atlases,
+    }
+}
+
+fn found(border: &Border, segment: &BodySegment, vary: &[ParameterRange]) -> FoundBorderDocument {
     let value = |range: &ParameterRange| {
         let at = |t: f64| segment.coordinate(range.parameter.place(), t).to_f64().value();
         BorderValueDocument {
@@ -21,16 +32,40 @@ pub fn border(border: &Border, segment: &BodySegment, vary: &[ParameterRange], c
             enclosure: border.enclosure.map(at),
         }
     };
-    BorderDocument {
+    FoundBorderDocument {
+        at: vary.iter().map(value).collect(),
+        event: event(&border.event),
+        classes: border.classes.each_ref().map(|class| class.name().to_string()),
+        reached: border.reached,
+    }
+}
+
+/// The events along a segment on which one parameter varies.
+#[must_use]
+pub fn event_tracks(
+    tracks: &EventTracks,
+    segment: &BodySegment,
+    vary: &ParameterRange,
+    command: CommandLine,
+) -> EventTracksDocument {
+    let count = |number: usize| u32::try_from(number).unwrap_or(u32::MAX);
+    let value = |t: f64| segment.coordinate(vary.parameter.place(), t).to_f64().value();
+    let track = |track: &EventTrack| EventTrackDocument {
+        event: track.label.to_string(),
+        between: track.between.map(|border| border.map(count)),
+        at: track.points.iter().map(|point| value(point.t)).collect(),
+        h: track.points.iter().map(|point| point.h).collect(),
+        l: track.points.iter().map(|point| point.l).collect(),
+    };
+    let class = |stretch: &Stretch| stretch.class.as_ref().map(ToString::to_string);
+    EventTracksDocument {
         head: head(command.json()),
-        vary: vary.iter().map(range).collect(),
-        borders: vec![FoundBorderDocument {
-            at: vary.iter().map(value).collect(),
-            event: event(&border.event),
-            classes: border.classes.each_ref().map(|class| class.name().to_string()),
-            reached: border.reached,
-        }],
-        atlases: border.atlases,
+        vary: range(vary),
+        bodies: count(tracks.bodies),
+        passed: count(tracks.passed),
+        classes: tracks.stretches.iter().map(class).collect(),
+        borders: tracks.borders.iter().map(|border| found(border, segment, std::slice::from_ref(vary))).collect(),
+        events: tracks.tracks.iter().map(track).collect(),
     }
 }
 

@@ -35,7 +35,7 @@ pub mod words;
 pub use atlas::{DocumentOptions, Drawn, attach_part};
 pub use bifdiag_schema::CommandLine;
 pub use body::{all_bodies, given, head, part, texts, version};
-pub use border::border;
+pub use border::{border, event_tracks};
 pub use certified::{certified_atlas, certified_atlas_of, leave_out_drawing, proved_point, seal};
 pub use chaos::{chaos_cell, chaos_map, chaos_point};
 pub use classes::{add_text, shipped_classes, standing};

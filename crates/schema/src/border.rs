@@ -98,3 +98,38 @@ pub struct BorderDocument {
     /// Bodies that were looked at.
     pub atlases: u32,
 }
+
+/// An event along a way through the bodies.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct EventTrackDocument {
+    /// What meets.
+    pub event: String,
+    /// The places in `borders` between which it lives, from 0; null where that is an end of the range.
+    pub between: [Option<u32>; 2],
+    /// The values of the parameter at which it was computed.
+    pub at: Vec<f64>,
+    /// Its energy at each of them.
+    pub h: Vec<f64>,
+    /// Its vertical angular momentum.
+    pub l: Vec<f64>,
+}
+
+/// The answer of `scan events`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct EventTracksDocument {
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
+    /// The parameter and its range.
+    pub vary: RangeDocument,
+    /// Bodies that were looked at.
+    pub bodies: u32,
+    /// Those that belong to no stretch between borders: special bodies, and undecided ones.
+    pub passed: u32,
+    /// The class before the first border, between any two, and behind the last; null where it is not known.
+    pub classes: Vec<Option<String>>,
+    /// Where the class changes, in order.
+    pub borders: Vec<FoundBorderDocument>,
+    /// The events.
+    pub events: Vec<EventTrackDocument>,
+}

@@ -40,7 +40,10 @@ pub use atlas::{
     SampleDocument, StabilityChangeDocument, StabilityChangeKind, StabilitySpan, SummaryDocument, TailDocument,
     UndecidedDocument, VerdictChangeDocument, ViewDocument, WindowDocument,
 };
-pub use border::{BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument, FoundBorderDocument};
+pub use border::{
+    BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument, EventTrackDocument, EventTracksDocument,
+    FoundBorderDocument,
+};
 pub use certificate::{
     CertificateDocument, CertificateUnits, CertifiedCusp, CertifiedEvent, CertifiedHeight, CertifiedMeeting,
     CertifiedNode, CertifiedPair, CertifiedSample, CertifiedSlab, CertifiedStretch, PlaceDocument,

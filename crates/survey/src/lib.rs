@@ -2,6 +2,7 @@
 
 pub mod border;
 mod design;
+pub mod events;
 pub mod nearest;
 mod parallel;
 mod parameter;

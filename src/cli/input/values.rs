@@ -144,21 +144,28 @@ const WINDOW: &str = "a window is written hmin:hmax,lmin:lmax, such as 0:6,0:4";
 
 pub fn window(text: &str) -> Result<WindowDocument, Failure> {
     let (h, l) = text.split_once(',').ok_or_else(|| Failure::input(WINDOW))?;
-    let (h, _) = interval(h, "hmin", "hmax")?;
-    let (l, l_low) = interval(l, "lmin", "lmax")?;
-    if l[0] < 0.0 {
-        let l_low = l_low.text();
-        return Err(Failure::input(format!(
-            "lmin = {l_low} is negative; everything depends on l² only, give a window with lmin ≥ 0"
-        )));
-    }
-    Ok(WindowDocument { h, l })
+    let (h, _) = interval(h, ["hmin", "hmax"], WINDOW)?;
+    Ok(WindowDocument { h, l: momenta_of(l, WINDOW)? })
 }
 
-fn interval(text: &str, low: &'static str, high: &'static str) -> Result<([f64; 2], Number), Failure> {
-    let (from, to) = text.split_once(':').ok_or_else(|| Failure::input(WINDOW))?;
+/// Momenta from one to another.
+pub fn momenta(text: &str) -> Result<[f64; 2], Failure> {
+    momenta_of(text, "write lmin:lmax, such as 0:4")
+}
+
+fn momenta_of(text: &str, right: &str) -> Result<[f64; 2], Failure> {
+    let (ends, from) = interval(text, ["lmin", "lmax"], right)?;
+    if ends[0] < 0.0 {
+        let from = from.text();
+        return Err(Failure::input(format!("lmin = {from} is negative; everything depends on l² only, give lmin ≥ 0")));
+    }
+    Ok(ends)
+}
+
+fn interval(text: &str, [low, high]: [&str; 2], right: &str) -> Result<([f64; 2], Number), Failure> {
+    let (from, to) = text.split_once(':').ok_or_else(|| Failure::input(right))?;
     let entry =
-        |name, text: &str| text.parse::<Number>().map_err(|error| Failure::input(format!("{name}: {error}; {WINDOW}")));
+        |name, text: &str| text.parse::<Number>().map_err(|error| Failure::input(format!("{name}: {error}; {right}")));
     let (from, to) = (entry(low, from)?, entry(high, to)?);
     let ends = [from.to_f64(), to.to_f64()];
     if ends[0] < ends[1] {

@@ -8,8 +8,8 @@ use bifdiag_survey::{BodyFamily, ParameterRange, parameter};
 use clap::{Args, Subcommand};
 
 use super::table::Format;
-use crate::cli::export::{PictureArguments, WidthArgument};
-use crate::cli::input::values::{Named, named};
+use crate::cli::export::{DataTarget, PictureArguments, WidthArgument};
+use crate::cli::input::values::{self, Named, named};
 use crate::cli::input::{PlainBodyArguments, accuracy};
 use crate::pictures::Shown;
 
@@ -23,6 +23,7 @@ Examples:
   bifdiag scan merge shard-*.parquet --out general.parquet
   bifdiag scan map katok.csv --x A2 --y A3 --out maps
   bifdiag scan border --body katok:2 --vary A3=0.7:0.8
+  bifdiag scan events --body kovalevskaya --vary A2=1:2.2
 
 One row for each body: A, r, the class of its diagram, numbers of regions, events and relative equilibria, types found. \
 FILE.summary.json says what all have in common. A scan that was stopped goes on where it was when it is started again, \
@@ -44,6 +45,13 @@ const BORDER_EXAMPLES: &str = "\
 Examples:
   bifdiag scan border --body katok:2 --vary A3=0.7:0.8
   bifdiag scan border --body paper --vary r2=0.01:0.4 --json";
+
+const EVENTS_EXAMPLES: &str = "\
+Examples:
+  bifdiag scan events --body kovalevskaya --vary A2=1:2.2
+  bifdiag scan events --body paper --vary r2=0:0.4:60 --l 0:6 --data events.csv
+
+Each event (cusp, pitchfork, crossing) is followed from border to border; --data FILE holds its places.";
 
 /// `bifdiag scan`.
 #[derive(Debug, Args)]
@@ -67,6 +75,9 @@ pub enum ScanCommand {
     /// Find where the class changes between two bodies, and what happens there
     #[command(after_help = BORDER_EXAMPLES)]
     Border(Box<BorderArguments>),
+    /// Follow all events of the diagram while one parameter of the body varies
+    #[command(after_help = EVENTS_EXAMPLES)]
+    Events(Box<EventsArguments>),
 }
 
 /// Families of bodies.
@@ -176,6 +187,35 @@ pub struct BorderArguments {
     /// What the answers must be worth
     #[arg(long, value_parser = accuracy(), default_value = "exact", help_heading = "Work")]
     pub accuracy: Accuracy,
+    /// Print the answer as JSON
+    #[arg(long, help_heading = "Output")]
+    pub json: bool,
+}
+
+/// `bifdiag scan events`.
+#[derive(Debug, Args)]
+pub struct EventsArguments {
+    #[command(flatten)]
+    pub body: PlainBodyArguments,
+    /// The parameter that varies and its range; with N: over so many bodies (default: 240)
+    #[arg(long, value_name = "A2=FROM:TO[:N]", help_heading = "Way")]
+    pub vary: ParameterRange,
+    /// The momenta that the picture shows (default: nearly all events)
+    #[arg(long = "l", value_name = "FROM:TO", value_parser = values::momenta, help_heading = "Output")]
+    pub momenta: Option<[f64; 2]>,
+    /// Write the places of the events to FILE.csv, FILE.npz, FILE.jsonl or FILE.parquet (-: CSV to stdout)
+    #[arg(long, value_name = "FILE", value_parser = DataTarget::parse, help_heading = "Output")]
+    pub data: Option<DataTarget>,
+    /// Write the picture to DIR (default: bifdiag-out; with --json or --data -: nowhere)
+    #[arg(long, value_name = "DIR", help_heading = "Output")]
+    pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub picture: PictureArguments,
+    #[command(flatten)]
+    pub width: WidthArgument,
+    /// Draw nothing
+    #[arg(long, help_heading = "Output")]
+    pub no_plot: bool,
     /// Print the answer as JSON
     #[arg(long, help_heading = "Output")]
     pub json: bool,

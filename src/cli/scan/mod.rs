@@ -1,7 +1,8 @@
-//! `bifdiag scan`: many bodies, their shards, maps and the borders between their classes.
+//! `bifdiag scan`: many bodies, their shards, maps, the borders between their classes, and their events along a way.
 
 mod arguments;
 mod border;
+mod events;
 mod journal;
 mod map;
 mod merge;
@@ -22,5 +23,6 @@ pub fn run(arguments: &ScanArguments, timings: &Timings, quiet: bool) -> Result<
         Some(ScanCommand::Merge(arguments)) => merge::run(arguments),
         Some(ScanCommand::Map(arguments)) => map::run(arguments, timings),
         Some(ScanCommand::Border(arguments)) => border::run(arguments),
+        Some(ScanCommand::Events(arguments)) => events::run(arguments, timings),
     }
 }

@@ -257,11 +257,26 @@ fn joined<T: fmt::Display>(names: &[T], between: &str) -> String {
     names.iter().map(T::to_string).collect::<Vec<_>>().join(between)
 }
 
-/// All events of an atlas with their momenta in the body's units.
+/// An event with its place, in the body's units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NamedEvent {
+    /// What meets.
+    pub label: EventLabel,
+    /// Energy.
+    pub h: f64,
+    /// Vertical angular momentum.
+    pub l: f64,
+}
+
+/// All events of an atlas.
 #[must_use]
-pub fn named_events(atlas: &Atlas) -> Vec<(EventLabel, f64)> {
+pub fn named_events(atlas: &Atlas) -> Vec<NamedEvent> {
     let arrangement = atlas.arrangement();
-    let unit = arrangement.set.frame.momentum_unit;
-    let named = |event: &Event| (EventLabel::of(&arrangement.set, &event.change), (2.0 * event.x).sqrt() * unit);
+    let frame = &arrangement.set.frame;
+    let named = |event: &Event| NamedEvent {
+        label: EventLabel::of(&arrangement.set, &event.change),
+        h: event.h * frame.energy_unit,
+        l: (2.0 * event.x).sqrt() * frame.momentum_unit,
+    };
     arrangement.events.iter().map(named).collect()
 }

@@ -13,5 +13,5 @@ mod vanishing;
 
 pub(crate) use bisection::find_between;
 pub use bisection::{Border, BorderError, BorderOptions, NoClass, all, class_of, classes_of, find};
-pub use event::{BorderEvent, BorderEventKind, Encounter, EventLabel, EventLocation, named_events};
+pub use event::{BorderEvent, BorderEventKind, Encounter, EventLabel, EventLocation, NamedEvent, named_events};
 pub use segment::BodySegment;

@@ -1,0 +1,134 @@
+//! `bifdiag scan events`: the events of the diagram while one parameter of the body varies.
+
+use bifdiag_body::Body;
+use bifdiag_documents::words::counted;
+use bifdiag_numbers::Number;
+use bifdiag_plot::{Figure, draw_map};
+use bifdiag_schema::EventTracksDocument;
+use bifdiag_survey::border::{BodySegment, BorderOptions};
+use bifdiag_survey::events::follow;
+
+use super::arguments::EventsArguments;
+use crate::cli::export::{Columns, DataFormat, DataTarget, FileSet, Values, answer, directory};
+use crate::cli::failure::Failure;
+use crate::cli::terminal::{Report, Table, Timings, print, significant};
+use crate::pictures::{EventScene, events, momenta};
+
+/// Bodies if no number is given.
+const BODIES: u32 = 240;
+/// The most bodies: each needs an atlas.
+const BODIES_MAX: u32 = 20_000;
+const DIGITS: usize = 6;
+
+pub fn run(arguments: &EventsArguments, timings: &Timings) -> Result<(), Failure> {
+    let subject = arguments.body.subject()?;
+    let vary = &arguments.vary;
+    let bodies = vary.steps.unwrap_or(BODIES);
+    if bodies > BODIES_MAX {
+        return Err(Failure::input(format!("--vary: {bodies} bodies are too many; give at most {BODIES_MAX}")));
+    }
+    let to_stdout = arguments.data == Some(DataTarget::Stdout);
+    if to_stdout && arguments.json {
+        return Err(Failure::input("--data - and --json both want stdout; give --data FILE.csv"));
+    }
+    let end = |value: &Number| {
+        let mut values: Vec<Number> = subject.body.moments().iter().chain(subject.body.center()).cloned().collect();
+        values[vary.parameter.place()] = value.clone();
+        let texts: Vec<&str> = values.iter().map(Number::text).collect();
+        Body::parse(&texts[..3], &texts[3..]).map_err(|error| Failure::input(format!("--vary: {error}")))
+    };
+    let segment = BodySegment::new(end(&vary.from)?, end(&vary.to)?);
+    let tracks = timings.stage("events", || follow(&segment, bodies as usize, &BorderOptions::default()));
+    let text = format!("{}={}:{}:{bodies}", vary.parameter, vary.from.text(), vary.to.text());
+    let command = subject.command("scan events").option("vary", text);
+    let document = bifdiag_documents::event_tracks(&tracks, &segment, vary, command);
+    if to_stdout {
+        return print(DataFormat::Csv.bytes(&columns(&document)?)?);
+    }
+    let directory = directory(arguments.out.as_deref(), !arguments.json)?.filter(|_| !arguments.no_plot);
+    let mut files = FileSet::new(directory.as_deref().unwrap_or_else(|| std::path::Path::new(".")));
+    if let Some(DataTarget::File { path, format }) = &arguments.data {
+        files.add_at(path, format.bytes(&columns(&document)?)?);
+    }
+    if directory.is_some() {
+        let l = arguments.momenta.unwrap_or_else(|| momenta(&tracks));
+        let map = events(&EventScene { tracks: &tracks, segment: &segment, parameter: vary.parameter, l });
+        let picture = timings.stage("picture", || draw_map(&map, arguments.picture.theme, arguments.width.width))?;
+        files.remove_pictures("events");
+        let figure = Figure { picture, legend: None, caption: map.caption() };
+        files.figure("events", figure, &arguments.picture, timings)?;
+    }
+    let written = files.write()?;
+    answer(arguments.json, &document, || {
+        let mut report = Report::default();
+        let name = |place: usize, number: &Number| match place == vary.parameter.place() {
+            true => vary.parameter.to_string(),
+            false => number.text().to_owned(),
+        };
+        let numbers = subject.body.moments().iter().chain(subject.body.center());
+        let names: Vec<String> = numbers.enumerate().map(|(place, number)| name(place, number)).collect();
+        report.line(format!("A = ({})", names[..3].join(", ")));
+        report.line(format!("r = ({})", names[3..].join(", ")));
+        add(&mut report, &document);
+        report.written(&written);
+        report.text()
+    })
+}
+
+/// A row for each place of each event.
+fn columns(document: &EventTracksDocument) -> Result<Columns, Failure> {
+    let events = &document.events;
+    let count = |number: usize| i32::try_from(number).unwrap_or(i32::MAX);
+    let tracks = || events.iter().enumerate().flat_map(|(track, event)| event.at.iter().map(move |_| count(track)));
+    let words = events.iter().map(|event| event.event.clone().into()).collect();
+    let of = |values: fn(&bifdiag_schema::EventTrackDocument) -> &Vec<f64>| {
+        Values::floats(events.iter().flat_map(|event| values(event).iter().copied()))
+    };
+    let columns = [
+        ("track", Values::Int32(tracks().collect())),
+        ("event", Values::Words { words, places: Box::new(Values::Int32(tracks().collect())) }),
+        ("value", of(|event| &event.at)),
+        ("h", of(|event| &event.h)),
+        ("l", of(|event| &event.l)),
+    ];
+    let meta = EventTracksDocument { events: Vec::new(), ..document.clone() };
+    Ok(Columns::new(columns, &meta)?)
+}
+
+fn add(report: &mut Report, document: &EventTracksDocument) {
+    let parameter = document.vary.parameter;
+    let border = |number: u32| document.borders.get(number as usize).and_then(|border| border.at.first());
+    let (bodies, classes) = (document.bodies as usize, document.classes.len());
+    report.line(format!(
+        "{parameter} from {} to {}: {} in {}",
+        document.vary.from,
+        document.vary.to,
+        counted(bodies, "body", "bodies"),
+        counted(classes, "stretch of one class", "stretches of one class each"),
+    ));
+    if document.passed > 0 {
+        report.line(format!(
+            "{} of another class, or of none, left out",
+            counted(document.passed as usize, "body", "bodies")
+        ));
+    }
+    report.line("");
+    let mut table = Table::new(&["event", "from", "to", "l"]);
+    for event in &document.events {
+        let end = |side: usize| match event.between[side].and_then(border) {
+            Some(value) => significant(value.value, DIGITS),
+            None => [&document.vary.from, &document.vary.to][side].clone(),
+        };
+        let [first, last] =
+            [event.l.first(), event.l.last()].map(|l| l.map_or_else(String::new, |l| significant(*l, DIGITS)));
+        let l = if first == last { first } else { format!("{first} … {last}") };
+        table.row(vec![event.event.clone(), end(0), end(1), l]);
+    }
+    report.line(table.text());
+    report.line(format!("from, to: values of {parameter}"));
+    report.line("l: of the first and the last body that was looked at and has the event");
+    for border in &document.borders {
+        let value = border.at.first().map_or(f64::NAN, |value| value.value);
+        report.line(format!("{parameter} = {}: {}", significant(value, DIGITS), border.event.text));
+    }
+}
