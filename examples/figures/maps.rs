@@ -144,13 +144,6 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Box<dyn Error>> {
     number_as_katok(&mut map);
     map.title = String::from("From Lagrange (A2 = 1) to Kovalevskaya (A2 = 2)");
     map.subtitle.push_str("; L+, L−: from +r̂, −r̂; S2, S3: pair over axis 2, 3");
-    map.lines.push(MapLine {
-        points: dense(&[[1.0, L[0]], [1.0, L[1]]]),
-        dashed: true,
-        hue: 4,
-        text: "A2 = 1: Lagrange's top, two moments equal; no border of classes".to_owned(),
-        ..MapLine::default()
-    });
     Ok(map)
 }
 

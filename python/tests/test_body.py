@@ -3,6 +3,7 @@
 import copy
 import pickle
 import pydoc
+import sys
 from decimal import Decimal
 from fractions import Fraction
 
@@ -167,5 +168,7 @@ def test_the_first_screen_of_help_names_everything():
     public = [name for name in dir(bifdiag.Body) if not name.startswith("_")]
     assert [name for name in public if f"`{name}`" not in screen] == []
     # It had 414 lines, one of them of 1,356 characters.
-    assert len(told) < 340 and max(map(len, told)) < 330
+    # pydoc writes a long signature over several lines from Python 3.13 on.
+    assert len(told) < (340 if sys.version_info < (3, 13) else 430)
+    assert max(map(len, told)) < 330
     assert not [line for line in told if line.startswith(" |  _") and not line.startswith(" |  __")]

@@ -139,7 +139,7 @@ fn fixed(bodies: &[Seen], axes: [BodyParameter; 2]) -> String {
 }
 
 /// A part of the area or of the bodies; what lies on lines or at points alone has no area.
-fn share(part: f64) -> String {
+pub fn share(part: f64) -> String {
     match 100.0 * part {
         percent if percent < 0.05 => "below 0.1%".to_owned(),
         percent => format!("{percent:.1}%"),

@@ -155,3 +155,23 @@ fn holds_two_blocks(journal: &[u8]) -> bool {
     let first = end + 1 + 8 + usize::try_from(u64::from_le_bytes(*length)).unwrap() + 32;
     journal.len() > first + 1000
 }
+
+/// The events of this body, beside Kovalevskaya's, lie at momenta of hundreds: its curves are no chords between them.
+#[test]
+fn curves_bend_in_the_window_of_a_map() {
+    let place = tempfile::tempdir().unwrap();
+    let window = "--window=-2:12,0:6 --cells 2x2 --error 0.3 --steps 320";
+    let body = "--A 2,1.991,1 --r 0.999487,0,0.0061623";
+    bifdiag(&format!("chaos {body} {window} --out m.json -q")).inside(place.path()).succeeds();
+    bifdiag("chaos map m.json --out .").inside(place.path()).succeeds();
+    let picture = std::fs::read_to_string(place.path().join("chaos.svg")).unwrap();
+    let lines = picture.split("<path").filter(|path| path.contains("fill=\"none\"") && path.contains(" d=\""));
+    let corners = |path: &str| {
+        let data = path.split(" d=\"").nth(1).unwrap().split('"').next().unwrap();
+        data.split(|c: char| !c.is_ascii_digit() && c != '.' && c != '-').filter(|number| !number.is_empty()).count()
+            / 2
+    };
+    // Each is drawn twice, once as its own border.
+    let bent = lines.map(corners).filter(|corners| *corners > 20).count();
+    assert!(bent >= 6, "{bent} lines have more than 20 points");
+}

@@ -448,8 +448,10 @@ fn events_are_followed_from_border_to_border() {
     let line = "scan events --body kovalevskaya --vary A2=1:2.2:48";
     let text = bifdiag(&format!("{line} --data e.csv")).inside(place.path()).succeeds();
     text.printing("A = (2, A2, 1)")
-        .printing("48 bodies in 4 stretches of one class each")
+        .printing("48 bodies; 3 borders or special bodies between them")
         .printing("A2 = 1.5: the cusp of S2 reaches its pitchfork\nA2 = 2: a pitchfork goes through infinity");
+    // One of 49 bodies is beside A2 = 2, where a pitchfork has a momentum of 1e8: it is not drawn to there.
+    bifdiag("scan events --body kovalevskaya --vary A2=1:2.2:49 --out far").inside(place.path()).succeeds();
     let rows = fs::read_to_string(place.path().join("e.csv")).unwrap();
     assert!(rows.starts_with("track,event,value,h,l\n"), "{rows}");
     let picture = fs::read_to_string(place.path().join("bifdiag-out/events.svg")).unwrap();
@@ -459,7 +461,7 @@ fn events_are_followed_from_border_to_border() {
     let mut seen = 0;
     // Where one class ends, so do its events.
     for body in [5, 20, 30, 44] {
-        let value = 1.0 + 1.2 * (f64::from(body) + 0.5) / 48.0;
+        let value = 1.0 + 1.2 * f64::from(body) / 47.0;
         let atlas = bifdiag(&format!("--A 2,{value},1 --r 1,0,0 --json")).inside(place.path()).succeeds().json();
         let mut expected: Vec<f64> =
             atlas["events"].as_array().unwrap().iter().map(|e| e["l"].as_f64().unwrap()).collect();

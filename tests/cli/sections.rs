@@ -295,7 +295,7 @@ fn open_orbits_are_followed_further_for_their_verdicts() {
     }
     assert!(later > 0);
     let notes = short["notes"].to_string();
-    assert!(notes.contains("without a verdict after 400 crossings, followed for it alone over up to 800"), "{notes}");
+    assert!(notes.contains("without a verdict after 400 crossings, followed for it alone over up to 1600"), "{notes}");
     let exact = bifdiag(&format!("{line} --crossings 400 --verdict only")).succeeds().json();
     assert!(exact["notes"].is_null(), "{exact}");
 }

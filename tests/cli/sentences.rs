@@ -521,3 +521,17 @@ fn printed_samples_lie_in_their_regions() {
     }
     assert!(seen > 30 && marked == 2, "{seen} {marked}");
 }
+
+/// The effective potential of a ball without weight is constant: no rounding is drawn as a level, and nothing is explained that
+/// is not there.
+#[test]
+fn a_constant_potential_has_no_levels() {
+    let place = tempfile::tempdir().unwrap();
+    bifdiag("sphere --A 1,1,1 --r 0,0,0 --h 1 --l 1 --out ball").inside(place.path()).succeeds();
+    let picture = std::fs::read_to_string(place.path().join("ball/sphere.svg")).unwrap();
+    for absent in ["other levels", "not accessible"] {
+        assert!(!picture.contains(absent), "{absent}");
+    }
+    assert!(picture.len() < 60_000, "{} bytes", picture.len());
+    bifdiag("classes --at --A 2,1,4 --r 0,0.2,1 --physical").refused().telling("no mass has the moments of this body");
+}

@@ -11,6 +11,7 @@ Maps are kept in --keep and not made again. It needs only the standard library.
 import argparse
 import json
 import math
+import re
 import pathlib
 import subprocess
 import sys
@@ -186,13 +187,16 @@ def path(maps):
 def figure(pictures, file):
     """The pictures side by side, three in a row."""
     sizes = [[float(x) for x in picture.split('viewBox="')[1].split('"')[0].split()[2:]] for picture in pictures]
-    width, height = max(w for w, _ in sizes), max(h for _, h in sizes)
-    rows = math.ceil(len(pictures) / 3)
-    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {3 * width:g} {rows * height:g}" width="{1.5 * width:g}" height="{rows * height / 2:g}">']
-    for number, picture in enumerate(pictures):
-        inner = picture[picture.index("<svg"):]
-        parts.append(f'<g transform="translate({number % 3 * width:g} {number // 3 * height:g})">{inner}</g>')
-    file.write_text("\n".join([*parts, "</svg>"]) + "\n")
+    width = max(w for w, _ in sizes)
+    parts, below = [], 0.0
+    for row in range(0, len(pictures), 3):
+        for place, (picture, (w, h)) in enumerate(zip(pictures[row:row + 3], sizes[row:row + 3])):
+            # Millimetres would be those of a page of its own.
+            inner = re.sub(r'width="[^"]*" height="[^"]*"', f'width="{w:g}" height="{h:g}"', picture[picture.index("<svg"):], count=1)
+            parts.append(f'<g transform="translate({place * width:g} {below:g})">{inner}</g>')
+        below += max(h for _, h in sizes[row:row + 3])
+    head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {3 * width:g} {below:g}" width="{3 * width / 20:g}" height="{below / 20:g}">'
+    file.write_text("\n".join([head, *parts, "</svg>"]) + "\n")
     print(f"written: {file.name}")
 
 

@@ -24,7 +24,7 @@ pub fn border(border: &Border, segment: &BodySegment, vary: &[ParameterRange], c
 
 fn found(border: &Border, segment: &BodySegment, vary: &[ParameterRange]) -> FoundBorderDocument {
     let value = |range: &ParameterRange| {
-        let at = |t: f64| segment.coordinate(range.parameter.place(), t).to_f64().value();
+        let at = |t: f64| segment.value(range.parameter.place(), t);
         BorderValueDocument {
             parameter: range.parameter,
             value: at(border.t),
@@ -49,7 +49,7 @@ pub fn event_tracks(
     command: CommandLine,
 ) -> EventTracksDocument {
     let count = |number: usize| u32::try_from(number).unwrap_or(u32::MAX);
-    let value = |t: f64| segment.coordinate(vary.parameter.place(), t).to_f64().value();
+    let value = |t: f64| segment.value(vary.parameter.place(), t);
     let track = |track: &EventTrack| EventTrackDocument {
         event: track.label.to_string(),
         between: track.between.map(|border| border.map(count)),

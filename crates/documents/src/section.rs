@@ -146,15 +146,16 @@ pub fn tolerance_option(line: CommandLine, tolerance: f64) -> CommandLine {
     line.option_if("tol", (tolerance != DEFAULT_TOLERANCE).then_some(tolerance))
 }
 
-/// Sections of several regions; `complete` says whether all regions had their turn.
+/// Sections of several regions, those that `wanted` names, or `all`; `complete` says whether all of them had their turn.
 #[must_use]
 pub fn sections(
     subject: &Subject,
+    wanted: &str,
     sections: Vec<SectionDocument>,
     skipped: Vec<SkippedDocument>,
     complete: bool,
 ) -> SectionsDocument {
-    let all = subject.command("section").option("region", "all");
+    let all = subject.command("section").option("region", wanted);
     let command = sections.first().map_or(all.clone(), |first| as_asked(all, first)).json();
     let complete = complete && sections.iter().all(|section| section.complete);
     SectionsDocument { head: head(command), complete, sections, skipped }

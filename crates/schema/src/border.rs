@@ -124,11 +124,11 @@ pub struct EventTracksDocument {
     pub vary: RangeDocument,
     /// Bodies that were looked at.
     pub bodies: u32,
-    /// Those that belong to no stretch between borders: special bodies, and undecided ones.
+    /// Those that were left out: special bodies, and undecided ones.
     pub passed: u32,
     /// The class before the first border, between any two, and behind the last; null where it is not known.
     pub classes: Vec<Option<String>>,
-    /// Where the class changes, in order.
+    /// Where the class changes, in order, and the special bodies between bodies of one class.
     pub borders: Vec<FoundBorderDocument>,
     /// The events.
     pub events: Vec<EventTrackDocument>,

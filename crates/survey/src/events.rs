@@ -1,8 +1,11 @@
 //! The events of the diagrams along a way through the bodies: each followed from where it comes into being to where it ends.
 
-use bifdiag_diagram::class::ClassName;
+use bifdiag_diagram::class::{Class, ClassName};
 
-use crate::border::{BodySegment, Border, BorderOptions, EventLabel, NamedEvent, all, class_of, named_events};
+use crate::border::{
+    BodySegment, Border, BorderEvent, BorderEventKind, BorderOptions, EventLabel, NamedEvent, all, class_of,
+    named_events, special,
+};
 use crate::parallel::each;
 
 /// A place of an event.
@@ -27,12 +30,12 @@ pub struct EventTrack {
     pub between: [Option<usize>; 2],
 }
 
-/// A part of the way on which the class is the same.
+/// A part of the way between two borders.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stretch {
     /// Its ends.
     pub t: [f64; 2],
-    /// The class; none where the body at its middle has none.
+    /// The class; none where no body in it has one.
     pub class: Option<ClassName>,
     /// The number of regions.
     pub regions: usize,
@@ -41,7 +44,7 @@ pub struct Stretch {
 /// The events along a way, and where the class changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EventTracks {
-    /// The borders, in order.
+    /// The borders, in order, and the special bodies between bodies of one class.
     pub borders: Vec<Border>,
     /// What lies between them.
     pub stretches: Vec<Stretch>,
@@ -49,50 +52,63 @@ pub struct EventTracks {
     pub tracks: Vec<EventTrack>,
     /// Bodies that were looked at.
     pub bodies: usize,
-    /// Those of them that have another class than their stretch, or none: special bodies, and undecided ones beside borders.
+    /// Those of them that are special, undecided, or of another class than their stretch.
     pub passed: usize,
 }
 
 /// What a body shows.
 struct Seen {
     t: f64,
-    class: ClassName,
-    regions: usize,
+    class: Class,
     events: Vec<NamedEvent>,
 }
 
-/// Follows the events over so many bodies, in equal steps between the ends of the way.
+/// Follows the events over so many bodies, in equal steps from one end of the way to the other. Borders are sought between
+/// neighbours of different classes: two within one step, back to the same class, are not seen.
 #[must_use]
 pub fn follow(segment: &BodySegment, bodies: usize, options: &BorderOptions) -> EventTracks {
-    let mut borders = all(segment, options);
-    // A special body at an end of the way has a class of its own.
-    borders.retain(|border| border.t > border.error && border.t < 1.0 - border.error);
-    let places: Vec<f64> = (0..bodies).map(|k| (k as f64 + 0.5) / bodies as f64).collect();
-    let seen = each(&places, |&t| {
-        let (atlas, class) = class_of(&segment.body(t), options.accuracy).ok()?;
-        let events = named_events(&atlas);
-        Some(Seen { t, class: class.name().clone(), regions: class.regions(), events })
-    });
+    let last = bodies.max(2) - 1;
+    let places: Vec<f64> = (0..=last).map(|k| k as f64 / last as f64).collect();
+    let look = |places: &[f64]| -> Vec<Seen> {
+        let seen = each(places, |&t| {
+            // More special than its neighbours, a body has a class of its own.
+            if special(segment, [t, t]).is_some() {
+                return None;
+            }
+            let (atlas, class) = class_of(&segment.body(t), options.accuracy).ok()?;
+            Some(Seen { t, class, events: named_events(&atlas) })
+        });
+        seen.into_iter().flatten().collect()
+    };
+    let mut seen = look(&places);
+    let pairs: Vec<&[Seen]> = seen.windows(2).collect();
+    let borders: Vec<Border> = each(&pairs, |pair| between(segment, pair, options)).into_iter().flatten().collect();
     let ends: Vec<f64> = [0.0].into_iter().chain(borders.iter().map(|border| border.t)).chain([1.0]).collect();
-    let mut found =
-        EventTracks { stretches: Vec::with_capacity(ends.len()), tracks: Vec::new(), bodies, passed: 0, borders };
+    // Every stretch shows its events, however short it is.
+    let is_empty = |t: &&[f64]| !seen.iter().any(|body| t[0] <= body.t && body.t <= t[1]);
+    let middles: Vec<f64> = ends.windows(2).filter(is_empty).map(|t| 0.5 * (t[0] + t[1])).collect();
+    seen.extend(look(&middles));
+    seen.sort_by(|p, q| p.t.total_cmp(&q.t));
+    let bodies = places.len() + middles.len();
+    let mut found = EventTracks { stretches: Vec::new(), tracks: Vec::new(), bodies, passed: 0, borders };
+    let mut shown = 0;
     for (number, pair) in ends.windows(2).enumerate() {
         let t = [pair[0], pair[1]];
-        let inside = seen.iter().flatten().filter(|body| t[0] < body.t && body.t < t[1]);
-        // Borders know what lies beside them; without one, the first body that has a class does.
-        let beside = match (found.borders.get(number), number.checked_sub(1).and_then(|n| found.borders.get(n))) {
-            (Some(above), _) => Some(above.classes[0].name().clone()),
-            (None, Some(below)) => Some(below.classes[1].name().clone()),
-            (None, None) => inside.clone().map(|body| body.class.clone()).next(),
-        };
-        let own: Vec<&Seen> = inside.filter(|body| Some(&body.class) == beside.as_ref()).collect();
-        let regions = own.first().map_or(0, |body| body.regions);
-        add(&mut found.tracks, &own, number);
-        found.stretches.push(Stretch { t, class: beside, regions });
-        found.passed += own.len();
+        let inside: Vec<&Seen> = seen.iter().filter(|body| t[0] <= body.t && body.t <= t[1]).collect();
+        // Where the body in the middle is undecided, the border below knows.
+        let below = number.checked_sub(1).and_then(|below| found.borders.get(below)).map(|border| &border.classes[1]);
+        let class = inside.first().map(|body| &body.class).or(below).cloned();
+        let own: Vec<&Seen> = inside
+            .into_iter()
+            .filter(|body| class.as_ref().is_some_and(|class| class.name() == body.class.name()))
+            .collect();
+        let joins = number == 0 || !breaks(&found.borders[number - 1].event.kind);
+        add(&mut found.tracks, &own, number, joins);
+        shown += own.len();
+        let regions = class.as_ref().map_or(0, Class::regions);
+        found.stretches.push(Stretch { t, class: class.map(|class| class.name().clone()), regions });
     }
-    // So many bodies belong to no stretch.
-    found.passed = bodies - found.passed;
+    found.passed = found.bodies - shown;
     let last = found.borders.len();
     for track in &mut found.tracks {
         track.between[1] = track.between[1].filter(|border| *border < last);
@@ -101,9 +117,48 @@ pub fn follow(segment: &BodySegment, bodies: usize, options: &BorderOptions) -> 
     found
 }
 
-/// Adds the bodies of a stretch. Events of one label follow each other by their momenta; those that cross the border before the
-/// stretch go on.
-fn add(tracks: &mut Vec<EventTrack>, bodies: &[&Seen], number: usize) {
+/// What lies between two neighbours: the borders, or a special body with one class on both sides.
+fn between(segment: &BodySegment, pair: &[Seen], options: &BorderOptions) -> Vec<Border> {
+    let [from, to] = [0, 1].map(|side| pair[side].t);
+    let classes = [0, 1].map(|side| pair[side].class.clone());
+    let mut borders = Vec::new();
+    if classes[0].name() != classes[1].name() {
+        let step = BodySegment::new(segment.body(from), segment.body(to));
+        let whole = |t: f64| from + (to - from) * t;
+        for mut border in all(&step, options) {
+            border.enclosure = border.enclosure.map(whole);
+            border.t = whole(border.t);
+            border.error *= to - from;
+            borders.push(border);
+        }
+    }
+    let special = special(segment, [from, to]);
+    if let Some((body, root)) = special
+        && !borders.iter().any(|border| (border.t - root.t).abs() <= border.error + root.error + f64::EPSILON)
+    {
+        let event =
+            BorderEvent { kind: body.kind(), curves: Vec::new(), place: None, vanish: Vec::new(), appear: Vec::new() };
+        let at = borders.partition_point(|border| border.t < root.t);
+        // The classes beside it are those of the borders around it.
+        let below = at.checked_sub(1).map_or(&classes[0], |below| &borders[below].classes[1]);
+        let above = borders.get(at).map_or(&classes[1], |above| &above.classes[0]);
+        let classes = [below.clone(), above.clone()];
+        let border =
+            Border { enclosure: [from, to], t: root.t, error: root.error, classes, reached: true, event, atlases: 0 };
+        borders.insert(at, border);
+    }
+    borders
+}
+
+/// Whether no event goes on: where moments are equal the axes change their order and events go to infinity, and without weight
+/// there are none.
+fn breaks(kind: &BorderEventKind) -> bool {
+    matches!(kind, BorderEventKind::MomentsEqual { .. } | BorderEventKind::WeightVanishes)
+}
+
+/// Adds the bodies of a stretch. Events of one label follow each other by their momenta; those that reach the border before the
+/// stretch go on if it `joins` them.
+fn add(tracks: &mut Vec<EventTrack>, bodies: &[&Seen], number: usize, joins: bool) {
     let mut labels: Vec<EventLabel> =
         bodies.iter().flat_map(|body| body.events.iter().map(|event| event.label)).collect();
     labels.sort();
@@ -123,25 +178,26 @@ fn add(tracks: &mut Vec<EventTrack>, bodies: &[&Seen], number: usize) {
                 run.push(point);
             }
         }
-        for points in runs {
-            go_on(tracks, label, points, number);
-        }
+        join(tracks, label, runs, number, joins);
     }
 }
 
-/// Continues the nearest event of this label that reaches the border before a stretch, or begins another one.
-fn go_on(tracks: &mut Vec<EventTrack>, label: EventLabel, points: Vec<EventPoint>, number: usize) {
-    let Some(first) = points.first().copied() else { return };
+/// Continues the events of this label that reach the border before a stretch, the nearest first, and begins the others.
+fn join(tracks: &mut Vec<EventTrack>, label: EventLabel, mut runs: Vec<Vec<EventPoint>>, number: usize, joins: bool) {
     let before = number.checked_sub(1);
-    let gap = |track: &EventTrack| track.points.last().map_or(f64::INFINITY, |last| (last.l - first.l).abs());
-    let reaches = |track: &&mut EventTrack| track.label == label && before.is_some() && track.between[1] == before;
-    match tracks.iter_mut().filter(reaches).min_by(|p, q| gap(p).total_cmp(&gap(q))) {
-        Some(track) => {
-            track.points.extend(points);
-            track.between[1] = Some(number);
-        }
-        None => tracks.push(EventTrack { label, points, between: [before, Some(number)] }),
+    let reaches = |track: &EventTrack| joins && track.label == label && before.is_some() && track.between[1] == before;
+    loop {
+        let open = tracks.iter().enumerate().filter(|(_, track)| reaches(track));
+        let pairs = open.flat_map(|(track, old)| {
+            let last = old.points.last().map_or(f64::INFINITY, |point| point.l);
+            let gap = move |run: &Vec<EventPoint>| run.first().map_or(f64::INFINITY, |point| (point.l - last).abs());
+            runs.iter().enumerate().map(move |(place, run)| (gap(run), track, place))
+        });
+        let Some((_, track, place)) = pairs.min_by(|p, q| p.0.total_cmp(&q.0)) else { break };
+        tracks[track].points.extend(runs.remove(place));
+        tracks[track].between[1] = Some(number);
     }
+    tracks.extend(runs.into_iter().map(|points| EventTrack { label, points, between: [before, Some(number)] }));
 }
 
 #[cfg(test)]
@@ -150,26 +206,98 @@ mod tests {
 
     use super::*;
 
+    fn way(from: [&str; 6], to: [&str; 6]) -> BodySegment {
+        let body = |x: [&str; 6]| Body::parse(&x[..3], &x[3..]).unwrap();
+        BodySegment::new(body(from), body(to))
+    }
+
+    fn of<'a>(found: &'a EventTracks, name: &str) -> Vec<&'a EventTrack> {
+        found.tracks.iter().filter(|track| track.label.to_string() == name).collect()
+    }
+
     /// From Lagrange's to Kovalevskaya's top, A = (2, η, 1), r = (1, 0, 0): the cusp of S2 is at the pitchfork at η = 3/2, and
     /// both momenta are known.
     #[test]
     fn the_cusp_of_a_pair_ends_at_its_pitchfork() {
-        let body = |eta: &str| Body::parse(&["2", eta, "1"], &["1", "0", "0"]).unwrap();
-        let segment = BodySegment::new(body("1.05"), body("1.9"));
-        let found = follow(&segment, 34, &BorderOptions::default());
-        let value = |t: f64| segment.coordinate(1, t).to_f64().value();
+        let segment = way(["2", "1.05", "1", "1", "0", "0"], ["2", "1.9", "1", "1", "0", "0"]);
+        let found = follow(&segment, 35, &BorderOptions::default());
+        let value = |t: f64| segment.value(1, t);
         let borders: Vec<f64> = found.borders.iter().map(|border| value(border.t)).collect();
+        assert_eq!(borders.len(), 2);
         assert!((borders[0] - 10.0 / 9.0).abs() < 1e-9 && (borders[1] - 1.5).abs() < 1e-9, "{borders:?}");
         assert_eq!((found.stretches.len(), found.passed), (3, 0));
-        let of = |name: &str| found.tracks.iter().filter(|track| track.label.to_string() == name).collect::<Vec<_>>();
-        let [cusp] = of("cusp of S2")[..] else { panic!("{:?}", found.tracks) };
+        let [cusp] = of(&found, "cusp of S2")[..] else { panic!("{:?}", found.tracks) };
         assert_eq!(cusp.between, [None, Some(1)]);
-        let [pitchfork] = of("pitchfork of L- and S2")[..] else { panic!("{:?}", found.tracks) };
+        let [pitchfork] = of(&found, "pitchfork of L- and S2")[..] else { panic!("{:?}", found.tracks) };
         assert_eq!(pitchfork.between, [None, None]);
-        // On the upright axis p² = J1 − J2 in ω = 1/√(A1 − A2): l = A1 ω.
+        // The upright axis turns with ω = 1/√(A1 − A2) there: l = A1 ω.
         for point in &pitchfork.points {
             let expected = 2.0 / (2.0 - value(point.t)).sqrt();
             assert!((point.l - expected).abs() < 1e-9, "{point:?} {expected}");
         }
+    }
+
+    /// A1 passes A2 = 1.7, where the cusp of G1 goes to infinity, with one class on both sides.
+    #[test]
+    fn a_cusp_that_goes_to_infinity_ends_where_moments_are_equal() {
+        let segment = way(["1", "1.7", "2.4", "0.4", "0.2", "0.9"], ["2.4", "1.7", "2.4", "0.4", "0.2", "0.9"]);
+        let found = follow(&segment, 81, &BorderOptions::default());
+        let at = found.borders.iter().position(|border| border.t == 0.5).unwrap();
+        assert_eq!(found.borders[at].event.kind.to_string(), "the moments A1 and A2 are equal there");
+        let cusps = of(&found, "cusp of G1");
+        assert!(
+            cusps.iter().any(|cusp| cusp.between[1] == Some(at))
+                && cusps.iter().any(|cusp| cusp.between[0] == Some(at))
+        );
+        // The body with A1 = A2 itself, and that with A1 = A3 at the end.
+        assert_eq!(found.passed, 2);
+    }
+
+    /// Classes come back along the way: no border is lost, and every body shows the class that it has.
+    #[test]
+    fn classes_that_come_back_are_seen() {
+        let segment = way(["0.4", "1", "0.7", "0.9", "0.3", "0.5"], ["1.5", "1", "0.7", "0.9", "0.3", "0.5"]);
+        let found = follow(&segment, 240, &BorderOptions::default());
+        assert_eq!(found.passed, 0);
+        let value = |t: f64| segment.value(0, t);
+        let borders: Vec<f64> = found.borders.iter().map(|border| value(border.t)).collect();
+        for known in [2.0 / 3.0, 0.685_678, 0.7, 1.0] {
+            assert!(borders.iter().any(|border| (border - known).abs() < 1e-6), "{known}: {borders:?}");
+        }
+        for stretch in &found.stretches {
+            let (_, class) = class_of(&segment.body(0.5 * (stretch.t[0] + stretch.t[1])), options().accuracy).unwrap();
+            assert_eq!(stretch.class.as_ref(), Some(class.name()), "{stretch:?}");
+        }
+    }
+
+    /// Three bodies, of which none lies between the borders 10/9 and 3/2: events go on through what is between them.
+    #[test]
+    fn short_stretches_are_looked_into() {
+        let segment = way(["2", "1.05", "1", "1", "0", "0"], ["2", "1.95", "1", "1", "0", "0"]);
+        let found = follow(&segment, 2, &options());
+        assert_eq!((found.stretches.len(), found.bodies, found.passed), (3, 3, 0));
+        assert!(found.stretches.iter().all(|stretch| stretch.regions > 4));
+        let [pitchfork] = of(&found, "pitchfork of L- and S3")[..] else { panic!("{:?}", found.tracks) };
+        assert_eq!((pitchfork.between, pitchfork.points.len()), ([None, None], 3));
+        let [crossing] = of(&found, "crossing of S2 and S3")[..] else { panic!("{:?}", found.tracks) };
+        assert_eq!(crossing.between, [None, Some(0)]);
+    }
+
+    /// The border r2 = 0.03654 of the paper's body and its mirror image, with r2 = 0 between them.
+    #[test]
+    fn mirror_images_have_the_same_borders() {
+        let end = |r2: &'static str| ["2", "1.1", "1", "0.94868", r2, "0.61623"];
+        let segment = way(end("-0.4"), end("0.3"));
+        let found = follow(&segment, 71, &options());
+        let borders: Vec<f64> = found.borders.iter().map(|border| segment.value(4, border.t)).collect();
+        let [left, zero, right] = borders[..] else { panic!("{borders:?}") };
+        assert!((left + right).abs() < 1e-9 && zero.abs() < 1e-12 && (right - 0.03654).abs() < 1e-5, "{borders:?}");
+        assert_eq!(found.stretches[0].class, found.stretches[3].class);
+        assert_eq!(found.stretches[1].class, found.stretches[2].class);
+        assert_ne!(found.stretches[0].class, found.stretches[1].class);
+    }
+
+    fn options() -> BorderOptions {
+        BorderOptions::default()
     }
 }

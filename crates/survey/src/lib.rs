@@ -16,5 +16,5 @@ pub mod subdivision;
 pub mod tolerance;
 
 pub use design::{BodyFamily, BodyList, Design, DesignError};
-pub use parameter::{ParameterRange, ParseRangeError, parameter};
+pub use parameter::{ParameterRange, ParseRangeError, parameter, with_values};
 pub use signature::{ComponentType, ParseComponentTypeError, Signature};

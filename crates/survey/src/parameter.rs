@@ -5,6 +5,7 @@ use std::str::FromStr;
 use dashu_ratio::RBig;
 use thiserror::Error;
 
+use bifdiag_body::{Body, BodyError};
 use bifdiag_numbers::{Number, ParseNumberError};
 use bifdiag_schema::BodyParameter;
 
@@ -15,6 +16,22 @@ use bifdiag_schema::BodyParameter;
 pub fn parameter(text: &str) -> Result<BodyParameter, ParseRangeError> {
     let found = BodyParameter::ALL.into_iter().find(|parameter| parameter.name() == text.trim());
     found.ok_or_else(|| ParseRangeError::Parameter { text: text.trim().to_owned() })
+}
+
+/// A body with other values of some parameters.
+///
+/// # Errors
+/// Where a moment is not positive.
+pub fn with_values<'a>(
+    body: &Body,
+    values: impl IntoIterator<Item = (BodyParameter, &'a Number)>,
+) -> Result<Body, BodyError> {
+    let (mut moments, mut center) = (body.moments().clone(), body.center().clone());
+    for (parameter, value) in values {
+        let place = parameter.place();
+        *moments.get_mut(place).unwrap_or_else(|| &mut center[place - 3]) = value.clone();
+    }
+    Body::new(moments, center)
 }
 
 /// The values that one parameter takes.

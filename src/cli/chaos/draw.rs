@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use bifdiag_body::Body;
 use bifdiag_chaos::Cells;
-use bifdiag_diagram::atlas::{Atlas, PolylineOptions, Spot};
+use bifdiag_diagram::atlas::{Atlas, Spot};
+use bifdiag_equilibria::curves::CurveName;
 use bifdiag_exact::{Accuracy, Solver};
 use bifdiag_plot::{ChaosCell, ChaosPanel, ChaosScene, draw_chaos};
 use bifdiag_schema::{ChaosCellDocument, ChaosMapDocument};
@@ -15,7 +16,7 @@ use crate::cli::export::FileSet;
 use crate::cli::failure::{Failure, failed};
 use crate::cli::terminal::{Report, Timings, print};
 
-/// How far drawn chords may leave a curve, as for diagrams, but so that no corner shows in a small window.
+/// How far drawn chords may leave a curve, in parts of the window: the diagram itself may reach much farther.
 const CHORD: f64 = 2e-5;
 /// Squares along a side of a cell through which a curve goes.
 const SQUARES: u64 = 16;
@@ -37,11 +38,11 @@ pub fn run(arguments: &DrawArguments, timings: &Timings) -> Result<(), Failure> 
 
 /// What the picture shows.
 fn scene(map: &ChaosMapDocument, atlas: &Atlas, painted: &[Painted]) -> ChaosScene {
-    let options = PolylineOptions { chord_tolerance: CHORD, l_least: map.window.l[1] };
+    let tolerance = CHORD * (map.window.h[1] - map.window.h[0]);
     let set = &atlas.arrangement().set;
     let drawn = |critical: bool| {
         let own = set.curves.pairs().filter(move |(_, curve)| curve.is_critical() == critical);
-        own.map(|(id, _)| atlas.polyline_of(id, &options)).collect()
+        own.filter_map(|(id, _)| atlas.polyline_to_draw(CurveName::of(set, id), map.window.l, tolerance)).collect()
     };
     let most = map.rows.iter().map(|row| row.component).max().unwrap_or(0);
     ChaosScene {

@@ -106,6 +106,11 @@ fn table(ClassesDocument { classes, others, .. }: &ClassesDocument) -> String {
 /// `--at`: where a body stands among the classes.
 fn standing(arguments: &ClassesArguments) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
+    if arguments.physical && subject.body.flags().unphysical {
+        return Err(Failure::input(
+            "--physical: no mass has the moments of this body, of which one exceeds the sum of the others; leave out --physical",
+        ));
+    }
     let usual = NearestOptions::default();
     let options = NearestOptions {
         lines: arguments.lines.unwrap_or(usual.lines),

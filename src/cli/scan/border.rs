@@ -1,9 +1,9 @@
 //! `bifdiag scan border`: where the class changes between two bodies.
 
-use bifdiag_body::{Body, Number};
+use bifdiag_body::Number;
 use bifdiag_schema::{BorderDocument, FoundBorderDocument};
-use bifdiag_survey::ParameterRange;
 use bifdiag_survey::border::{self, BodySegment, BorderOptions};
+use bifdiag_survey::{ParameterRange, with_values};
 
 use super::arguments::BorderArguments;
 use crate::cli::export::answer;
@@ -29,12 +29,8 @@ pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
         }
     }
     let end = |value: fn(&ParameterRange) -> &Number| {
-        let mut values: Vec<Number> = subject.body.moments().iter().chain(subject.body.center()).cloned().collect();
-        for range in &arguments.vary {
-            values[range.parameter.place()] = value(range).clone();
-        }
-        let texts: Vec<&str> = values.iter().map(Number::text).collect();
-        Body::parse(&texts[..3], &texts[3..]).map_err(|error| Failure::input(format!("--vary: {error}")))
+        let values = arguments.vary.iter().map(|range| (range.parameter, value(range)));
+        with_values(&subject.body, values).map_err(|error| Failure::input(format!("--vary: {error}")))
     };
     let options = BorderOptions { accuracy: arguments.accuracy, ..BorderOptions::default() };
     let segment = BodySegment::new(end(|range| &range.from)?, end(|range| &range.to)?);

@@ -1,12 +1,12 @@
 //! `bifdiag scan events`: the events of the diagram while one parameter of the body varies.
 
-use bifdiag_body::Body;
 use bifdiag_documents::words::counted;
 use bifdiag_numbers::Number;
 use bifdiag_plot::{Figure, draw_map};
 use bifdiag_schema::EventTracksDocument;
 use bifdiag_survey::border::{BodySegment, BorderOptions};
 use bifdiag_survey::events::follow;
+use bifdiag_survey::with_values;
 
 use super::arguments::EventsArguments;
 use crate::cli::export::{Columns, DataFormat, DataTarget, FileSet, Values, answer, directory};
@@ -32,20 +32,15 @@ pub fn run(arguments: &EventsArguments, timings: &Timings) -> Result<(), Failure
         return Err(Failure::input("--data - and --json both want stdout; give --data FILE.csv"));
     }
     let end = |value: &Number| {
-        let mut values: Vec<Number> = subject.body.moments().iter().chain(subject.body.center()).cloned().collect();
-        values[vary.parameter.place()] = value.clone();
-        let texts: Vec<&str> = values.iter().map(Number::text).collect();
-        Body::parse(&texts[..3], &texts[3..]).map_err(|error| Failure::input(format!("--vary: {error}")))
+        with_values(&subject.body, [(vary.parameter, value)])
+            .map_err(|error| Failure::input(format!("--vary: {error}")))
     };
     let segment = BodySegment::new(end(&vary.from)?, end(&vary.to)?);
     let tracks = timings.stage("events", || follow(&segment, bodies as usize, &BorderOptions::default()));
     let text = format!("{}={}:{}:{bodies}", vary.parameter, vary.from.text(), vary.to.text());
     let command = subject.command("scan events").option("vary", text);
     let document = bifdiag_documents::event_tracks(&tracks, &segment, vary, command);
-    if to_stdout {
-        return print(DataFormat::Csv.bytes(&columns(&document)?)?);
-    }
-    let directory = directory(arguments.out.as_deref(), !arguments.json)?.filter(|_| !arguments.no_plot);
+    let directory = directory(arguments.out.as_deref(), !(arguments.json || to_stdout))?.filter(|_| !arguments.no_plot);
     let mut files = FileSet::new(directory.as_deref().unwrap_or_else(|| std::path::Path::new(".")));
     if let Some(DataTarget::File { path, format }) = &arguments.data {
         files.add_at(path, format.bytes(&columns(&document)?)?);
@@ -59,11 +54,13 @@ pub fn run(arguments: &EventsArguments, timings: &Timings) -> Result<(), Failure
         files.figure("events", figure, &arguments.picture, timings)?;
     }
     let written = files.write()?;
+    if to_stdout {
+        return print(DataFormat::Csv.bytes(&columns(&document)?)?);
+    }
     answer(arguments.json, &document, || {
         let mut report = Report::default();
-        let name = |place: usize, number: &Number| match place == vary.parameter.place() {
-            true => vary.parameter.to_string(),
-            false => number.text().to_owned(),
+        let name = |place: usize, number: &Number| {
+            if place == vary.parameter.place() { vary.parameter.to_string() } else { number.text().to_owned() }
         };
         let numbers = subject.body.moments().iter().chain(subject.body.center());
         let names: Vec<String> = numbers.enumerate().map(|(place, number)| name(place, number)).collect();
@@ -98,37 +95,41 @@ fn columns(document: &EventTracksDocument) -> Result<Columns, Failure> {
 fn add(report: &mut Report, document: &EventTracksDocument) {
     let parameter = document.vary.parameter;
     let border = |number: u32| document.borders.get(number as usize).and_then(|border| border.at.first());
-    let (bodies, classes) = (document.bodies as usize, document.classes.len());
     report.line(format!(
-        "{parameter} from {} to {}: {} in {}",
+        "{parameter} from {} to {}: {}; {} between them",
         document.vary.from,
         document.vary.to,
-        counted(bodies, "body", "bodies"),
-        counted(classes, "stretch of one class", "stretches of one class each"),
+        counted(document.bodies as usize, "body", "bodies"),
+        counted(document.borders.len(), "border or special body", "borders or special bodies"),
     ));
     if document.passed > 0 {
-        report.line(format!(
-            "{} of another class, or of none, left out",
-            counted(document.passed as usize, "body", "bodies")
-        ));
+        let left_out = counted(document.passed as usize, "of them is left out", "of them are left out");
+        report.line(format!("{left_out}: special or undecided"));
     }
     report.line("");
+    if document.events.is_empty() {
+        report.line("no events");
+    }
     let mut table = Table::new(&["event", "from", "to", "l"]);
     for event in &document.events {
         let end = |side: usize| match event.between[side].and_then(border) {
             Some(value) => significant(value.value, DIGITS),
             None => [&document.vary.from, &document.vary.to][side].clone(),
         };
-        let [first, last] =
-            [event.l.first(), event.l.last()].map(|l| l.map_or_else(String::new, |l| significant(*l, DIGITS)));
-        let l = if first == last { first } else { format!("{first} … {last}") };
+        let least = event.l.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = event.l.iter().copied().fold(0.0, f64::max);
+        let [least, most] = [least, most].map(|l| significant(l, DIGITS));
+        let l = if least == most { least } else { format!("{least} … {most}") };
         table.row(vec![event.event.clone(), end(0), end(1), l]);
     }
     report.line(table.text());
     report.line(format!("from, to: values of {parameter}"));
-    report.line("l: of the first and the last body that was looked at and has the event");
+    report.line("l: the least and the most among the bodies that were looked at");
+    report
+        .line("borders are sought between neighbouring bodies of different classes; two within one step may be missed");
     for border in &document.borders {
-        let value = border.at.first().map_or(f64::NAN, |value| value.value);
-        report.line(format!("{parameter} = {}: {}", significant(value, DIGITS), border.event.text));
+        let Some(at) = border.at.first() else { continue };
+        let error = if border.reached { String::new() } else { format!(" ± {}", significant(at.error, 1)) };
+        report.line(format!("{parameter} = {}{error}: {}", significant(at.value, DIGITS), border.event.text));
     }
 }

@@ -27,7 +27,13 @@ pub fn write(plan: &Plan<'_>, mut sections: Sections, complete: bool, timings: &
             let all = done.iter().map(|section| section.document.clone()).collect();
             answer(
                 arguments.json,
-                &bifdiag_documents::sections(&plan.sites.subject, all, sections.skipped.clone(), sections.complete),
+                &bifdiag_documents::sections(
+                    &plan.sites.subject,
+                    &plan.sites.wanted(),
+                    all,
+                    sections.skipped.clone(),
+                    sections.complete,
+                ),
                 text,
             )
         }

@@ -43,6 +43,14 @@ impl Sites {
         !self.all && self.list.len() > 1
     }
 
+    /// The regions as `--region` names them.
+    pub fn wanted(&self) -> String {
+        if self.all {
+            return "all".to_owned();
+        }
+        self.list.iter().filter_map(|site| site.region.as_deref()).collect::<Vec<_>>().join(",")
+    }
+
     /// Of the options.
     pub fn new(arguments: &SectionArguments) -> Result<Self, Failure> {
         let point = [("--h", arguments.point.energy.is_some()), ("--l", arguments.point.momentum.is_some())];
@@ -109,22 +117,22 @@ impl Sites {
 
 /// Whether `--region` asks for every region; an atlas without it is asked for all.
 fn is_all(wanted: &[String]) -> bool {
-    wanted.iter().all(|id| id == "all")
+    wanted.is_empty() || wanted.iter().any(|id| id.trim() == "all")
 }
 
 /// The wanted ones of regions with their samples, in the order in which they were named.
 fn chosen(samples: Vec<(String, f64, f64)>, wanted: &[String]) -> Result<Vec<Site>, Failure> {
     let known: Vec<&str> = samples.iter().map(|(id, ..)| id.as_str()).collect();
-    let unknown = wanted.iter().find(|id| !is_all(wanted) && !known.contains(&id.as_str()));
+    let unknown = wanted.iter().find(|id| !is_all(wanted) && !known.contains(&id.trim()));
     if unknown.is_some() || known.is_empty() {
         let known = match &known[..] {
             [] => "there is none".to_owned(),
             known => format!("it has {}, or give all", known.join(", ")),
         };
-        let wanted = unknown.map_or("all", String::as_str);
+        let wanted = unknown.map_or("all", |id| if id.trim().is_empty() { "(without a name)" } else { id.trim() });
         return Err(Failure::input(format!("--region {wanted}: the body has no such region; {known}")));
     }
-    let place = |(id, ..): &(String, f64, f64)| wanted.iter().position(|wanted| wanted == id);
+    let place = |(id, ..): &(String, f64, f64)| wanted.iter().position(|wanted| wanted.trim() == id);
     let mut chosen: Vec<(String, f64, f64)> =
         samples.into_iter().filter(|sample| is_all(wanted) || place(sample).is_some()).collect();
     chosen.sort_by_key(place);

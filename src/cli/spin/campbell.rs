@@ -89,7 +89,7 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
         report.line(format!("{} rpm: {from} to {to}", significant(*rpm, 8)));
     }
     if changes.is_empty() {
-        report.line(format!("no change of type up to {} rpm", significant(top, 8)));
+        report.line(format!("no change of linear type up to {} rpm", significant(top, 8)));
     }
     if let Some((next, ..)) = beyond.first() {
         report.line(format!("the next change of type is at {} rpm, beyond --to", significant(*next, 8)));

@@ -55,7 +55,7 @@ impl Class {
     /// How many regions it has; the forbidden one, R0 of its text, is none.
     #[must_use]
     pub fn regions(&self) -> usize {
-        self.text.lines().filter(|line| line.starts_with('R')).count() - 1
+        self.text.lines().filter(|line| line.starts_with('R') && !line.starts_with("R0 ")).count()
     }
 
     /// Its name: the first 12 hexadecimal digits of the SHA-256 of [`Class::text`].

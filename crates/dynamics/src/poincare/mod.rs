@@ -230,8 +230,8 @@ impl SectionSetting {
     /// Adds Lyapunov exponents, rotation numbers and verdicts. The orbits are integrated once more; where `monitor` stops that,
     /// they have no exponent and the section is not complete.
     ///
-    /// Orbits that stay open are followed further for their verdicts alone, to twice as many crossings, four times, …, as long
-    /// as all this adds no more crossings than the section has.
+    /// Orbits that stay open are followed anew for their verdicts alone, over twice as many crossings, four times, …, as long as
+    /// these are at most twice as many together as the section has.
     ///
     /// # Errors
     /// Those of [`chaos_measures`] and [`verdicts`].
@@ -254,14 +254,12 @@ impl SectionSetting {
         options: &ChaosOptions,
         monitor: &Monitor,
     ) -> Result<(), SectionError> {
-        let mut left = section.options.crossings * section.orbits.len();
+        let mut left = 2 * section.options.crossings * section.orbits.len();
         let mut crossings = section.options.crossings;
+        let goes_on = |orbit: &OrbitSection| orbit.report.end == OrbitEnd::Crossings;
+        let mut open: Vec<usize> = (0..section.chaos.len()).filter(|&place| goes_on(&section.orbits[place])).collect();
         while !monitor.is_stopped() {
-            let is_open = |place: &usize| {
-                let (orbit, measure) = (&section.orbits[*place], &section.chaos[*place]);
-                orbit.report.end == OrbitEnd::Crossings && measure.judgement.verdict.is_open()
-            };
-            let open: Vec<usize> = (0..section.chaos.len()).filter(is_open).collect();
+            open.retain(|&place| section.chaos[place].judgement.verdict.is_open());
             crossings *= 2;
             let Some(rest) = left.checked_sub(open.len() * crossings).filter(|_| !open.is_empty()) else { break };
             left = rest;
@@ -272,11 +270,18 @@ impl SectionSetting {
             }
             let orbits = sweep(&self.torus, &states, &SweepOptions { crossings, ..section.options }, monitor)?;
             let found = verdicts(&self.torus, &orbits, options, monitor)?;
-            for (place, judgement) in open.into_iter().zip(found) {
+            if monitor.is_stopped() {
+                break;
+            }
+            for (&place, judgement) in open.iter().zip(found) {
                 section.chaos[place].judgement = judgement;
             }
-            let further = section.further.get_or_insert(Further { orbits: numbers, crossings });
-            further.crossings = crossings;
+            // The start is no crossing.
+            let longest = orbits.iter().map(|orbit| orbit.points.len().saturating_sub(1)).max().unwrap_or(0);
+            let further = section.further.get_or_insert(Further { orbits: numbers, crossings: longest });
+            further.crossings = further.crossings.max(longest);
+            let mut ends = orbits.iter();
+            open.retain(|_| ends.next().is_some_and(goes_on));
         }
         Ok(())
     }

@@ -33,6 +33,8 @@ impl AxisBox {
     }
 }
 
+/// Where the products of inertia begin.
+const PRODUCTS: usize = 3;
 const COM: usize = 6;
 const MASS: usize = 9;
 const GRAVITY: usize = 10;
@@ -53,7 +55,9 @@ pub(super) fn boxes(
         |weight| AxisBox::new(&rotation.moments.each_ref().map(|moment| [moment.clone(), moment.clone()]), weight);
     let boxes = if measured.uncertain().any(|k| k < MASS || moves_tensor(k)) {
         let found = along_coordinates(measured, units, up)?;
-        let is_exact = !measured.uncertain().any(moves_tensor);
+        // Principal moments of a diagonal tensor are its entries; of another one they are rounded.
+        let is_diagonal = measured.inputs[PRODUCTS..COM].iter().all(|product| product.value.is_zero());
+        let is_exact = is_diagonal && !measured.uncertain().any(moves_tensor);
         if is_exact { found.into_iter().map(|found| exact(found.weight)).collect() } else { found }
     } else {
         // r = m g c: mass and gravity scale the weight, and nothing else.

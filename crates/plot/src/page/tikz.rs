@@ -315,7 +315,7 @@ mod tests {
 
     #[test]
     fn a_text_is_no_wider_than_the_place_it_was_given() -> Result<(), Box<dyn std::error::Error>> {
-        let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="50" height="20"><text x="1" y="9" font-size="10">R4</text></svg>"#;
+        let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="50" height="20"><text x="1" y="9" font-family="DejaVu Sans" font-size="10">R4</text></svg>"#;
         let tree = Tree::from_str(svg, &Options { fontdb: database(), ..Options::default() })?;
         let tikz = picture(&tree, "a label")?;
         let (_, rest) = tikz.split_once("{\\bifdiagfit{").ok_or("no fitted text")?;

@@ -53,8 +53,9 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme, paper: Width) -> Resul
     let views = View::pair(direction, scene.r_hat, centers, radius);
     let grids = views.each_ref().map(|view| Grid::new(view, scene.potential_above));
     let parts = Parts::new(&grids, scene.component_of);
-    let levels = levels(&grids);
-    let legend = tables::legend(scene, width - 2.0 * MARGIN);
+    let largest = scene.equilibria.iter().map(|equilibrium| equilibrium.h.abs()).fold(0.0, f64::max);
+    let levels = levels(&grids, largest);
+    let legend = tables::legend(scene, !levels.is_empty(), width - 2.0 * MARGIN);
     let below = centers[1][1] + radius + BELOW;
     let equilibria_at = [MARGIN, below + legend.height() + 8.0];
     let equilibria = tables::equilibria(scene, [paper.pixels() - 2.0 * MARGIN, HEIGHT - equilibria_at[1] - FOOT]);
@@ -98,10 +99,16 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme, paper: Width) -> Resul
     })
 }
 
-/// Levels other than h that cut the sphere into parts of about equal area, as differences from h.
-fn levels(grids: &[Grid<'_>; 2]) -> Vec<f64> {
+/// Levels other than h that cut the sphere into parts of about equal area, as differences from h; none where U is constant but for
+/// the rounding of values as large as `largest`.
+fn levels(grids: &[Grid<'_>; 2], largest: f64) -> Vec<f64> {
+    const ROUNDING: f64 = 1e-14;
     let mut values: Vec<f64> = grids.iter().flat_map(|grid| grid.values().iter().copied()).collect();
     values.sort_by(f64::total_cmp);
+    let [least, most] = [values[0], values[values.len() - 1]];
+    if most - least <= ROUNDING * largest {
+        return Vec::new();
+    }
     (1..=LEVELS).map(|k| values[values.len() * k / (LEVELS + 1)]).filter(|level| *level != 0.0).collect()
 }
 

@@ -22,7 +22,7 @@ pub(super) fn tint(place: usize) -> RGBColor {
 }
 
 /// What the scene needs explained, in rows of `width` pixels.
-pub(super) fn legend(scene: &SphereScene<'_>, width: f64) -> Legend {
+pub(super) fn legend(scene: &SphereScene<'_>, has_levels: bool, width: f64) -> Legend {
     let components = scene.components.iter().enumerate();
     let mut entries: Vec<(Symbol, String)> = components
         .map(|(place, component)| (Symbol::Swatch(vec![tint(place)]), sentence(place + 1, component)))
@@ -30,9 +30,14 @@ pub(super) fn legend(scene: &SphereScene<'_>, width: f64) -> Legend {
     if entries.is_empty() {
         entries.push((Symbol::Swatch(vec![tint(0)]), "accessible: U(γ) ≤ h".to_owned()));
     }
-    entries.push((Symbol::Swatch(vec![FORBIDDEN]), "not accessible: U(γ) > h".to_owned()));
-    entries.push((Symbol::solid(BOUNDARY), "∂U: U(γ) = h".to_owned()));
-    entries.push((Symbol::solid(LEVEL), "other levels of U".to_owned()));
+    let is_whole = matches!(scene.components, [component] if component.boundary_circles == 0);
+    if !is_whole {
+        entries.push((Symbol::Swatch(vec![FORBIDDEN]), "not accessible: U(γ) > h".to_owned()));
+        entries.push((Symbol::solid(BOUNDARY), "∂U: U(γ) = h".to_owned()));
+    }
+    if has_levels {
+        entries.push((Symbol::solid(LEVEL), "other levels of U".to_owned()));
+    }
     if scene.r_hat.is_some() {
         entries.push((symbol(Mark::Pole(true)), "+r̂, hanging".to_owned()));
         entries.push((symbol(Mark::Pole(false)), "−r̂, upright".to_owned()));

@@ -15,3 +15,4 @@ pub(crate) use bisection::find_between;
 pub use bisection::{Border, BorderError, BorderOptions, NoClass, all, class_of, classes_of, find};
 pub use event::{BorderEvent, BorderEventKind, Encounter, EventLabel, EventLocation, NamedEvent, named_events};
 pub use segment::BodySegment;
+pub(crate) use special::special;

@@ -35,6 +35,12 @@ impl BodySegment {
         &from + (to - &from) * t
     }
 
+    /// The value of coordinate `place` at t as a double.
+    #[must_use]
+    pub fn value(&self, place: usize, t: f64) -> f64 {
+        self.coordinate(place, t).to_f64().value()
+    }
+
     /// The body at t between 0 and 1.
     #[must_use]
     pub fn body(&self, t: f64) -> Body {

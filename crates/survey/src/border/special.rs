@@ -9,7 +9,7 @@ use bifdiag_body::BodyAxis;
 
 /// What is special about one body of a segment, and not about those beside it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum SpecialBody {
+pub(crate) enum SpecialBody {
     /// r = 0.
     NoWeight,
     /// The moments of these axes are equal.
@@ -24,8 +24,19 @@ pub(super) enum SpecialBody {
     Component(BodyAxis),
 }
 
+impl SpecialBody {
+    /// What happens there if nothing else does.
+    pub(crate) fn kind(self) -> BorderEventKind {
+        match self {
+            Self::NoWeight => BorderEventKind::WeightVanishes,
+            Self::EqualMoments { axes, .. } => BorderEventKind::MomentsEqual { axes },
+            Self::Component(axis) => BorderEventKind::SymmetryBroken { axis },
+        }
+    }
+}
+
 /// A special body between two values of t, and where it is, from exact fractions.
-pub(super) fn special(segment: &BodySegment, t: [f64; 2]) -> Option<(SpecialBody, ParameterRoot)> {
+pub(crate) fn special(segment: &BodySegment, t: [f64; 2]) -> Option<(SpecialBody, ParameterRoot)> {
     // Every finite double is a fraction.
     let [from, to] = t.map(|t| RBig::try_from(t).unwrap_or(RBig::ZERO));
     let inside = |t: &RBig| from <= *t && *t <= to;
@@ -76,9 +87,7 @@ pub(super) fn explained(special: Option<SpecialBody>, found: BorderEventKind, is
             found
         }
         (Some(_), found) if is_sure && !found.is_guess() && !matches!(found, Kind::PitchforkAtInfinity { .. }) => found,
-        (Some(SpecialBody::NoWeight), _) => Kind::WeightVanishes,
-        (Some(SpecialBody::EqualMoments { axes, .. }), _) => Kind::MomentsEqual { axes },
-        (Some(SpecialBody::Component(axis)), _) => Kind::SymmetryBroken { axis },
+        (Some(special), _) => special.kind(),
     }
 }
 

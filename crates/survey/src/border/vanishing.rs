@@ -49,7 +49,7 @@ impl Neighbourhood {
 }
 
 /// A value of t with an estimate of its error, which is 0 only for an exact zero.
-pub(super) struct ParameterRoot {
+pub(crate) struct ParameterRoot {
     pub t: f64,
     pub error: f64,
 }
