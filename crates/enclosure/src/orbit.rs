@@ -93,8 +93,8 @@ pub struct ProvedMotion {
     pub bits: usize,
     /// Steps.
     pub steps: u64,
-    /// The logarithm of the norm of the flow's derivative up to where it is proved, as it was computed: λt of a chaotic motion.
-    /// Nothing is proved by it.
+    /// The logarithm of the norm of the set's frame, which the flow's derivative maps and the integrals cut, up to where the motion is
+    /// proved: about λt of a chaotic one. Nothing is proved by it.
     pub growth: f64,
     /// Why samples are missing.
     pub end: Option<ProofEnd>,
