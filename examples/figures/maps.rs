@@ -75,7 +75,7 @@ fn add_exact_borders(map: &mut Map) {
     let exact = "exact borders: Aⱼ = A1, Aⱼ = ¾A1, 4(1/√(1 − Aⱼ/A1) − 1) = 1/(1 − Aₖ/A1) for Aₖ < Aⱼ";
     for value in katok::LINES {
         for points in [vec![[value, 0.3], [value, 1.7]], vec![[0.3, value], [1.7, value]]] {
-            map.lines.push(MapLine { points: dense(&points), text: exact.to_owned(), ..MapLine::default() });
+            map.lines.push(MapLine { points, text: exact.to_owned(), ..MapLine::default() });
         }
     }
     let curve: Vec<[f64; 2]> = (0..=400)
@@ -89,17 +89,8 @@ fn add_exact_borders(map: &mut Map) {
     let physical = "bodies exist between these lines: |A2 − A3| ≤ A1 ≤ A2 + A3";
     for points in [vec![[0.3, 0.7], [0.7, 0.3]], vec![[0.3, 1.3], [0.7, 1.7]], vec![[1.3, 0.3], [1.7, 0.7]]] {
         let text = physical.to_owned();
-        map.lines.push(MapLine { points: dense(&points), dashed: true, text, ..MapLine::default() });
+        map.lines.push(MapLine { points, dashed: true, text, ..MapLine::default() });
     }
-}
-
-/// A straight line as many points, so that its part inside of the map is drawn.
-fn dense(ends: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let (Some(from), Some(to)) = (ends.first(), ends.last()) else { return Vec::new() };
-    (0..=500)
-        .map(|n| f64::from(n) / 500.0)
-        .map(|t| [from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t])
-        .collect()
 }
 
 /// Gives Katok's classes their numbers, and each the same colour in every map, in this order.

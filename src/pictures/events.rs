@@ -1,17 +1,16 @@
 //! The picture of the events along a way through the bodies: their momenta over the parameter, above the classes.
 
-use std::collections::BTreeMap;
-
 use bifdiag_body::Body;
 use bifdiag_numbers::decimal::significant;
-use bifdiag_plot::{Map, MapAxis, MapBodies, MapLine, MapNote};
+use bifdiag_plot::{Map, MapAxis, MapLine, MapNote};
 use bifdiag_schema::BodyParameter;
 use bifdiag_survey::border::{BodySegment, EventLabel};
 use bifdiag_survey::events::{EventTrack, EventTracks, Stretch};
+use bifdiag_survey::subdivision::Subdivision;
 
 use super::existence::Existence;
-use super::map::{Counted, area, entries, share};
-use super::shown::{Seen, Shows};
+use super::map::{Counted, areas, counted_by, entries, share};
+use super::shown::{Seen, Shown, Shows};
 
 /// Digits of the value of a parameter at a border.
 const DIGITS: usize = 6;
@@ -55,29 +54,16 @@ pub fn events(scene: &EventScene<'_>) -> Map {
         let regions = u32::try_from(stretch.regions).unwrap_or(u32::MAX);
         stretch.class.clone().map(|class| Shows::Class(class, regions))
     };
-    let shows: Vec<Option<Shows>> = tracks.stretches.iter().map(shown).collect();
     let existence = scene.existence();
     let strip = |stretch: &Stretch| {
         let [from, to] = stretch.t.map(value);
-        existence.possible(&[[from, l[0]], [to, l[0]], [to, l[1]], [from, l[1]]])
+        (shown(stretch), existence.possible(&[[from, l[0]], [to, l[0]], [to, l[1]], [from, l[1]]]))
     };
-    let strips: Vec<Vec<[f64; 2]>> = tracks.stretches.iter().map(strip).collect();
-    let all: f64 = strips.iter().map(|corners| area(corners)).sum();
-    let mut parts: BTreeMap<&Shows, f64> = BTreeMap::new();
-    for (corners, shown) in strips.iter().zip(&shows) {
-        // Where no body exists nothing is painted.
-        if let Some(shown) = shown.as_ref().filter(|_| corners.len() > 2) {
-            *parts.entry(shown).or_default() += area(corners) / all;
-        }
-    }
-    let mut order: Vec<Counted<'_>> =
-        parts.into_iter().map(|(shows, part)| Counted { shows, part, at: None }).collect();
-    order.sort_by(|p, q| q.part.total_cmp(&p.part).then_with(|| p.shows.cmp(q.shows)));
-    let pieces = strips.iter().zip(&shows).map(|(corners, shown)| {
-        let entry = shown.as_ref().and_then(|shown| order.iter().position(|counted| counted.shows == shown));
-        (entry, corners.clone())
-    });
-    let pieces = pieces.filter(|(_, corners)| corners.len() > 2);
+    // Where no body exists nothing is painted.
+    let pieces = tracks.stretches.iter().map(strip).filter(|(_, corners)| corners.len() > 2).collect();
+    let strips = Subdivision { pieces, seen: Vec::new(), borders: Vec::new() };
+    let order = counted_by(&[], Some(&strips), Shown::Class);
+    let entry = |shown: &Option<Shows>| order.iter().position(|counted| Some(counted.shows) == shown.as_ref());
     let mut map = Map {
         title: format!("Events over {name}"),
         subtitle: format!("{}; colours: class; lines: momenta l of the events", scene.bodies()),
@@ -86,12 +72,7 @@ pub fn events(scene: &EventScene<'_>) -> Map {
         entries: entries(&order, usize::MAX),
         ordered: false,
         unknown: "class not decided".to_owned(),
-        bodies: MapBodies::Areas {
-            pieces: pieces.collect(),
-            seen: Vec::new(),
-            borders: Vec::new(),
-            told: String::new(),
-        },
+        bodies: areas(&strips, entry, Shown::Class),
         impossible: existence.impossible([range, *l]),
         lines: scene.lines(),
         notes: Vec::new(),
@@ -126,29 +107,29 @@ impl EventScene<'_> {
         Existence::over(&(0..=LOOKS).map(seen).collect::<Vec<_>>(), [self.parameter; 2])
     }
 
-    /// The events; of the lines with one name the longest bears it.
+    /// The events; of those with one name the longest bears it.
     fn lines(&self) -> Vec<MapLine> {
         let mut lines = Vec::new();
         for same in self.tracks.tracks.chunk_by(|p, q| p.label == q.label) {
-            let mut own: Vec<MapLine> = same.iter().flat_map(|track| self.lines_of(track)).collect();
-            if let Some(longest) = own.iter_mut().max_by_key(|line| line.points.len()) {
-                longest.name = same[0].label.to_string().replace('-', "−");
-            }
-            lines.append(&mut own);
+            let longest = (0..same.len()).max_by_key(|&place| same[place].points.len());
+            lines.extend(same.iter().enumerate().map(|(place, track)| self.line(track, longest == Some(place))));
         }
         lines
     }
 
-    fn lines_of(&self, track: &EventTrack) -> Vec<MapLine> {
+    fn line(&self, track: &EventTrack, is_named: bool) -> MapLine {
         let (hue, kind) = match track.label {
             EventLabel::Pitchfork(_) => (1, "pitchfork"),
             EventLabel::Cusp(_) => (2, "cusp"),
             EventLabel::Crossing(_) => (3, "crossing"),
         };
-        let points: Vec<[f64; 2]> = track.points.iter().map(|point| [self.value(point.t), point.l]).collect();
-        let text = format!("momentum of a {kind}");
-        let line = |points| MapLine { points, dashed: false, hue, text: text.clone(), name: String::new() };
-        within(&points, self.l).into_iter().map(line).collect()
+        MapLine {
+            points: track.points.iter().map(|point| [self.value(point.t), point.l]).collect(),
+            dashed: false,
+            hue,
+            text: format!("momentum of a {kind}"),
+            name: if is_named { track.label.to_string().replace('-', "−") } else { String::new() },
+        }
     }
 
     /// The borders with their numbers, which the legend explains.
@@ -183,48 +164,4 @@ fn key(order: &[Counted<'_>]) -> Vec<Vec<String>> {
         vec![(number + 1).to_string(), counted.shows.to_string(), regions.to_string(), share(counted.part)]
     };
     [heading].into_iter().chain(order.iter().enumerate().map(row)).collect()
-}
-
-/// The parts of a line within a range of l, cut at its ends.
-fn within(points: &[[f64; 2]], range: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
-    let is_inside = |l: f64| range[0] <= l && l <= range[1];
-    let mut parts: Vec<Vec<[f64; 2]>> = Vec::new();
-    let mut part = Vec::new();
-    for (place, &[x, l]) in points.iter().enumerate() {
-        if let Some(&[last_x, last_l]) = place.checked_sub(1).and_then(|before| points.get(before)) {
-            let mut ends: Vec<f64> = range.into_iter().filter(|end| (last_l < *end) != (l < *end)).collect();
-            if l < last_l {
-                ends.reverse();
-            }
-            for end in ends {
-                part.push([last_x + (x - last_x) * (end - last_l) / (l - last_l), end]);
-                // Left here, the range is entered again with a part of its own.
-                if part.len() > 1 && !is_inside(l) {
-                    parts.push(std::mem::take(&mut part));
-                }
-            }
-        }
-        if is_inside(l) {
-            part.push([x, l]);
-        } else {
-            part.clear();
-        }
-    }
-    parts.push(part);
-    parts.retain(|part| part.len() > 1);
-    parts
-}
-
-#[cfg(test)]
-mod tests {
-    use super::within;
-
-    #[test]
-    fn lines_reach_the_frame_and_end_there() {
-        assert_eq!(within(&[[0.0, 1.0], [1.0, 3.0]], [0.0, 2.0]), [[[0.0, 1.0], [0.5, 2.0]]]);
-        assert_eq!(within(&[[0.0, 4.0], [4.0, 0.0]], [1.0, 2.0]), [[[2.0, 2.0], [3.0, 1.0]]]);
-        let over = within(&[[0.0, 1.0], [1.0, 3.0], [2.0, 1.0]], [0.0, 2.0]);
-        assert_eq!(over, [[[0.0, 1.0], [0.5, 2.0]], [[1.5, 2.0], [2.0, 1.0]]]);
-        assert_eq!(within(&[[0.0, 1e9], [1.0, 1e8]], [0.0, 2.0]), Vec::<Vec<[f64; 2]>>::new());
-    }
 }

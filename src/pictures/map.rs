@@ -89,7 +89,7 @@ pub fn map(bodies: &[Seen], axes: [BodyParameter; 2], show: Shown) -> Map {
 }
 
 /// What the bodies show, and what lies between them; classes by their parts, the largest first.
-fn counted_by<'a>(
+pub fn counted_by<'a>(
     bodies: &[&'a Seen],
     subdivision: Option<&'a Subdivision<Option<Shows>>>,
     show: Shown,
@@ -124,7 +124,7 @@ fn counted_by<'a>(
 }
 
 /// The area of a polygon.
-pub fn area(corners: &[[f64; 2]]) -> f64 {
+fn area(corners: &[[f64; 2]]) -> f64 {
     let next = corners.iter().cycle().skip(1);
     0.5 * corners.iter().zip(next).map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f64>().abs()
 }
@@ -277,7 +277,7 @@ fn step(values: &[f64]) -> f64 {
 }
 
 /// The pieces of a subdivision.
-fn areas(
+pub fn areas(
     subdivision: &Subdivision<Option<Shows>>,
     entry: impl Fn(&Option<Shows>) -> Option<usize>,
     show: Shown,

@@ -124,13 +124,7 @@ fn between(segment: &BodySegment, pair: &[Seen], options: &BorderOptions) -> Vec
     let mut borders = Vec::new();
     if classes[0].name() != classes[1].name() {
         let step = BodySegment::new(segment.body(from), segment.body(to));
-        let whole = |t: f64| from + (to - from) * t;
-        for mut border in all(&step, options) {
-            border.enclosure = border.enclosure.map(whole);
-            border.t = whole(border.t);
-            border.error *= to - from;
-            borders.push(border);
-        }
+        borders.extend(all(&step, options).into_iter().map(|border| border.on_the_whole([from, to])));
     }
     let special = special(segment, [from, to]);
     if let Some((body, root)) = special

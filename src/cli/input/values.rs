@@ -139,6 +139,12 @@ fn bounded(text: &str, holds: impl Fn(&RBig, &RBig) -> bool, right: &str) -> Res
     if holds(value, within) { Ok(quantity) } else { Err(Failure::input(right)) }
 }
 
+/// A name without the blanks beside it.
+#[expect(clippy::unnecessary_wraps, reason = "what clap calls")]
+pub fn trimmed(text: &str) -> Result<String, Failure> {
+    Ok(text.trim().to_owned())
+}
+
 /// How a window is written.
 const WINDOW: &str = "a window is written hmin:hmax,lmin:lmax, such as 0:6,0:4";
 

@@ -88,7 +88,7 @@ pub struct SectionArguments {
     #[arg(long, value_name = "FILE", help_heading = "Point", hide_short_help = true)]
     pub atlas: Option<PathBuf>,
     /// Instead of --h and --l: the sample of a region such as R4, of several in one picture, or of all
-    #[arg(long, value_name = "ID,…|all", value_delimiter = ',', help_heading = "Point")]
+    #[arg(long, value_name = "ID,…|all", value_delimiter = ',', value_parser = values::trimmed, help_heading = "Point")]
     pub region: Vec<String>,
     /// Number of orbits, spread evenly over the section (default: 24)
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = values::orbits)]

@@ -117,22 +117,22 @@ impl Sites {
 
 /// Whether `--region` asks for every region; an atlas without it is asked for all.
 fn is_all(wanted: &[String]) -> bool {
-    wanted.is_empty() || wanted.iter().any(|id| id.trim() == "all")
+    wanted.is_empty() || wanted.iter().any(|id| id == "all")
 }
 
 /// The wanted ones of regions with their samples, in the order in which they were named.
 fn chosen(samples: Vec<(String, f64, f64)>, wanted: &[String]) -> Result<Vec<Site>, Failure> {
     let known: Vec<&str> = samples.iter().map(|(id, ..)| id.as_str()).collect();
-    let unknown = wanted.iter().find(|id| !is_all(wanted) && !known.contains(&id.trim()));
+    let unknown = wanted.iter().find(|id| !is_all(wanted) && !known.contains(&id.as_str()));
     if unknown.is_some() || known.is_empty() {
         let known = match &known[..] {
             [] => "there is none".to_owned(),
             known => format!("it has {}, or give all", known.join(", ")),
         };
-        let wanted = unknown.map_or("all", |id| if id.trim().is_empty() { "(without a name)" } else { id.trim() });
+        let wanted = unknown.map_or("all", |id| if id.is_empty() { "(without a name)" } else { id });
         return Err(Failure::input(format!("--region {wanted}: the body has no such region; {known}")));
     }
-    let place = |(id, ..): &(String, f64, f64)| wanted.iter().position(|wanted| wanted.trim() == id);
+    let place = |(id, ..): &(String, f64, f64)| wanted.iter().position(|wanted| wanted == id);
     let mut chosen: Vec<(String, f64, f64)> =
         samples.into_iter().filter(|sample| is_all(wanted) || place(sample).is_some()).collect();
     chosen.sort_by_key(place);

@@ -9,8 +9,8 @@ use std::collections::BTreeSet;
 use plotters::style::RGBColor;
 
 use crate::page::{
-    Anchor, Axis, Canvas, FAINT_INK, HEIGHT, INK, Ink, PAPER, Path, Picture, PlotError, Point, Rect, Theme, Width,
-    draw_axes, is_proper, lines, render, text_width, ticks, widest,
+    Anchor, Axis, Canvas, FAINT_INK, HEIGHT, INK, Ink, PAPER, Path, Picture, PlotError, Rect, Theme, Width, draw_axes,
+    is_proper, lines, render, text_width, ticks, widest,
 };
 
 /// The side of a map on a page.
@@ -155,9 +155,8 @@ fn bodies(canvas: &Canvas, map: &Map, view: &View) {
 
 /// A line as far as it lies in the map.
 fn draw_line(canvas: &Canvas, line: &MapLine, view: &View) {
-    let points: Vec<Point> = line.points.iter().map(|point| view.at(*point)).collect();
-    for run in points.split(|point| view.rect.nearest(*point) != *point) {
-        canvas.dashed(run, &line_pattern(line.dashed, line_color(line.hue)), LINE);
+    for part in view.parts(line) {
+        canvas.dashed(&part, &line_pattern(line.dashed, line_color(line.hue)), LINE);
     }
 }
 

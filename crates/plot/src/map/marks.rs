@@ -91,7 +91,7 @@ fn beside(
 /// The points of a line on the page, so far apart.
 fn parts(line: &MapLine, view: &View) -> Vec<Point> {
     let mut points: Vec<Point> = Vec::new();
-    let all: Vec<Point> = line.points.iter().map(|point| view.at(*point)).collect();
+    let all = view.parts(line).concat();
     for (place, point) in all.iter().enumerate() {
         if place + 1 == all.len() || points.last().is_none_or(|last| distance(*last, *point) >= PART) {
             points.push(*point);
@@ -177,9 +177,9 @@ fn lines(map: &Map, view: &View) -> [Vec<Vec<Point>>; 2] {
         MapBodies::Areas { borders, .. } => &borders[..],
         MapBodies::Grid { .. } | MapBodies::Points(_) => &[],
     };
-    let drawn = map.lines.iter().map(|line| on_page(&line.points));
+    let drawn = map.lines.iter().flat_map(|line| view.parts(line));
     [
-        map.lines.iter().filter(is_border).map(|line| on_page(&line.points)).collect(),
+        map.lines.iter().filter(is_border).flat_map(|line| view.parts(line)).collect(),
         drawn.chain(of_areas.iter().map(|ends| on_page(ends))).collect(),
     ]
 }

@@ -1,6 +1,6 @@
 //! What a map shows, and where on the page.
 
-use crate::page::{Caption, Point, Rect};
+use crate::page::{Caption, Point, Rect, clip_polyline};
 
 /// One of the two parameters.
 #[derive(Clone, Debug, PartialEq)]
@@ -176,6 +176,12 @@ impl View {
         let rect = &self.rect;
         [rect.x + share(x, self.x) * rect.width, rect.y + rect.height * (1.0 - share(y, self.y))]
     }
+
+    /// The parts of a line on the page, as far as it lies in the map.
+    pub(super) fn parts(&self, line: &MapLine) -> Vec<Vec<Point>> {
+        let points: Vec<Point> = line.points.iter().map(|point| self.at(*point)).collect();
+        clip_polyline(&points, &self.rect)
+    }
 }
 
 /// The area of a polygon on the page.
@@ -183,4 +189,21 @@ pub(super) fn area(corners: &[[f64; 2]], view: &View) -> f64 {
     let corners: Vec<Point> = corners.iter().map(|corner| view.at(*corner)).collect();
     let next = corners.iter().cycle().skip(1);
     0.5 * corners.iter().zip(next).map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f64>().abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_reach_the_frame_and_end_there() {
+        let rect = Rect { x: 0.0, y: 0.0, width: 4.0, height: 2.0 };
+        let view = View { x: [0.0, 4.0], y: [0.0, 2.0], rect };
+        let parts = |points: &[[f64; 2]]| view.parts(&MapLine { points: points.to_vec(), ..MapLine::default() });
+        assert_eq!(parts(&[[0.0, 1.0], [1.0, 3.0]]), [[[0.0, 1.0], [0.5, 0.0]]]);
+        assert_eq!(parts(&[[0.0, 4.0], [4.0, -4.0]]), [[[1.0, 0.0], [2.0, 2.0]]]);
+        let over = parts(&[[0.0, 1.0], [1.0, 3.0], [2.0, 1.0]]);
+        assert_eq!(over, [[[0.0, 1.0], [0.5, 0.0]], [[1.5, 0.0], [2.0, 1.0]]]);
+        assert_eq!(parts(&[[0.0, 1e9], [1.0, 1e8]]), Vec::<Vec<Point>>::new());
+    }
 }

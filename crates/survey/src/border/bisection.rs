@@ -62,6 +62,14 @@ pub struct Border {
     pub atlases: u32,
 }
 
+impl Border {
+    /// The border of a part of a way, the one between these two places, as one of the whole way.
+    pub(crate) fn on_the_whole(self, [from, to]: [f64; 2]) -> Self {
+        let whole = |t: f64| from + (to - from) * t;
+        Self { enclosure: self.enclosure.map(whole), t: whole(self.t), error: self.error * (to - from), ..self }
+    }
+}
+
 /// Why there is no border.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum BorderError {
@@ -149,12 +157,9 @@ pub fn all(segment: &BodySegment, options: &BorderOptions) -> Vec<Border> {
     let mut from = 0.0;
     while borders.len() < BORDERS_MAX {
         let rest = BodySegment::new(segment.body(from), segment.body(1.0));
-        let Ok(mut border) = find(&rest, options) else { break };
+        let Ok(border) = find(&rest, options) else { break };
         // The class below a border is that of the lower end; above it bisection may have met any other.
-        let whole = |t: f64| from + (1.0 - from) * t;
-        border.enclosure = border.enclosure.map(whole);
-        border.t = whole(border.t);
-        border.error *= 1.0 - from;
+        let border = border.on_the_whole([from, 1.0]);
         from = border.enclosure[1];
         let is_last = border.classes[1] == last.class;
         borders.push(border);
