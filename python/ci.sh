@@ -26,8 +26,6 @@ page() {
     (cd ../web && npm ci && npm run build)
     rm -rf package/bifdiag/page
     cp -r ../web/dist package/bifdiag/page
-    # Packed twice, the wheel would pass its limit.
-    find package/bifdiag/page -name "*.br" -delete
 }
 
 wheel() {

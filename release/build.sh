@@ -9,8 +9,8 @@ export CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-$PWD/target}"
 export OUT="${OUT:-$CARGO_TARGET_DIR/upload}"
 mkdir -p "$OUT"
 
-# In the order in which one needs another: the wheel carries the page, the package the program.
-all=(audit crates page program deb sdist wheel conda manuscript site bill checksums)
+# In the order in which one needs another: the page carries the licences, the wheel the page, the package the program.
+all=(audit crates bill page program deb sdist wheel conda manuscript site checksums)
 parts=("$@")
 [ $# -gt 0 ] || parts=("${all[@]}")
 

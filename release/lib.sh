@@ -17,6 +17,23 @@ need() {
     for program in "$@"; do command -v "$program" > /dev/null || lacking "$program is not installed"; done
 }
 
+# All that Cargo.lock names, also for other machines: what reads the whole tree needs it.
+crates_of_others() {
+    cargo fetch --quiet --locked || lacking "the crates of Cargo.lock cannot be fetched"
+}
+
+# The page is there, with the licences.
+need_page() {
+    [ -f web/dist/index.html ] && [ -f web/dist/THIRD-PARTY-LICENSES.txt ] || lacking "the page has not been built (release/build.sh bill page)"
+}
+
+# Puts the page where the Python package carries it.
+page_for_python() {
+    need_page
+    rm -rf python/package/bifdiag/page
+    cp -r web/dist python/package/bifdiag/page
+}
+
 # An environment for Python's programs, made once: `tool NAME…` installs, `$tools/bin` has them.
 tools="$CARGO_TARGET_DIR/release-tools"
 tool() {

@@ -4,7 +4,7 @@
 target=x86_64-unknown-linux-musl
 need rustup
 rustup target add "$target" || lacking "rustup has no $target"
-[ -f web/dist/index.html ] || lacking "the page has not been built (release/build.sh page)"
+need_page
 cargo build --release --locked --features pdf --target "$target"
 place="$(mktemp -d)"
 trap 'rm -rf "$place"' EXIT
@@ -12,6 +12,7 @@ name="bifdiag-$version-$target"
 mkdir "$place/$name"
 cp "$CARGO_TARGET_DIR/$target/release/bifdiag" LICENSE-APACHE LICENSE-MIT README.md "$place/$name/"
 cp -r web/dist "$place/$name/page"
+mv "$place/$name/page/THIRD-PARTY-LICENSES.txt" "$place/$name/"
 ! ldd "$place/$name/bifdiag" 2> /dev/null | grep '=>' || { echo "the program is not static" >&2; exit 1; }
 "$place/$name/bifdiag" classify --body paper --h 3.8 --l 3.25
 tar -czf "$OUT/$name.tar.gz" -C "$place" "$name"

@@ -1,9 +1,7 @@
 #!/usr/bin/env bash
 # The source distribution for Python, which carries the workspace and the explorer.
 . "$(dirname "$0")/lib.sh"
-[ -f web/dist/index.html ] || lacking "the page has not been built (release/build.sh page)"
-rm -rf python/package/bifdiag/page
-cp -r web/dist python/package/bifdiag/page
+page_for_python
 tool "maturin>=1.16,<2" twine
 "$tools/bin/maturin" sdist --manifest-path python/Cargo.toml --out "$OUT"
 "$tools/bin/twine" check --strict "$OUT/bifdiag-$version.tar.gz"

@@ -1,9 +1,7 @@
 #!/usr/bin/env bash
 # The wheel of this platform; on Linux also those for aarch64, linked by zig.
 . "$(dirname "$0")/lib.sh"
-[ -f web/dist/index.html ] || lacking "the page has not been built (release/build.sh page)"
-rm -rf python/package/bifdiag/page
-cp -r web/dist python/package/bifdiag/page
+page_for_python
 tool "maturin>=1.16,<2" twine abi3audit ziglang cargo-zigbuild
 options=(--release --compression-level 9 --manifest-path python/Cargo.toml --out "$OUT")
 PATH="$tools/bin:$PATH" maturin build "${options[@]}" --zig --compatibility manylinux_2_17
