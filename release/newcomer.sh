@@ -30,5 +30,5 @@ try() {
 static="$OUT/bifdiag-$version-x86_64-unknown-linux-musl.tar.gz"
 try "static program" "$static" 'tar -xzf "$FILE" && PATH="/try/${FILE%.tar.gz}:$PATH"'
 try "Debian package" "$OUT/bifdiag_${version}_amd64.deb" 'dpkg -i "$FILE" > /dev/null 2>&1'
-wheel="$(find "$OUT" "$CARGO_TARGET_DIR/python/wheels" -name "*x86_64.whl" 2> /dev/null | head -1)"
+wheel="$(find "$OUT" -name "*x86_64.whl" | head -1)"
 try "wheel" "${wheel:-none}" 'python3 -m venv wheel && wheel/bin/pip install -q "$FILE" && PATH="/try/wheel/bin:$PATH"'
