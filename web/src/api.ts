@@ -2,6 +2,7 @@
 import { AT, ROW } from "./state/orbits";
 import type { Window as View } from "./bindings/documents";
 import type { Session } from "./state/session";
+import { StraightChart } from "./state/straight";
 
 export interface Crossings {
   orbit: number[];
@@ -13,7 +14,7 @@ export interface Crossings {
 
 declare global {
   interface Window {
-    bifdiag: { atlas: () => string; frames: () => number[]; crossings: () => Crossings; rate: () => number; window: () => View | null; suited: () => View | null; shadow: () => boolean };
+    bifdiag: { atlas: () => string; frames: () => number[]; crossings: () => Crossings; rate: () => number; window: () => View | null; suited: () => View | null; shadow: () => boolean; place: (h: number, l: number) => [number, number] | null; straight: () => { columns: number[]; curves: Record<string, number[]> } | null };
   }
 }
 
@@ -33,6 +34,11 @@ export function api(session: Session): void {
     window: () => session.drawn?.window ?? null,
     suited: () => session.drawn?.document.drawing.view.main ?? null,
     shadow: () => session.shadow !== null,
+    place: (h, l) => session.drawn?.chart.place(h, l) ?? null,
+    straight: () => {
+      const { chart, curves } = session.drawn ?? {};
+      return chart instanceof StraightChart ? { columns: [...chart.drawing.columns], curves: Object.fromEntries([...curves!].map(([name, points]) => [name, [...points]])) } : null;
+    },
     rate: () => session.orbits.count / session.orbits.seconds,
   };
 }

@@ -12,8 +12,9 @@ const cargo = (args, environment = {}) =>
   execFileSync("cargo", args, { cwd: web, stdio: "inherit", env: { ...process.env, CARGO_TARGET_DIR: target, ...environment } });
 
 // Two orbits a register: every browser of the last three years has these instructions.
-cargo(["build", "--profile", profile, "-p", "bifdiag-web", "-p", "bifdiag-web-parts", "--target", triple], { RUSTFLAGS: "-C target-feature=+simd128" });
-for (const name of ["bifdiag_web", "bifdiag_web_parts"]) {
+const modules = (process.env.MODULES ?? "bifdiag-web,bifdiag-web-parts,bifdiag-web-straight").split(",");
+cargo(["build", "--profile", profile, ...modules.flatMap((name) => ["-p", name]), "--target", triple], { RUSTFLAGS: "-C target-feature=+simd128" });
+for (const name of modules.map((name) => name.replaceAll("-", "_"))) {
   const module = path.join(target, triple, profile, `${name}.wasm`);
   cargo(["run", "--quiet", "--release", "-p", "bifdiag-web-glue", "--", module, "web", path.join(web, "src/bindings/generated")]);
 }

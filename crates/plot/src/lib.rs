@@ -22,8 +22,9 @@ pub use campbell::{Campbell, CampbellRow, draw_campbell};
 pub use chaos::{ChaosCell, ChaosPanel, ChaosScene, draw_chaos};
 pub use diagram::{
     CurveSource, DashPattern, DiagramDescription, DiagramLabel, DiagramOptions, DiagramStroke, DiagramSymbol,
-    DiagramTitle, DiagramView, LegendPlace, MarkedPoints, StraightDiagram, chosen_view, describe, describe_panel, draw,
-    draw_codes, draw_figure, straight_diagram,
+    DiagramTitle, DiagramView, LabelBoxes, LegendPlace, MarkedPoints, PanelTicks, StraightColumn, StraightDiagram,
+    StraightPanel, StraightShares, chosen_view, describe, describe_panel, draw, draw_codes, draw_figure,
+    straight_diagram,
 };
 pub use map::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote, draw_map};
 pub use page::{Caption, Figure, Picture, Pixels, PlotError, Theme, Width, body_line, section_type, told};

@@ -5,14 +5,37 @@ export interface Drawing {
   /** The fast document, as text. */
   text: string;
   window: Window;
-  /** The rows of the picture from the lowest l: see `Diagram.columns`. */
+  width: number;
+  height: number;
+  /** The rows of the picture from the lowest l: see `Diagram.columns`; none of the straightened plane. */
   rows: Float64Array;
-  rowCount: number;
-  /** Names of curves, and their points as `Diagram.curves` has them. */
+  /** Names of curves, and their points as `Diagram.curves` has them, or `Straight.curves`. */
   names: string[];
   curves: Float64Array;
+  /** The straightened plane, where it was asked for; a text says why there is none. */
+  straight: StraightDrawing | string | null;
   /** What lies at the point, where one was given. */
   place: Place | null;
+}
+
+/** What `Straight` has of a panel. */
+export interface StraightDrawing {
+  width: number;
+  height: number;
+  shares: Float64Array;
+  columns: Float64Array;
+  events: Float64Array;
+  levels: Float64Array;
+  /** Round numbers of l, of h at l = 0, of h at the last l: where in pixels, and their texts. */
+  ticks: { at: Float64Array; texts: string[] }[];
+  /** The last l. */
+  end: number;
+}
+
+/** How the plane is straightened: by shares that are kept (none: by the best), with columns at these momenta beside those of the pixels. */
+export interface Straightening {
+  held: Float64Array;
+  momenta: Float64Array;
 }
 
 export interface Place {
@@ -39,7 +62,7 @@ export type Site = [body: string, h: string, l: string];
 /** The name of a call to its arguments and its answer. */
 export interface Calls {
   presets: [[], string[]];
-  draw: [[body: string, view: Window | null, height: number, width: number, point: [h: number, l: number] | null], Drawing];
+  draw: [[body: string, view: Window | null, width: number, height: number, point: [h: number, l: number] | null, straight: Straightening | null], Drawing];
   locate: [[body: string, h: number, l: number], Place];
   surgeries: [[body: string, from: [h: number, l: number], to: [h: number, l: number]], string[]];
   partOfFile: [[name: string, bytes: Uint8Array, density: string, mass: string, units: string, pivot: string], string];

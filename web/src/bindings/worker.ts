@@ -1,7 +1,9 @@
 /** One worker: the module and what is kept of the last question. It answers in the order in which it is asked. */
-import type { Answer, Arguments, Drawing, Name, Place, Question, Reply, Site } from "./calls";
+import type { Answer, Arguments, Drawing, Name, Place, Question, Reply, Site, StraightDrawing, Straightening } from "./calls";
 import type { Atlas, Orbit, Portrait, Window } from "./documents";
+import { boxesOf } from "../state/names";
 import partsUrl from "./generated/bifdiag_web_parts_bg.wasm?url";
+import straightUrl from "./generated/bifdiag_web_straight_bg.wasm?url";
 import init, * as guest from "./generated/bifdiag_web.js";
 
 const PORTRAIT_ROWS = 90;
@@ -9,7 +11,6 @@ const PORTRAIT_ROWS = 90;
 let diagram: { body: string; of: guest.Diagram; text: string; document: Atlas } | undefined;
 let section: { site: string; of: guest.Section } | undefined;
 let classes: guest.Classes | undefined;
-let readers = false;
 
 function diagramOf(body: string): NonNullable<typeof diagram> {
   if (diagram?.body !== body) {
@@ -32,13 +33,39 @@ function sectionOf(site: Site): guest.Section {
 }
 
 /** `view`: what is to be seen; null: what suits the body. */
-function draw(body: string, view: Window | null, height: number, width: number, point: [number, number] | null): Drawing {
+async function draw(body: string, view: Window | null, width: number, height: number, point: [number, number] | null, how: Straightening | null): Promise<Drawing> {
+  const module = how && (await straights());
   const { of, text, document } = diagramOf(body);
   const window = view ?? document.drawing.view.main;
   const { h, l } = window;
   const names = document.curves.map((curve) => curve.id);
+  const drawing = { text, window, width, height, names, place: point && locate(body, ...point) };
+  let straight: StraightDrawing | string | null = null;
+  if (module && how) {
+    try {
+      const { curves, ...found } = straighten(module, width, height, how);
+      return { ...drawing, rows: new Float64Array(), curves, straight: found };
+    } catch (error) {
+      if (error instanceof WebAssembly.RuntimeError) throw error;
+      straight = error instanceof Error ? error.message : String(error);
+    }
+  }
   const curves = of.curves(names, Math.max(0, l[0]), l[1], (h[1] - h[0]) / width / 3);
-  return { text, window, rows: of.columns(l[0], l[1], height), rowCount: height, names, curves, place: point && locate(body, ...point) };
+  return { ...drawing, rows: of.columns(l[0], l[1], height), curves, straight };
+}
+
+/** The diagram that was drawn last, straightened. */
+function straighten(module: Straights, width: number, height: number, { held, momenta }: Straightening): StraightDrawing & { curves: Float64Array } {
+  const { of, text, document } = diagram!;
+  // Of the forms of a name the shares are fitted to all on two lines, on one, and to the id.
+  const boxes = Float64Array.from(document.regions.flatMap((region) => boxesOf(region).flat()));
+  const found = new module.Straight(text, of, width, height, boxes, held, momenta);
+  try {
+    const ticks = [0, 1, 2].map((axis) => ({ at: found.ticks(axis), texts: found.labels(axis) }));
+    return { width, height, shares: found.shares(), columns: found.columns(), curves: found.curves(), events: found.events(), levels: found.levels(), ticks, end: found.l_end() };
+  } finally {
+    found.free();
+  }
 }
 
 function locate(body: string, h: number, l: number): Place {
@@ -47,16 +74,27 @@ function locate(body: string, h: number, l: number): Place {
   return { region, distance, nearest: of.nearest(h, l) };
 }
 
-/** The readers of parts, loaded when the first one is given. Fetched as bytes: no server needs to know its type. */
-async function parts(): Promise<typeof import("./generated/bifdiag_web_parts.js")> {
-  const module = await import("./generated/bifdiag_web_parts.js");
-  if (readers) return module;
-  const response = await fetch(partsUrl);
-  if (!response.ok) throw new Error(`the readers of parts could not be loaded: ${response.status} ${response.statusText}`);
-  await module.default({ module_or_path: await response.arrayBuffer() });
-  readers = true;
-  return module;
+type Parts = typeof import("./generated/bifdiag_web_parts.js");
+type Straights = typeof import("./generated/bifdiag_web_straight.js");
+
+/** A module of its own, loaded when first used. Fetched as bytes: no server needs to know its type. */
+function later<M extends { default: (input: { module_or_path: ArrayBuffer }) => Promise<unknown> }>(what: string, url: string, script: () => Promise<M>): () => Promise<M> {
+  let loaded: Promise<M> | undefined;
+  const load = async () => {
+    const module = await script();
+    const response = await fetch(url);
+    if (!response.ok) throw new Error(`${what} could not be loaded: ${response.status} ${response.statusText}`);
+    await module.default({ module_or_path: await response.arrayBuffer() });
+    return module;
+  };
+  return () => (loaded ??= load().catch((error: unknown) => {
+    loaded = undefined;
+    throw error;
+  }));
 }
+
+const parts = later<Parts>("the readers of parts", partsUrl, () => import("./generated/bifdiag_web_parts.js"));
+const straights = later<Straights>("the straightened diagram", straightUrl, () => import("./generated/bifdiag_web_straight.js"));
 
 const answers: { [N in Name]: (...values: Arguments<N>) => Answer<N> | Promise<Answer<N>> } = {
   presets: () => guest.presets(),

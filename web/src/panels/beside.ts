@@ -35,7 +35,7 @@ export function beside(session: Session): { tool: HTMLButtonElement; element: HT
     }
     const [A, r] = bodyOf(other);
     words.textContent = `beside: A = ${A.join(", ")}; r = ${r.join(", ")}`;
-    const seen: State = { ...FIRST, A, r, point: state.point, view: drawn?.window ?? state.view, embed: "diagram", theme: state.theme };
+    const seen: State = { ...FIRST, A, r, point: state.point, view: drawn?.window ?? state.view, straight: state.straight, embed: "diagram", theme: state.theme };
     const address = `${location.pathname}${location.search}#${format(seen)}`;
     // Another part of the address leaves the page in the frame where it is.
     if (frame?.contentWindow) frame.contentWindow.location.replace(address);

@@ -3,11 +3,12 @@ import { Sheet, type Pen, type Size } from "../draw/canvas";
 import { make, panel } from "../draw/dom";
 import { near } from "../draw/press";
 import { tipAt } from "../draw/tip";
-import { rounded, shown, surface, valueOf } from "../state/numbers";
+import { shown, surface, valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
 import type { Window } from "../bindings/documents";
+import { PlaneChart } from "../state/chart";
 import { beside } from "./beside";
-import { paintDiagram, placeOf, plot, valueAt } from "./diagram-paint";
+import { paintDiagram, plot } from "./diagram-paint";
 import { gestures } from "./gestures";
 import { stabilityLine } from "./stability";
 
@@ -27,22 +28,24 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
   const tip = make("div", { className: "tip", hidden: true });
   const paint = (pen: Pen, size: Size) => session.drawn && paintDiagram(pen, size, session);
   const sheet = new Sheet(canvas, paint);
-  const view = () => session.drawn!.window;
+  const frame = () => plot(sheet.size, session.state.straight);
+  const inside = (x: number, y: number): [number, number] => [x - frame().x, y - frame().y];
 
   const choose = (x: number, y: number) => {
-    const window = view();
-    const [h, l] = valueAt(window, plot(sheet.size), [x, y]);
-    const step = ([from, to]: [number, number], pixels: number) => (to - from) / pixels / 2;
-    session.point({ h: rounded(h, step(window.h, sheet.size.width)), l: rounded(Math.max(0, l), step(window.l, sheet.size.height)) });
+    const point = session.drawn!.chart.rounded(...inside(x, y));
+    if (point) session.point(point);
   };
+  // The straightened plane is all to be seen.
   const zoom = (at: [number, number], factor: number) => {
-    const next = session.drawn && narrowed(view(), valueAt(view(), plot(sheet.size), at), factor);
+    const { chart, window } = session.drawn ?? {};
+    const next = chart instanceof PlaneChart && narrowed(window!, chart.value(...inside(...at)) ?? [window!.h[0], 0], factor);
     if (next) session.view(next);
   };
   const pan = (dx: number, dy: number) => {
-    const { h, l } = view();
-    const area = plot(sheet.size);
-    const [dh, dl] = [(-dx / area.width) * (h[1] - h[0]), (dy / area.height) * (l[1] - l[0])];
+    const { chart, window } = session.drawn!;
+    if (!(chart instanceof PlaneChart)) return;
+    const { h, l } = window;
+    const [dh, dl] = [(-dx / chart.width) * (h[1] - h[0]), (dy / chart.height) * (l[1] - l[0])];
     const up = Math.max(dl, -l[0]);
     session.view({ h: [h[0] + dh, h[1] + dh], l: [l[0] + up, l[1] + up] });
   };
@@ -52,34 +55,47 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
     handle: (x, y) => {
       const { point } = session.state;
       if (!point || !session.drawn) return false;
-      const [px, py] = placeOf(view(), plot(sheet.size), [valueOf(point.h), Math.abs(valueOf(point.l))]);
-      return near([x, y], [px, py]);
+      const spot = session.drawn.chart.place(valueOf(point.h), Math.abs(valueOf(point.l)));
+      return spot !== null && near(inside(x, y), spot);
     },
     point: choose,
     pan,
     zoom,
     start: (what) => (session.dragging = what),
     end: () => session.release(),
-    hover: (x, y) => void hover(session, sheet, tip, x, y),
+    zooms: () => session.drawn?.chart instanceof PlaneChart,
+    hover: (x, y) => void hover(session, sheet, tip, [x, y], inside(x, y)),
     leave: () => ((tip.hidden = true), session.pointAt({})),
   });
   canvas.addEventListener("keydown", (event) => keys(session, sheet, event, zoom));
   session.on(["drawing"], () => sheet.now());
   session.on(["point", "hover", "theme", "shadow"], () => sheet.ask());
+  const resized = () => (session.resolution = frame());
   new ResizeObserver(() => {
-    session.resolution = plot(sheet.size);
+    resized();
     if (session.drawn) void session.redraw();
   }).observe(canvas);
   const pin = tool("Keep", "Keep these curves in grey, to compare with another body", () => session.pin());
   session.on(["shadow"], () => pin.setAttribute("aria-pressed", String(session.pinned)));
   const twin = beside(session);
-  const tools = make("div", { className: "tools" },
-    twin.tool,
-    pin,
+  const straight = tool("Straight", "Straighten the plane: l to the right, h upwards from the lowest curve, each region as high as its name needs. All numbers told are true ones", () => session.straighten(!session.state.straight));
+  straight.dataset.testid = "straight";
+  const zooms = [
     tool("+", "Zoom in", () => zoom([sheet.size.width / 2, sheet.size.height / 2], 0.5)),
     tool("−", "Zoom out", () => zoom([sheet.size.width / 2, sheet.size.height / 2], 2)),
     tool("⌂", "The whole diagram", () => session.view(null)),
+  ];
+  const tools = make("div", { className: "tools" },
+    twin.tool,
+    pin,
+    straight,
+    ...zooms,
   );
+  session.on(["theme"], () => {
+    resized();
+    straight.setAttribute("aria-pressed", String(session.state.straight));
+    for (const zoom of zooms) zoom.disabled = session.state.straight;
+  });
   const element = panel("Diagram", "The plane of energy h and vertical angular momentum l, both conserved. Within a tinted region all motions have the same shape, which changes on the curves. Curves are steady rotations: solid where stable (thin: without friction only), dashed where unstable; on dotted lines the centre of mass can first hang straight down or stand straight up. Click to choose a point, drag it; a finger taps, or holds and drags; two fingers or the wheel zoom", make("div", { className: "stage" }, canvas, tip), twin.element);
   element.querySelector("header")!.append(tools);
   return { element, sheet };
@@ -90,21 +106,23 @@ const tool = (label: string, title: string, onclick: () => void) => make("button
 /** Arrow keys move the point by two pixels, with shift by twenty; + − 0 zoom. */
 function keys(session: Session, { size }: Sheet, event: KeyboardEvent, zoom: (at: [number, number], factor: number) => void): void {
   if (!session.drawn) return;
-  const { window } = session.drawn;
+  const { chart } = session.drawn;
   const { point } = session.state;
-  const area = plot(size);
-  const center = point ? placeOf(window, area, [valueOf(point.h), valueOf(point.l)]) : ([size.width / 2, size.height / 2] as [number, number]);
+  const area = plot(size, session.state.straight);
+  const spot = (point && chart.place(valueOf(point.h), valueOf(point.l))) ?? [chart.width / 2, chart.height / 2];
+  const center: [number, number] = [spot[0] + area.x, spot[1] + area.y];
   if (event.key === "+" || event.key === "=") zoom(center, 0.7);
   else if (event.key === "-") zoom(center, 1 / 0.7);
-  else if (event.key === "0") session.view(null);
+  else if (event.key === "0") session.state.straight || session.view(null);
   else if (event.key === "Escape") session.point(null);
   else {
     const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
     if (!step) return;
     const far = event.shiftKey ? 20 : 2;
-    const [h, l] = valueAt(window, area, [center[0] + far * step[0]!, center[1] + far * step[1]!]);
+    const next = chart.rounded(spot[0] + far * step[0]!, spot[1] + far * step[1]!);
+    if (!next) return event.preventDefault();
     session.dragging = "point";
-    session.point({ h: rounded(h, (window.h[1] - window.h[0]) / area.width / 2), l: rounded(Math.max(0, l), (window.l[1] - window.l[0]) / area.height / 2) });
+    session.point(next);
     clearTimeout(rest);
     rest = setTimeout(() => session.release(), 250);
   }
@@ -112,23 +130,23 @@ function keys(session: Session, { size }: Sheet, event: KeyboardEvent, zoom: (at
 }
 let rest: ReturnType<typeof setTimeout>;
 
-async function hover(session: Session, sheet: Sheet, tip: HTMLElement, x: number, y: number): Promise<void> {
+async function hover(session: Session, sheet: Sheet, tip: HTMLElement, at: [number, number], inside: [number, number]): Promise<void> {
   if (!session.drawn || session.dragging) return void (tip.hidden = true);
-  const { window, document } = session.drawn;
-  const [h, l] = valueAt(window, plot(sheet.size), [x, y]);
-  if (l < 0) return void (tip.hidden = true);
+  const { chart, document } = session.drawn;
+  const value = chart.value(...inside);
+  if (!value) return void (tip.hidden = true);
+  const [h, l] = value;
   const place = await session.locate(h, l).catch(() => null);
   if (!place) return;
   const region = document.regions[place.region];
-  const pixels = (place.distance / (window.h[1] - window.h[0])) * sheet.size.width;
-  const curve = pixels < 6 ? place.nearest : undefined;
+  const curve = chart.pixels(h, l, place.distance) < 6 ? place.nearest : undefined;
   session.pointAt({ ...(region && { region: region.id }), ...(curve && { curve }) });
   const lines = [`h = ${shown(h)}, l = ${shown(l)}`];
   if (region) lines.push(`${region.id}: P = ${region.signature?.split("+").map(surface).join(" + ") ?? "none"}, U = ${region.components.map((c) => surface(c.accessible_region)).join(" + ")}`, `E = ${region.components.map((c) => surface(c.energy_surface)).join(" + ")}, genus ${region.components.map((c) => c.genus ?? "–").join(", ")}`);
   else lines.push(place.region === -1 ? "no motion at this low energy" : "on a curve, to within rounding");
   lines.push(`${shown(place.distance)} in h from ${place.nearest}`);
   if (curve) lines.push(...(await curveLines(session, curve, h, l)));
-  tipAt(tip, sheet.size, [x, y], lines);
+  tipAt(tip, sheet.size, at, lines);
 }
 
 /** Stability of the steady motion on a curve. */

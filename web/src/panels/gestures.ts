@@ -11,6 +11,8 @@ interface Handlers {
   point: (x: number, y: number) => void;
   pan: (dx: number, dy: number) => void;
   zoom: (at: Place, factor: number) => void;
+  /** Whether the picture zooms; else the wheel scrolls the page. */
+  zooms: () => boolean;
   start: (what: "point" | "view") => void;
   end: () => void;
   hover: (x: number, y: number) => void;
@@ -65,7 +67,7 @@ export function gestures(canvas: HTMLCanvasElement, handlers: Handlers): void {
   canvas.addEventListener("pointercancel", stop);
   canvas.addEventListener("pointerleave", handlers.leave);
   canvas.addEventListener("wheel", (event) => {
-    if (!handlers.ready()) return;
+    if (!handlers.ready() || !handlers.zooms()) return;
     event.preventDefault();
     handlers.zoom(place(event), Math.exp(0.0016 * event.deltaY * (event.deltaMode === 1 ? 30 : 1)));
   }, { passive: false });

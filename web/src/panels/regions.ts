@@ -3,11 +3,10 @@ import type { Region } from "../bindings/documents";
 import { make, panel } from "../draw/dom";
 import { css, ink, tint } from "../draw/theme";
 import { listed } from "../state/words";
+import { typeOf } from "../state/names";
 import { steadyTable } from "./steady";
 import { shown, surface } from "../state/numbers";
 import type { Session } from "../state/session";
-
-export const typeOf = (region: Region): string => region.signature ?? region.components.map((component) => component.accessible_region).join("+");
 
 export const circlesOf = (region: Region): number => region.components.reduce((sum, component) => sum + component.boundary_circles, 0);
 

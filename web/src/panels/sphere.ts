@@ -8,7 +8,8 @@ import { valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
 import { Labels } from "./labels";
 import { potential } from "./potential";
-import { circlesOf, typeOf } from "./regions";
+import { typeOf } from "../state/names";
+import { circlesOf } from "./regions";
 
 /** How bright the pieces of U are: all have the hue of their region. */
 const PIECES = [1, 0.8, 0.9, 0.7, 0.95];

@@ -7,16 +7,16 @@ import { FIRST, type State } from "../state/state";
 
 export type Sheets = Record<string, Sheet>;
 
-type Asked = Pick<State, "A" | "r" | "point" | "orbits" | "crossings" | "seed">;
+type Asked = Pick<State, "A" | "r" | "straight" | "point" | "orbits" | "crossings" | "seed">;
 
 /** What was asked of the section beyond the usual. */
 const asked = (state: Asked, option: (name: string, value: number) => string): string =>
   (["orbits", "crossings", "seed"] as const).filter((name) => state[name] !== FIRST[name]).map((name) => option(name, state[name])).join("");
 
 export function commandLines(state: Asked): string {
-  const { A, r, point } = state;
+  const { A, r, straight, point } = state;
   const body = `--A=${A.join(",")} --r=${r.join(",")}`;
-  const lines = [`bifdiag ${body}`];
+  const lines = [`bifdiag ${body}${straight ? " --view=straight" : ""}`];
   const options = asked(state, (name, value) => ` --${name}=${value}`);
   if (point) lines.push(`bifdiag classify ${body} --h=${point.h} --l=${point.l}`, `bifdiag section ${body} --h=${point.h} --l=${point.l}${options}`);
   return lines.join("\n");

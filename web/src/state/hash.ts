@@ -15,7 +15,8 @@ export const unknownKeys = (hash: string): string[] => pairs(hash).map(([name]) 
 export function format(state: State): string {
   const parts = [`A=${state.A.join(",")}`, `r=${state.r.join(",")}`];
   if (state.point) parts.push(`h=${state.point.h}`, `l=${state.point.l}`);
-  if (state.view) parts.push(`view=${[...state.view.h, ...state.view.l].join(",")}`);
+  if (state.straight) parts.push("view=straight");
+  else if (state.view) parts.push(`view=${[...state.view.h, ...state.view.l].join(",")}`);
   for (const name of ["orbits", "crossings", "seed", "coloring"] as const) {
     if (state[name] !== FIRST[name]) parts.push(`${name}=${state[name]}`);
   }
@@ -56,6 +57,7 @@ function found(name: string, body: Pick<State, "A" | "r"> | undefined): Pick<Sta
 
 function read(state: State, name: string, value: string): void {
   if (name === "A" || name === "r") state[name] = triple(name, value);
+  else if (name === "view" && value === "straight") state.straight = true;
   else if (name === "view") state.view = window(value);
   else if (name === "orbits") state.orbits = count(name, value, 1, 500);
   else if (name === "crossings") state.crossings = count(name, value, 1, 20_000);
@@ -83,7 +85,7 @@ function six(name: string, value: string): string {
 
 function window(value: string): Window {
   const [h0, h1, l0, l1, ...rest] = value.split(",").map(Number) as [number, number, number, number];
-  if (rest.length > 0 || !(h0 < h1 && l0 < l1)) throw new Error(`view = ${value}: hmin,hmax,lmin,lmax are needed, each minimum below its maximum`);
+  if (rest.length > 0 || !(h0 < h1 && l0 < l1)) throw new Error(`view = ${value}: straight is needed, or hmin,hmax,lmin,lmax, each minimum below its maximum`);
   return { h: [h0, h1], l: [l0, l1] };
 }
 

@@ -1,5 +1,7 @@
 /** What was computed of the state. */
 import type { Atlas, Classification, Component, Window } from "../bindings/documents";
+import type { PlaneChart } from "./chart";
+import type { StraightChart } from "./straight";
 
 /** What the diagram draws. */
 export interface Drawn {
@@ -7,8 +9,8 @@ export interface Drawn {
   /** A and r of it. */
   numbers: number[];
   window: Window;
-  rows: Float64Array;
-  rowCount: number;
+  chart: PlaneChart | StraightChart;
+  /** Curves by their names, as `chart.line` takes them. */
   curves: Map<string, Float64Array>;
 }
 

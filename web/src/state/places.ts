@@ -1,42 +1,55 @@
-/** Where a region's name stands: the place deepest inside it, on a grid of a few pixels. */
-import type { Drawn } from "./known";
+/** Where a region's name stands: the place deepest inside it, on a grid of a few pixels, at which as much of the name as may be fits. */
+import type { Chart } from "./chart";
 
 /** Pixels of a cell. */
-export const CELL = 4;
+const CELL = 4;
 
 export interface Place {
-  /** Pixels from the left and the top of the picture. */
+  /** Pixels from the left and the top of the frame: the middle of the name. */
   x: number;
   y: number;
   /** Pixels to the region's edge. */
   depth: number;
+  /** The first of the boxes that fits there; −1 where none does. */
+  box: number;
 }
 
-/** The regions of the cells of a grid, row by row from the top; −1 below all curves. */
-export function cellsOf({ rows, rowCount, window }: Drawn, width: number): { cells: Int16Array; columns: number; lines: number } {
-  const columns = Math.max(1, Math.floor(width / CELL));
-  const lines = Math.max(1, Math.floor(rowCount / CELL));
-  const cells = new Int16Array(columns * lines).fill(-1);
-  const [from, to] = window.h;
-  const column = (h: number) => Math.min(columns, Math.max(0, Math.round(((h - from) / (to - from)) * columns)));
-  let at = 0;
-  for (let row = 0; row < rowCount && at < rows.length; row++) {
-    const count = rows[at++]!;
-    const line = lines - 1 - Math.floor(row / CELL);
-    if (row % CELL === CELL >> 1 && line >= 0) {
-      for (let k = 0; k < count; k++) {
-        const end = k + 1 < count ? column(rows[at + 2 * k + 2]!) : columns;
-        cells.fill(rows[at + 2 * k + 1]!, line * columns + column(rows[at + 2 * k]!), line * columns + end);
-      }
-    }
-    at += 2 * count;
+/** Width and height of a name in pixels, in each of its forms, the best first. */
+export type Boxes = [width: number, height: number][];
+
+interface Grid {
+  cells: Int16Array;
+  depth: Float32Array;
+  /** How many cells to the right are of the same region. */
+  run: Uint16Array;
+  /** The middle of each region between left and right. */
+  middle: number[];
+  columns: number;
+  lines: number;
+}
+
+/** For each region the place of its name; the edge of the picture counts as an edge of the region. */
+export function places(chart: Chart, boxes: Boxes[]): Map<number, Place> {
+  const grid = depths(chart);
+  const found = new Map<number, Place>();
+  const forms = Math.max(0, ...boxes.map((own) => own.length));
+  for (let form = 0; form < forms; form++) rooms(grid, boxes, form, found);
+  const { cells, depth, columns } = grid;
+  // Too narrow for any of them.
+  const deepest = new Map<number, Place>();
+  for (let at = 0; at < cells.length; at++) {
+    const region = cells[at]!;
+    if (region < 0 || found.has(region) || CELL * depth[at]! <= (deepest.get(region)?.depth ?? 0)) continue;
+    deepest.set(region, { x: ((at % columns) + 0.5) * CELL, y: (Math.floor(at / columns) + 0.5) * CELL, depth: CELL * depth[at]!, box: -1 });
   }
-  return { cells, columns, lines };
+  return new Map([...found, ...deepest]);
 }
 
-/** The deepest place of each region; the edge of the picture counts as an edge of the region. */
-export function deepest(drawn: Drawn, width: number): Map<number, Place> {
-  const { cells, columns, lines } = cellsOf(drawn, width);
+/** The regions of cells, and how many cells each is from the edge of its region; to the right and in all directions. */
+function depths({ regions, width, height }: Chart): Grid {
+  const [columns, lines] = [Math.max(1, Math.floor(width / CELL)), Math.max(1, Math.floor(height / CELL))];
+  const cells = new Int16Array(columns * lines);
+  for (let at = 0; at < cells.length; at++) cells[at] = regions[(Math.floor(at / columns) * CELL + (CELL >> 1)) * width + (at % columns) * CELL + (CELL >> 1)] ?? -1;
   const depth = new Float32Array(cells.length);
   const beside = (other: number, region: number, far: number) => (cells[other] === region ? depth[other]! + far : 0.5);
   for (let y = 0; y < lines; y++) {
@@ -47,7 +60,6 @@ export function deepest(drawn: Drawn, width: number): Map<number, Place> {
       depth[at] = edge ? 0.5 : Math.min(beside(at - 1, region, 1), beside(at - columns, region, 1), beside(at - columns - 1, region, 1.4), x + 1 < columns ? beside(at - columns + 1, region, 1.4) : 0.5);
     }
   }
-  const places = new Map<number, Place>();
   for (let y = lines - 1; y >= 0; y--) {
     for (let x = columns - 1; x >= 0; x--) {
       const at = y * columns + x;
@@ -55,8 +67,36 @@ export function deepest(drawn: Drawn, width: number): Map<number, Place> {
       const edge = x === columns - 1 || y === lines - 1;
       const back = edge ? 0.5 : Math.min(beside(at + 1, region, 1), beside(at + columns, region, 1), beside(at + columns + 1, region, 1.4), x > 0 ? beside(at + columns - 1, region, 1.4) : 0.5);
       depth[at] = Math.min(depth[at]!, back);
-      if (region >= 0 && CELL * depth[at]! > (places.get(region)?.depth ?? 0)) places.set(region, { x: (x + 0.5) * CELL, y: (y + 0.5) * CELL, depth: CELL * depth[at]! });
     }
   }
-  return places;
+  const run = new Uint16Array(cells.length);
+  const [left, right]: [number[], number[]] = [[], []];
+  for (let at = cells.length - 1; at >= 0; at--) {
+    const [x, region] = [at % columns, cells[at]!];
+    run[at] = x + 1 < columns && cells[at + 1] === region ? run[at + 1]! + 1 : 1;
+    if (region < 0) continue;
+    left[region] = Math.min(left[region] ?? x, x);
+    right[region] = Math.max(right[region] ?? x, x);
+  }
+  return { cells, depth, run, middle: left.map((from, region) => (from + right[region]! + 1) / 2), columns, lines };
+}
+
+/** The deepest place for one form of the names of those regions that have none yet; of equal ones that nearest to their middle. */
+function rooms({ cells, depth, run, middle, columns, lines }: Grid, boxes: Boxes[], form: number, found: Map<number, Place>): void {
+  const best = new Map<number, [worth: number, place: Place]>();
+  for (let at = 0; at < cells.length; at++) {
+    const region = cells[at]!;
+    const box = region < 0 || found.has(region) ? undefined : boxes[region]?.[form];
+    if (!box) continue;
+    const [wide, high] = box.map((pixels) => Math.ceil(pixels / CELL)) as [number, number];
+    if (run[at]! < wide || Math.floor(at / columns) + high > lines) continue;
+    let fits = true;
+    for (let line = 1; line < high && fits; line++) fits = cells[at + line * columns] === region && run[at + line * columns]! >= wide;
+    if (!fits) continue;
+    const [x, y] = [(at % columns) + wide / 2, Math.floor(at / columns) + high / 2];
+    const own = depth[Math.floor(y) * columns + Math.floor(x)]!;
+    const worth = own - Math.abs(x - middle[region]!) / columns;
+    if (worth > (best.get(region)?.[0] ?? -Infinity)) best.set(region, [worth, { x: x * CELL, y: y * CELL, depth: CELL * own, box: form }]);
+  }
+  for (const [region, [, place]] of best) found.set(region, place);
 }

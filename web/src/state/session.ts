@@ -5,9 +5,11 @@ import type { Atlas, Classification, Critical, PartBlock, Triple, Window } from 
 import { Emitter } from "./emitter";
 import { format } from "./hash";
 import { NOTHING, type Drawn, type Known, type Shadow } from "./known";
-import { rounded, valueOf } from "./numbers";
+import { valueOf } from "./numbers";
 import { Orbits } from "./orbits";
-import { deepest } from "./places";
+import { PlaneChart } from "./chart";
+import { places } from "./places";
+import { StraightChart } from "./straight";
 import { bodyText, FIRST, START, type Point, type State } from "./state";
 import { signatureOf } from "./signature";
 import { between, same } from "./view";
@@ -16,6 +18,8 @@ import { between, same } from "./view";
 const FRAMES = 600;
 /** Milliseconds that the axes take to their new place, that old curves stay, and within which steps are one entry of the history. */
 const [GLIDE, SHADOW, STEPS] = [350, 1000, 700];
+/** So much of its size a panel may change before the straightened plane is fitted to it anew. */
+const RESIZED = 0.15;
 /** A point that the page chooses is at least so many pixels from every curve, if one is. */
 const CLEAR = 8;
 
@@ -49,8 +53,11 @@ export class Session extends Emitter {
   /** Makes the atlas with all verdicts, which takes tenths of a second: nothing that the hand does waits for it. */
   private readonly archivist = new Channel(60);
   private generation = 0;
-  /** The window that is kept while the body moves. */
+  /** The window that is kept while the body moves, and the shares of the straightened plane; null: those that fit best. */
   private held: Window | null = null;
+  private shares: Float64Array | null = null;
+  /** The size that these were made for. */
+  private fitted = { width: 0, height: 0 };
   private fading: ReturnType<typeof setTimeout> | undefined;
   /** Whether a point is chosen where none is given, and whether the address was just opened, or stays as it is wrong. */
   private choosing = true;
@@ -75,7 +82,7 @@ export class Session extends Emitter {
     this.state = state;
     this.opened = opened;
     this.choosing = true;
-    this.held = null;
+    this.held = this.shares = null;
     if (!this.pinned) this.shadow = null;
     this.sentence = this.notice = "";
     this.emit("theme");
@@ -110,9 +117,21 @@ export class Session extends Emitter {
     this.choosing = false;
     this.state = { ...this.state, point };
     this.emit("point");
+    const { chart } = this.drawn ?? {};
+    if (point && chart instanceof StraightChart && !chart.knows(valueOf(point.l))) void this.redraw();
     if (!this.dragging) return void this.settle(false);
-    if (from && point) void this.tell(from, point);
+    if (from && point) void this.cross(from, point);
     void this.glance();
+  }
+
+  /** Straightens the plane, or shows it as it is. */
+  straighten(straight: boolean): void {
+    this.state = { ...this.state, straight };
+    this.shares = this.shadow = null;
+    this.pinned = false;
+    this.write(true);
+    this.emit("theme");
+    void this.redraw();
   }
 
   view(view: Window | null): void {
@@ -187,7 +206,7 @@ export class Session extends Emitter {
       const early = newBody && this.state.point ? this.classify(generation) : null;
       early?.catch(() => undefined);
       if (newBody) {
-        this.atlas = null;
+        this.atlas = this.shares = null;
         await Promise.all([this.picture(generation), this.document(generation)]);
       }
       if (generation === this.generation) await (early ?? this.classify(generation));
@@ -240,6 +259,11 @@ export class Session extends Emitter {
     if (this.message) this.fail("");
   }
 
+  private tell(notice: string): void {
+    this.notice = notice;
+    this.emit("message");
+  }
+
   frame(begun: number): void {
     this.frames.push(performance.now() - begun);
     if (this.frames.length > FRAMES) this.frames.shift();
@@ -262,7 +286,8 @@ export class Session extends Emitter {
   /** Draws what the state asks for; axes that were held glide to what suits the body. */
   private async picture(generation: number): Promise<void> {
     await this.latestDrawing();
-    const from = this.held;
+    const from = this.state.straight ? null : this.held;
+    if (this.state.straight) this.held = null;
     if (from && this.drawn) {
       const to = this.drawn.document.drawing.view.main;
       const calm = same(from, to) || matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -284,15 +309,12 @@ export class Session extends Emitter {
     const { state, drawn } = this;
     if (state.point || !drawn || !this.choosing || state.embed === "diagram" || (state.lesson !== null && state.lesson !== "list")) return;
     const paper = bodyText(state) === bodyText(START) && !state.view;
-    const { width } = this.resolution;
     const { regions } = drawn.document;
     const worth = (region: number, depth: number) => (depth < CLEAR ? 0 : (regions[region]?.components.length ?? 0) * (regions[region]?.signature ? 10 : 1)) + depth / 1e4;
-    const [best] = [...deepest(drawn, width)].sort(([a, { depth: x }], [b, { depth: y }]) => worth(b, y) - worth(a, x));
+    const [best] = [...places(drawn.chart, [])].sort(([a, { depth: x }], [b, { depth: y }]) => worth(b, y) - worth(a, x));
     if (!best) return;
-    const { h, l } = drawn.window;
-    const at = ([from, to]: [number, number], share: number, pixels: number) => rounded(from + share * (to - from), (to - from) / pixels / 2);
     const [, { x, y }] = best;
-    this.state = { ...state, point: paper ? START.point : { h: at(h, x / width, width), l: at(l, 1 - y / drawn.rowCount, drawn.rowCount) } };
+    this.state = { ...state, point: paper ? START.point : drawn.chart.rounded(x, y) };
   }
 
   /** Until the present state is drawn, whoever asked for it last. */
@@ -311,26 +333,37 @@ export class Session extends Emitter {
   }
 
   private async drawOnce(): Promise<Place | null> {
-    const { width, height } = this.resolution;
-    const { point } = this.state;
+    const [width, height] = [this.resolution.width, this.resolution.height].map(Math.round) as [number, number];
+    const { point, straight } = this.state;
     const place: [number, number] | null = point && [valueOf(point.h), valueOf(point.l)];
     const at = this.dragging === "body" && place?.every(Number.isFinite) ? place : null;
     const numbers = [...this.state.A, ...this.state.r].map(valueOf);
-    const drawing = await this.pencil.latest("draw", bodyText(this.state), this.state.view ?? this.held, Math.round(height), width, at);
+    // Shares that were made for a very different size are made anew; a line more below moves nothing under the hand.
+    const like = (now: number, then: number) => Math.abs(now - then) < RESIZED * then;
+    const held = this.dragging === "body" || (like(width, this.fitted.width) && like(height, this.fitted.height)) ? this.shares : null;
+    const momenta = Float64Array.from([Math.abs(place?.[1] ?? NaN)].filter(Number.isFinite));
+    const how = straight ? { held: held ?? new Float64Array(), momenta } : null;
+    const drawing = await this.pencil.latest("draw", bodyText(this.state), this.state.view ?? this.held, width, height, at, how);
     const curves = new Map<string, Float64Array>();
     let next = 0;
+    const found = drawing.straight;
+    if (typeof found === "string") this.tell(`This diagram cannot be straightened: ${found}.`);
+    const chart = found && typeof found !== "string" ? new StraightChart(found) : new PlaneChart(width, height, drawing.window, drawing.rows);
+    this.shares = chart instanceof StraightChart ? chart.drawing.shares : null;
+    if (!held) this.fitted = { width, height };
+    const numbersEach = chart instanceof StraightChart ? 3 : 2;
     for (const name of drawing.names) {
       const count = drawing.curves[next++]!;
-      curves.set(name, drawing.curves.subarray(next, next + 2 * count));
-      next += 2 * count;
+      curves.set(name, drawing.curves.subarray(next, next + numbersEach * count));
+      next += numbersEach * count;
     }
-    const { window, rows, rowCount } = drawing;
     // The same body in another window has the same document.
     if (drawing.text !== this.sketchText) this.sketched = JSON.parse((this.sketchText = drawing.text)) as Atlas;
-    this.drawn = { document: this.sketched!, numbers, window, rows, rowCount, curves };
+    this.drawn = { document: this.sketched!, numbers, window: drawing.window, chart, curves };
     this.emit("drawing");
-    // The picture may have got another size while this was made.
-    return rowCount === Math.round(this.resolution.height) ? drawing.place : this.draw();
+    // The picture may have got another size, or another view, while this was made.
+    const { resolution } = this;
+    return height === Math.round(resolution.height) && width === Math.round(resolution.width) && straight === this.state.straight ? drawing.place : this.draw();
   }
 
   /** A quick look at the point while it moves. */
@@ -345,7 +378,7 @@ export class Session extends Emitter {
   }
 
   /** Every curve that the point goes over is told, however far apart the places are where the hand was seen. */
-  private async tell(from: Point, to: Point): Promise<void> {
+  private async cross(from: Point, to: Point): Promise<void> {
     const place = ({ h, l }: Point): [number, number] => [valueOf(h), valueOf(l)];
     try {
       const sentences = await this.pencil.ask("surgeries", bodyText(this.state), place(from), place(to));

@@ -19,6 +19,8 @@ export interface State {
   point: Point | null;
   /** What the diagram shows; null: what suits the body. */
   view: Window | null;
+  /** Whether the diagram is straightened: then it is all to be seen. */
+  straight: boolean;
   orbits: number;
   crossings: number;
   seed: number;
@@ -40,6 +42,7 @@ export const FIRST: State = {
   r: ["0.94868", "0", "0.61623"],
   point: null,
   view: null,
+  straight: false,
   orbits: 24,
   crossings: 500,
   seed: 0,

@@ -18,6 +18,13 @@ describe("the hash", () => {
     expect(parse(format(state as never), named)).toEqual(state);
   });
 
+  test("a straightened diagram is all to be seen", () => {
+    const state = { ...FIRST, straight: true };
+    expect(format(state)).toContain("&view=straight");
+    expect(parse(format({ ...state, view: { h: [0, 1], l: [0, 1] } }), named)).toEqual(state);
+    expect(commandLines(state)).toContain("--view=straight");
+  });
+
   test("of nothing is the paper's body; presets have names", () => {
     expect(parse("", named)).toEqual(FIRST);
     expect(parse("#body=rod", named).A).toEqual(["1/1000", "1", "1"]);

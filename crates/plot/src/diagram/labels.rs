@@ -49,6 +49,18 @@ pub(super) enum Form {
     Id,
 }
 
+/// Width and height of a label, on two lines and on one, in each form.
+pub type Boxes = [[[f64; 2]; 2]; 3];
+
+/// The smallest labels of these names.
+pub(super) fn boxes(names: &[Name]) -> Vec<Boxes> {
+    let of = |name: &Name| {
+        [Form::Full, Form::Short, Form::Id]
+            .map(|form| [false, true].map(|one_line| Setting { form, size: SMALLEST, one_line }.extent(name)))
+    };
+    names.iter().map(of).collect()
+}
+
 /// How a label is set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Setting {

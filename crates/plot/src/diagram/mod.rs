@@ -21,6 +21,7 @@ mod placement;
 mod plan;
 mod scene;
 mod straight;
+mod straight_panel;
 mod straightened;
 mod stroke;
 mod trace;
@@ -28,6 +29,8 @@ mod windows;
 
 pub use described::{DashPattern, DiagramDescription, DiagramLabel, DiagramStroke, DiagramSymbol};
 pub use scene::{CurveSource, DiagramOptions, DiagramTitle, DiagramView, LegendPlace, MarkedPoints};
+pub use straight::{LabelBoxes, StraightColumn, StraightShares};
+pub use straight_panel::{PanelTicks, StraightPanel};
 pub use straightened::StraightDiagram;
 
 use crate::page::{FAINT_INK, Figure, INK, PAPER, Picture, PlotError, png};

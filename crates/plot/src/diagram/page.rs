@@ -1,7 +1,7 @@
 //! A diagram with its legend, table and notes on a page.
 
 use super::insets::{Magnifications, magnifications};
-use super::labels::names;
+use super::labels::{boxes, names};
 use super::layout::{BELOW, below_all, frames, inset_place, legend_place, page_width};
 use super::legend::legend;
 use super::notes::{NOTE_SIZE, about, columns, heading, motions, notes, remark, units};
@@ -215,7 +215,7 @@ fn straightened(scene: &Scene<'_>) -> Result<Panel, PlotError> {
     let [_, everything] = windows(scene, None)?;
     let [width, height] = scene.plan.main;
     let rect = Rect { x: LEFT, y: scene.plan.top, width, height };
-    let straight = straighten(scene, rect, scene.plan.right, everything.l[1], &names(scene.atlas))?;
+    let straight = straighten(scene, rect, scene.plan.right, everything.l[1], &boxes(&names(scene.atlas)), None)?;
     Panel::straightened(scene, View { window: everything, rect }, straight.ok_or(PlotError::NotStraight)?)
 }
 

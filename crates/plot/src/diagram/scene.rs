@@ -76,6 +76,19 @@ pub trait CurveSource {
     /// `None`: the document's polyline is used.
     fn polyline(&self, curve: &str, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>>;
 
+    /// The energies of a curve at rising momenta within its range, exactly. `None`: those of a polyline are used.
+    fn energies(&self, curve: &str, momenta: &[f64]) -> Option<Vec<f64>> {
+        /// Chords need not be close to the curve where only their ends are used.
+        const LOOSE: f64 = 1e30;
+        let ends = |pair: &[f64]| {
+            let points = self.polyline(curve, [pair[0], pair[1]], LOOSE)?;
+            Some([points.first()?[0], points.last()?[0]])
+        };
+        let pairs: Vec<[f64; 2]> = momenta.windows(2).map(ends).collect::<Option<_>>()?;
+        (!pairs.is_empty()).then_some(())?;
+        Some(pairs.iter().map(|pair| pair[0]).chain(pairs.last().map(|pair| pair[1])).collect())
+    }
+
     /// The relative equilibria at l, for the table of small motions; none where it is not wanted.
     fn equilibria(&self, _l: f64) -> Vec<RelativeEquilibriumDocument> {
         Vec::new()

@@ -3,7 +3,7 @@
 use super::described::DiagramDescription;
 use super::page::Page;
 use super::paint::Diagram;
-use super::straight::Straight;
+use super::straight::{Straight, half_width};
 use crate::page::{PlotError, Point, Theme, outlines};
 
 /// Where everything lies in the straightened plane, in the unit square: l to the right, h upwards. The picture of
@@ -44,7 +44,7 @@ impl StraightDiagram {
         let regions = scene.cells.iter().map(|cells| outline(cells).into_iter().map(units).collect());
         let strokes = strokes.iter().map(|stroke| units(straight.curve(stroke.curve, stroke.l)));
         let along = |place: usize| move |tick: super::straight::Tick, at: Point| (at[place], tick.label);
-        let momenta = straight.momenta().into_iter().map(|tick| {
+        let momenta = straight.momenta(half_width).into_iter().map(|tick| {
             let at = unit([tick.at, 0.0]);
             along(0)(tick, at)
         });

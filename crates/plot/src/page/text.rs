@@ -3,7 +3,9 @@
 
 use std::sync::{Arc, OnceLock};
 
-use plotters::style::{FontStyle, IntoFont, register_font};
+use plotters::style::IntoFont;
+#[cfg(not(target_arch = "wasm32"))]
+use plotters::style::{FontStyle, register_font};
 use resvg::usvg::fontdb::Database;
 
 use super::error::PlotError;
@@ -21,7 +23,14 @@ pub(crate) const FORMULA_BYTES: &[u8] = include_bytes!("../../fonts/Math.otf");
 /// From ascent to descent, in font sizes, of both: this is the size by which plotters measures text.
 const EXTENT: f64 = 1.164_32;
 
+/// A browser draws with its own fonts: there, pictures are only laid out.
+#[cfg(target_arch = "wasm32")]
+pub(crate) fn register() -> Result<(), PlotError> {
+    Err(PlotError::Font)
+}
+
 /// Makes the fonts known to plotters; safe to call again.
+#[cfg(not(target_arch = "wasm32"))]
 pub(crate) fn register() -> Result<(), PlotError> {
     static REGISTERED: OnceLock<bool> = OnceLock::new();
     let fonts = [(FAMILY, BYTES), (FORMULAS, FORMULA_BYTES)];

@@ -19,6 +19,11 @@ const MOST: f64 = 60.0;
 /// No level of h is labelled so close to the upper edge, where h goes to infinity.
 const UPPER: f64 = 9.0;
 
+/// Of a label below the axis.
+pub(crate) fn half_width(label: &str) -> f64 {
+    text_width(label, TICK_SIZE) / 2.0
+}
+
 /// A round number on an axis.
 pub(crate) struct Tick {
     value: f64,
@@ -92,11 +97,11 @@ impl Straight {
         levels.flat_map(|(level, above)| self.level(level, above)).collect()
     }
 
-    /// Round momenta.
-    pub(crate) fn momenta(&self) -> Vec<Tick> {
+    /// Round momenta, their labels `half` as wide on each side.
+    pub(crate) fn momenta(&self, half: impl Fn(&str) -> f64) -> Vec<Tick> {
         let x = |l: f64| self.at(l).map(|place| self.x(place));
         let pieces = self.slabs.iter().map(|slab| slab.l[0]).chain(self.l_end());
-        round_numbers(&pieces.collect::<Vec<f64>>(), x, |label| text_width(label, TICK_SIZE) / 2.0)
+        round_numbers(&pieces.collect::<Vec<f64>>(), x, half)
     }
 
     /// The lines of constant h above the lowest curve, and `above` the highest.
@@ -144,7 +149,7 @@ impl Straight {
         let ink = Ink { color: INK, width: 0.9 };
         canvas.outline(&rect.corners(), ink);
         let l_end = self.l_end().unwrap_or(0.0);
-        for tick in self.momenta() {
+        for tick in self.momenta(half_width) {
             canvas.path(&[[tick.at, rect.bottom()], [tick.at, rect.bottom() + TICK]], ink);
             let base = [tick.at, rect.bottom() + TICK + 1.2 * TICK_SIZE];
             canvas.text(&tick.label, base, TICK_SIZE, INK, Anchor::Middle);

@@ -1,6 +1,6 @@
 //! The shares of the parts: more, in steps, where a name does not fit.
 
-use super::super::labels::{Form, Name, SMALLEST, Setting};
+use super::super::labels::Boxes;
 use super::super::scene::Scene;
 use super::plane::Straight;
 use super::shares::Shares;
@@ -18,19 +18,23 @@ const CLEARANCE: f64 = 3.5;
 /// Regions narrower than this many times their names are made wider.
 const NARROW: f64 = 2.5;
 
-/// The plane up to `l_end`, in which as many of these names as may be fit into their regions; `None` for a document that does
-/// not tell which curves lie above each other.
+/// The plane up to `l_end`, with the shares that are `held` or in which as many labels of this size as may be fit into their
+/// regions; `None` for a document that does not tell which curves lie above each other.
 pub(crate) fn straighten(
     scene: &Scene<'_>,
     rect: Rect,
     right: f64,
     l_end: f64,
-    names: &[Name],
+    boxes: &[Boxes],
+    held: Option<&Shares>,
 ) -> Result<Option<Straight>, PlotError> {
     let Some(slabs) = slabs(scene, l_end)? else { return Ok(None) };
     let mut straight = Straight::new(scene.atlas, rect, right, slabs);
-    let shares = shares(&mut straight, names);
+    // Shares of another arrangement are no use.
+    let fits = |held: &&Shares| held.wide.len() == straight.slabs.len() && held.high.len() == boxes.len();
+    let shares = held.filter(fits).cloned().unwrap_or_else(|| shares(&mut straight, boxes));
     straight.place(&shares);
+    straight.shares = shares;
     Ok(Some(straight))
 }
 
@@ -38,19 +42,19 @@ pub(crate) fn straighten(
 type Fit = (usize, usize, usize, f64);
 
 /// The best shares that are found.
-fn shares(straight: &mut Straight, names: &[Name]) -> Shares {
-    let mut shares = Shares { wide: lengths(straight), high: vec![1.0; names.len()] };
+fn shares(straight: &mut Straight, boxes: &[Boxes]) -> Shares {
+    let mut shares = Shares { wide: lengths(straight), high: vec![1.0; boxes.len()] };
     let mut best: Option<(Fit, Shares)> = None;
     for _ in 0..STEPS {
         straight.place(&shares);
-        let rooms: Vec<[Room; 3]> = measured(straight, names);
+        let rooms: Vec<[Room; 3]> = measured(straight, boxes);
         let fits = |form: usize| rooms.iter().filter(|room| room[form].share >= 1.0).count();
         let worst = rooms.iter().map(|room| room[1].share.min(1.0)).sum::<f64>();
         let fit = (fits(2), fits(1), fits(0), worst);
         if best.as_ref().is_none_or(|(known, _)| fit > *known) {
             best = Some((fit, shares.clone()));
         }
-        if fits(0) == names.len() {
+        if fits(0) == boxes.len() {
             break;
         }
         for (region, room) in rooms.iter().enumerate() {
@@ -83,10 +87,10 @@ struct Room {
 }
 
 /// The rooms for names in full, for type and id, and for the id.
-fn measured(straight: &Straight, names: &[Name]) -> Vec<[Room; 3]> {
+fn measured(straight: &Straight, boxes: &[Boxes]) -> Vec<[Room; 3]> {
     let columns = straight.columns(COLUMN);
     // The layers of each region in each column, from above to below.
-    let mut layers: Vec<Vec<Vec<[f64; 2]>>> = vec![vec![Vec::new(); columns.len()]; names.len()];
+    let mut layers: Vec<Vec<Vec<[f64; 2]>>> = vec![vec![Vec::new(); columns.len()]; boxes.len()];
     for (column, place) in columns.iter().enumerate() {
         let heights = straight.heights(*place);
         for (number, layer) in straight.slabs[place.0].layers.iter().enumerate() {
@@ -94,14 +98,13 @@ fn measured(straight: &Straight, names: &[Name]) -> Vec<[Room; 3]> {
             layers[layer.region][column].push([top, heights[number]]);
         }
     }
-    let room = |region: usize, form: Form, name: &Name| {
+    let room = |region: usize, extents: [[f64; 2]; 2]| {
         let mut best = Room { share: 0.0, extent: 0.0, slabs: Vec::new() };
         let mut own: Vec<usize> = (0..columns.len()).filter(|column| !layers[region][*column].is_empty()).collect();
         let pixels = own.len() as f64 * COLUMN;
         own.dedup_by_key(|column| columns[*column].0);
         best.slabs = own.iter().map(|column| columns[*column].0).collect();
-        for one_line in [false, true] {
-            let [width, height] = Setting { form, size: SMALLEST, one_line }.extent(name);
+        for [width, height] in extents {
             let [width, height] = [width + 2.0 * CLEARANCE, height + 2.0 * CLEARANCE];
             best.extent = best.extent.max(pixels / width);
             let needed = pixel((width / COLUMN).ceil() + 1.0, columns.len());
@@ -123,15 +126,13 @@ fn measured(straight: &Straight, names: &[Name]) -> Vec<[Room; 3]> {
         }
         best
     };
-    let of_region =
-        |(region, name): (usize, &Name)| [Form::Full, Form::Short, Form::Id].map(|form| room(region, form, name));
-    names.iter().enumerate().map(of_region).collect()
+    boxes.iter().enumerate().map(|(region, forms)| forms.map(|extents| room(region, extents))).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::straighten;
-    use crate::diagram::labels::names;
+    use crate::diagram::labels::{boxes, names};
     use crate::diagram::plan::Plan;
     use crate::diagram::scene::{CurveSource, DiagramOptions, Scene, windows};
     use crate::diagram::straight::plane::{BELOW_ALL, Straight};
@@ -160,7 +161,7 @@ mod tests {
                     .unwrap();
             let rect = Rect { x: 50.0, y: 50.0, width: 800.0, height: 440.0 };
             let l_end = windows(&scene, None).unwrap()[1].l[1];
-            let straight = straighten(&scene, rect, 40.0, l_end, &names(&document)).unwrap();
+            let straight = straighten(&scene, rect, 40.0, l_end, &boxes(&names(&document)), None).unwrap();
             check(&straight.expect("the document tells how the curves lie"), &scene);
         }
     }

@@ -4,11 +4,15 @@
 //! to infinity.
 
 mod axes;
+mod columns;
 mod fit;
 mod plane;
 mod shares;
 mod strata;
 
-pub(super) use axes::Tick;
+pub use super::labels::Boxes as LabelBoxes;
+pub(super) use axes::{Tick, half_width};
+pub use columns::StraightColumn;
 pub(super) use fit::straighten;
 pub(super) use plane::Straight;
+pub use shares::Shares as StraightShares;

@@ -15,6 +15,8 @@ pub(crate) struct Straight {
     /// Pixels on the right of it.
     pub(super) right: f64,
     pub(super) slabs: Vec<Slab>,
+    /// The shares by which it is placed.
+    pub(super) shares: Shares,
     /// On the page, for each station of each slab: x, and y of the curves.
     pub(super) placed: Vec<Vec<(f64, Vec<f64>)>>,
     /// The set of coincident curves of each curve.
@@ -33,7 +35,7 @@ impl Straight {
                 set_of[curve] = number;
             }
         }
-        Self { rect, right, slabs, placed: Vec::new(), set_of }
+        Self { rect, right, slabs, shares: Shares::default(), placed: Vec::new(), set_of }
     }
 
     /// A position of the page in the unit square, with y upwards.
@@ -74,7 +76,7 @@ impl Straight {
     }
 
     /// Where a momentum of a slab lies.
-    fn within(&self, slab: usize, l: f64) -> Place {
+    pub(super) fn within(&self, slab: usize, l: f64) -> Place {
         let stations = &self.slabs[slab].stations;
         let next = stations.partition_point(|station| station.l <= l).clamp(1, stations.len() - 1);
         let (from, to) = (stations[next - 1].l, stations[next].l);
@@ -118,12 +120,25 @@ impl Straight {
         let above = h.partition_point(|h| *h <= energy);
         let below = above.checked_sub(1)?;
         if above == h.len() {
-            // Half of what is left is as much as the curves span.
-            let span = (h[below] - h[0]) + self.energy_unit();
-            let share = (energy - h[below]) / (energy - h[below] + span);
+            let share = (energy - h[below]) / (energy - h[below] + self.span(h));
             return Some(y[below] + (self.rect.y - y[below]) * share);
         }
         Some(y[below] + (y[above] - y[below]) * ((energy - h[below]) / (h[above] - h[below])))
+    }
+
+    /// The energy that lies at a share of the way from the highest curve to the upper edge.
+    pub(super) fn energy_above(&self, share: f64, h: &[f64]) -> f64 {
+        h[h.len() - 1] + self.span(h) * share / (1.0 - share)
+    }
+
+    /// So far above the highest curve is half of what is left: as much as the curves span.
+    fn span(&self, h: &[f64]) -> f64 {
+        (h[h.len() - 1] - h[0]) + self.energy_unit()
+    }
+
+    /// By which everything is placed.
+    pub(crate) fn shares(&self) -> &Shares {
+        &self.shares
     }
 
     /// An energy that is not large compared to those in view.
@@ -158,19 +173,28 @@ impl Straight {
     }
 
     /// A curve between two momenta.
-    pub(crate) fn curve(&self, curve: usize, [from, to]: [f64; 2]) -> Vec<Point> {
-        let mut points: Vec<Point> = Vec::new();
+    pub(crate) fn curve(&self, curve: usize, range: [f64; 2]) -> Vec<Point> {
+        let mut points: Vec<Point> = self.course(curve, range).into_iter().map(|(_, point)| point).collect();
+        points.dedup();
+        points
+    }
+
+    /// Momenta between two of them, and where the curve lies there.
+    pub(crate) fn course(&self, curve: usize, [from, to]: [f64; 2]) -> Vec<(f64, Point)> {
+        let mut points = Vec::new();
         for (number, slab) in self.slabs.iter().enumerate() {
             let l = [from.max(slab.l[0]), to.min(slab.l[1])];
             let Some(layer) = self.layer(number, curve).filter(|_| l[0] < l[1]) else { continue };
             let inside = slab.stations.iter().zip(&self.placed[number]);
             let inside = inside.filter(|(station, _)| l[0] < station.l && station.l < l[1]);
-            let ends = l.map(|l| self.within(number, l)).map(|place| [self.x(place), self.heights(place)[layer]]);
-            points.push(ends[0]);
-            points.extend(inside.map(|(_, (x, y))| [*x, y[layer]]));
-            points.push(ends[1]);
+            let end = |l: f64| {
+                let place = self.within(number, l);
+                (l, [self.x(place), self.heights(place)[layer]])
+            };
+            points.push(end(l[0]));
+            points.extend(inside.map(|(station, (x, y))| (station.l, [*x, y[layer]])));
+            points.push(end(l[1]));
         }
-        points.dedup();
         points
     }
 

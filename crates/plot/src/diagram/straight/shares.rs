@@ -2,10 +2,12 @@
 
 use super::strata::{Slab, Station, Vertex, near};
 
-/// The shares of the slabs and of the regions, of any sum.
-#[derive(Clone)]
-pub(super) struct Shares {
+/// The shares of the stretches between event momenta and of the regions, of any sum.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Shares {
+    /// Of the width.
     pub wide: Vec<f64>,
+    /// Of the height.
     pub high: Vec<f64>,
 }
 

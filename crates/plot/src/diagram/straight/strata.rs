@@ -166,20 +166,13 @@ fn slab(scene: &Scene<'_>, ends: [f64; 2], stack: &[(usize, Cell)]) -> Result<Sl
 }
 
 /// The energies of a curve at rising momenta: of its source exactly there, else between the points of the document.
-fn energies(scene: &Scene<'_>, curve: usize, momenta: &[f64]) -> Result<Vec<f64>, PlotError> {
-    /// Chords need not be close to the curve where only their ends are used.
-    const LOOSE: f64 = 1e30;
+pub(super) fn energies(scene: &Scene<'_>, curve: usize, momenta: &[f64]) -> Result<Vec<f64>, PlotError> {
     let document = &scene.atlas.curves[curve];
-    let (first, last) = (momenta[0], momenta[momenta.len() - 1]);
-    let exact = |pair: &[f64]| {
-        let points = scene.source?.polyline(&document.id, [pair[0], pair[1]], LOOSE)?;
-        Some([points.first()?[0], points.last()?[0]])
-    };
-    let pairs: Option<Vec<[f64; 2]>> = momenta.windows(2).map(exact).collect();
-    if let Some(pairs) = pairs {
-        return Ok(pairs.iter().map(|pair| pair[0]).chain(pairs.last().map(|pair| pair[1])).collect());
+    let (Some(first), Some(last)) = (momenta.first(), momenta.last()) else { return Ok(Vec::new()) };
+    if let Some(exact) = scene.source.and_then(|source| source.energies(&document.id, momenta)) {
+        return Ok(exact);
     }
-    let drawn = trace(scene, document, [first, last], f64::INFINITY)?;
+    let drawn = trace(scene, document, [*first, *last], f64::INFINITY)?;
     let missing = || PlotError::NoPolyline { curve: document.id.clone() };
     momenta.iter().map(|l| drawn.h_at(*l).ok_or_else(missing)).collect()
 }
