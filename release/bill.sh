@@ -15,5 +15,5 @@ for package in bifdiag bifdiag-python; do
         linked "$package" "$machine" --features pdf
     done
 done > "$tree"
-for package in bifdiag-web bifdiag-web-parts bifdiag-web-straight; do linked "$package" wasm32-unknown-unknown; done >> "$tree"
+for package in bifdiag-web bifdiag-web-parts bifdiag-web-straight bifdiag-web-chaos; do linked "$package" wasm32-unknown-unknown; done >> "$tree"
 cargo metadata --format-version 1 --locked --offline --all-features | python3 release/bill.py "$tree" "$OUT"

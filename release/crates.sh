@@ -6,7 +6,7 @@
 rm -rf "$CARGO_TARGET_DIR/package" "$OUT/crates"
 mkdir -p "$OUT/crates"
 cargo package --quiet --workspace --no-verify --allow-dirty \
-    --exclude support --exclude bifdiag-python --exclude bifdiag-web --exclude bifdiag-web-glue --exclude bifdiag-web-parts --exclude bifdiag-web-straight
+    --exclude support --exclude bifdiag-python --exclude bifdiag-web --exclude bifdiag-web-glue --exclude bifdiag-web-parts --exclude bifdiag-web-straight --exclude bifdiag-web-chaos
 cp "$CARGO_TARGET_DIR"/package/*.crate "$OUT/crates/"
 cargo metadata --format-version 1 --no-deps --offline | python3 release/order.py > "$OUT/crates/crates.txt"
 diff <(sort "$OUT/crates/crates.txt") <(cd "$OUT/crates" && ls ./*.crate | sed 's#^\./##; s#-[0-9][0-9.]*\.crate$##' | sort)

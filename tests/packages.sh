@@ -5,7 +5,7 @@ cd "$(dirname "$0")/.."
 target="${CARGO_TARGET_DIR:-$PWD/target}"
 
 rm -rf "$target/package" "$target/published"
-cargo package --quiet --workspace --exclude bifdiag-python --exclude bifdiag-web --exclude bifdiag-web-glue --exclude bifdiag-web-parts --exclude bifdiag-web-straight \
+cargo package --quiet --workspace --exclude bifdiag-python --exclude bifdiag-web --exclude bifdiag-web-glue --exclude bifdiag-web-parts --exclude bifdiag-web-straight --exclude bifdiag-web-chaos \
     --no-verify --allow-dirty
 mkdir -p "$target/published"
 # Files in archives are old; extracted now, they count as changed.

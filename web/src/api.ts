@@ -1,6 +1,7 @@
 /** `window.bifdiag`: what tests and tools ask of the page. */
 import { AT, ROW } from "./state/orbits";
 import type { Window as View } from "./bindings/documents";
+import type { Share } from "./state/chaos";
 import type { Session } from "./state/session";
 import { StraightChart } from "./state/straight";
 
@@ -14,7 +15,7 @@ export interface Crossings {
 
 declare global {
   interface Window {
-    bifdiag: { atlas: () => string; frames: () => number[]; crossings: () => Crossings; rate: () => number; window: () => View | null; suited: () => View | null; shadow: () => boolean; place: (h: number, l: number) => [number, number] | null; straight: () => { columns: number[]; curves: Record<string, number[]> } | null };
+    bifdiag: { atlas: () => string; frames: () => number[]; crossings: () => Crossings; rate: () => number; window: () => View | null; suited: () => View | null; shadow: () => boolean; place: (h: number, l: number) => [number, number] | null; chaos: () => { cells: number; running: boolean; at: (h: number, l: number, region: number, component: number) => Share | null | undefined }; straight: () => { columns: number[]; curves: Record<string, number[]> } | null };
   }
 }
 
@@ -35,6 +36,7 @@ export function api(session: Session): void {
     suited: () => session.drawn?.document.drawing.view.main ?? null,
     shadow: () => session.shadow !== null,
     place: (h, l) => session.drawn?.chart.place(h, l) ?? null,
+    chaos: () => ({ cells: session.chaos.summary?.level.cells ?? 0, running: session.chaos.running, at: (...place) => session.chaos.at(...place) }),
     straight: () => {
       const { chart, curves } = session.drawn ?? {};
       return chart instanceof StraightChart ? { columns: [...chart.drawing.columns], curves: Object.fromEntries([...curves!].map(([name, points]) => [name, [...points]])) } : null;

@@ -12,7 +12,7 @@ const cargo = (args, environment = {}) =>
   execFileSync("cargo", args, { cwd: web, stdio: "inherit", env: { ...process.env, CARGO_TARGET_DIR: target, ...environment } });
 
 // Two orbits a register: every browser of the last three years has these instructions.
-const modules = (process.env.MODULES ?? "bifdiag-web,bifdiag-web-parts,bifdiag-web-straight").split(",");
+const modules = (process.env.MODULES ?? "bifdiag-web,bifdiag-web-parts,bifdiag-web-straight,bifdiag-web-chaos").split(",");
 cargo(["build", "--profile", profile, ...modules.flatMap((name) => ["-p", name]), "--target", triple], { RUSTFLAGS: "-C target-feature=+simd128" });
 for (const name of modules.map((name) => name.replaceAll("-", "_"))) {
   const module = path.join(target, triple, profile, `${name}.wasm`);

@@ -1,5 +1,5 @@
 /** What a worker can be asked, and what it answers. */
-import type { Orbit, Portrait, Window } from "./documents";
+import type { Orbit, Portrait, Triple, Window } from "./documents";
 
 export interface Drawing {
   /** The fast document, as text. */
@@ -75,6 +75,7 @@ export interface Calls {
   judge: [[site: Site, starts: Float64Array, crossings: number], Orbit[]];
   parts: [[site: Site, gammas: Float64Array], Int32Array];
   motion: [[site: Site, theta: number, psi: number, sheet: number, times: Float64Array], Float64Array];
+  tile: [[A: Triple, r: Triple, window: number[], cells: [number, number], tile: number, error: number, steps: number], Float64Array];
   border: [[from: Float64Array, to: Float64Array], { t: number; error: number; text: string }];
   classes: [[bodies: Float64Array], { found: Int32Array; names: string[] }];
 }

@@ -3,6 +3,7 @@ import type { Answer, Arguments, Drawing, Name, Place, Question, Reply, Site, St
 import type { Atlas, Orbit, Portrait, Window } from "./documents";
 import { boxesOf } from "../state/names";
 import partsUrl from "./generated/bifdiag_web_parts_bg.wasm?url";
+import chaosUrl from "./generated/bifdiag_web_chaos_bg.wasm?url";
 import straightUrl from "./generated/bifdiag_web_straight_bg.wasm?url";
 import init, * as guest from "./generated/bifdiag_web.js";
 
@@ -10,6 +11,7 @@ const PORTRAIT_ROWS = 90;
 
 let diagram: { body: string; of: guest.Diagram; text: string; document: Atlas } | undefined;
 let section: { site: string; of: guest.Section } | undefined;
+let shares: { body: string; of: InstanceType<Chaos["Shares"]> } | undefined;
 let classes: guest.Classes | undefined;
 
 function diagramOf(body: string): NonNullable<typeof diagram> {
@@ -75,6 +77,7 @@ function locate(body: string, h: number, l: number): Place {
 }
 
 type Parts = typeof import("./generated/bifdiag_web_parts.js");
+type Chaos = typeof import("./generated/bifdiag_web_chaos.js");
 type Straights = typeof import("./generated/bifdiag_web_straight.js");
 
 /** A module of its own, loaded when first used. Fetched as bytes: no server needs to know its type. */
@@ -94,6 +97,7 @@ function later<M extends { default: (input: { module_or_path: ArrayBuffer }) => 
 }
 
 const parts = later<Parts>("the readers of parts", partsUrl, () => import("./generated/bifdiag_web_parts.js"));
+const chaos = later<Chaos>("the chaotic share", chaosUrl, () => import("./generated/bifdiag_web_chaos.js"));
 const straights = later<Straights>("the straightened diagram", straightUrl, () => import("./generated/bifdiag_web_straight.js"));
 
 const answers: { [N in Name]: (...values: Arguments<N>) => Answer<N> | Promise<Answer<N>> } = {
@@ -120,6 +124,16 @@ const answers: { [N in Name]: (...values: Arguments<N>) => Answer<N> | Promise<A
   judge: (site, starts, crossings) => JSON.parse(sectionOf(site).judge(starts, crossings)) as Orbit[],
   parts: (site, gammas) => sectionOf(site).components(gammas),
   motion: (site, theta, psi, sheet, times) => sectionOf(site).motion(theta, psi, sheet, times),
+  async tile(A, r, window, cells, tile, error, steps) {
+    const module = await chaos();
+    const body = [...A, ...r].join("&");
+    if (shares?.body !== body) {
+      shares?.of.free();
+      shares = undefined;
+      shares = { body, of: new module.Shares(A, r) };
+    }
+    return shares.of.tile(Float64Array.from(window), Uint32Array.from(cells), tile, error, steps);
+  },
   border(from, to) {
     const [t, error, text] = guest.border(from, to) as [string, string, string];
     return { t: Number(t), error: Number(error), text };

@@ -101,6 +101,16 @@ export function verdictColor(verdict: Verdict, dark: boolean): string {
 /** A scale from 0 to 1 that grows evenly in lightness (viridis, five stops). */
 const SCALE: Rgb[] = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
 
+/** The scale of the command line's maps of the chaotic share, from 0 to 1, and a share that is not known. */
+const SHARES: Rgb[] = [[22, 27, 92], [91, 35, 140], [165, 44, 131], [217, 74, 94], [238, 125, 45], [242, 177, 19]];
+export const NO_SHARE: Rgb = [138, 138, 138];
+
+export function shareColor(share: number): Rgb {
+  const place = Math.min(0.9999, Math.max(0, share)) * (SHARES.length - 1);
+  const [from, to] = [SHARES[Math.floor(place)]!, SHARES[Math.floor(place) + 1]!];
+  return from.map((low, i) => Math.round(low + (place - Math.floor(place)) * (to[i]! - low))) as Rgb;
+}
+
 export function scaled(value: number): string {
   const place = Math.min(0.9999, Math.max(0, value)) * (SCALE.length - 1);
   const [from, to] = [SCALE[Math.floor(place)]!, SCALE[Math.floor(place) + 1]!];

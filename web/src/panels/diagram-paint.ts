@@ -1,9 +1,10 @@
 /** The picture of the diagram. */
 import type { Pen, Size } from "../draw/canvas";
-import { branchColors, ink, tint, type Ink, type Rgb } from "../draw/theme";
+import { branchColors, css, ink, NO_SHARE, shareColor, tint, type Ink, type Rgb } from "../draw/theme";
 import { valueOf } from "../state/numbers";
 import type { Drawn, Shadow } from "../state/known";
 import type { Session } from "../state/session";
+import type { State } from "../state/state";
 import type { Chart, Line } from "../state/chart";
 import { boxesOf, nameOf, typeOf } from "../state/names";
 import { places, type Place } from "../state/places";
@@ -11,16 +12,18 @@ import { StraightChart } from "../state/straight";
 import { paintAxes, paintLevels, paintStraightAxes, type Area } from "./diagram-axes";
 import { circlesOf } from "./regions";
 
-/** The frame in the panel; the straightened plane has an axis on the right too, and names of axes above. */
-export const plot = ({ width, height }: Size, straight: boolean): Area =>
-  straight ? { x: 46, y: 24, width: Math.max(10, width - 92), height: Math.max(10, height - 60) } : { x: 46, y: 8, width: Math.max(10, width - 56), height: Math.max(10, height - 44) };
+/** The frame in the panel; the straightened plane has an axis on the right too, and names of axes above, where the scale of shares is. */
+export const plot = ({ width, height }: Size, { straight, chaos }: Pick<State, "straight" | "chaos">): Area => {
+  const [right, top] = [straight ? 46 : 10, straight || chaos ? 24 : 8];
+  return { x: 46, y: top, width: Math.max(10, width - 46 - right), height: Math.max(10, height - 36 - top) };
+};
 
 export function paintDiagram(pen: Pen, size: Size, session: Session): void {
   const drawn = session.drawn!;
   const { chart } = drawn;
   const colors = ink();
-  const area = plot(size, chart instanceof StraightChart);
-  paintRegions(pen, area, drawn, colors, session.hover.region ?? null);
+  const area = plot(size, { ...session.state, straight: chart instanceof StraightChart });
+  paintRegions(pen, area, drawn, colors, session);
   pen.save();
   pen.beginPath();
   pen.rect(area.x, area.y, area.width, area.height);
@@ -28,30 +31,55 @@ export function paintDiagram(pen: Pen, size: Size, session: Session): void {
   pen.translate(area.x, area.y);
   if (chart instanceof StraightChart) paintLevels(pen, chart, colors);
   if (session.shadow) paintShadow(pen, chart, session.shadow, colors);
+  if (session.state.chaos) paintHalo(pen, drawn, colors);
   paintCurves(pen, drawn, colors, session.hover.curve);
   paintEvents(pen, drawn, colors);
-  paintNames(pen, drawn, colors);
+  paintNames(pen, drawn, colors, session.state.chaos);
   paintPoint(pen, chart, session, colors);
   pen.restore();
   if (chart instanceof StraightChart) paintStraightAxes(pen, area, chart, colors);
   else paintAxes(pen, area, chart.window, colors);
+  if (session.state.chaos) paintScale(pen, area, colors);
 }
 
 let surfaceImage: HTMLCanvasElement | undefined;
 
-/** Tints pixel by pixel. */
-function paintRegions(pen: Pen, area: Area, { document, chart }: Drawn, colors: Ink, lit: string | null): void {
+const code = ([r, g, b]: Rgb) => (255 << 24) | (b << 16) | (g << 8) | r;
+
+/** The colours of shares by pixel, as long as nothing is new; 0 where none is known. */
+let shares: { of: Chart; version: number; component: number; pixels: Uint32Array } | undefined;
+
+/** Each pixel has the share of its own region in its cell. */
+function sharesOf(chart: Chart, { chaos, state: { component } }: Session): Uint32Array {
+  if (shares?.of === chart && shares.version === chaos.version && shares.component === component) return shares.pixels;
   const { width, height, regions } = chart;
+  const pixels = new Uint32Array(width * height);
+  for (let x = 0; x < width; x++) {
+    for (let y = 0; y < height; y++) {
+      const region = regions[y * width + x]!;
+      const value = region < 0 ? null : chart.value(x + 0.5, y + 0.5);
+      const share = value ? chaos.at(...value, region, component) : undefined;
+      if (share !== undefined && (share !== null || component === 0)) pixels[y * width + x] = code(share && share.orbits > 0 ? shareColor(share.fraction) : NO_SHARE);
+    }
+  }
+  shares = { of: chart, version: chaos.version, component, pixels };
+  return pixels;
+}
+
+/** Tints pixel by pixel. */
+function paintRegions(pen: Pen, area: Area, { document, chart }: Drawn, colors: Ink, session: Session): void {
+  const { width, height, regions } = chart;
+  const lit = session.hover.region ?? null;
+  const over = session.state.chaos ? sharesOf(chart, session) : null;
   const image = new ImageData(width, height);
   const pixels = new Uint32Array(image.data.buffer);
-  const code = ([r, g, b]: Rgb) => (255 << 24) | (b << 16) | (g << 8) | r;
   const tints = document.regions.map((region) => {
     const color = tint(typeOf(region), circlesOf(region), colors.dark);
     return code(region.id === lit ? (color.map((value) => (colors.dark ? Math.min(255, value + 26) : Math.max(0, value - 22))) as Rgb) : color);
   });
   const outside = Number.parseInt(colors.forbidden.slice(1), 16);
   const forbidden = code([outside >> 16, (outside >> 8) & 255, outside & 255]);
-  for (let at = 0; at < regions.length; at++) pixels[at] = regions[at]! < 0 ? forbidden : (tints[regions[at]!] ?? 0);
+  for (let at = 0; at < regions.length; at++) pixels[at] = over?.[at] || (regions[at]! < 0 ? forbidden : (tints[regions[at]!] ?? 0));
   surfaceImage ??= globalThis.document.createElement("canvas");
   surfaceImage.width = width;
   surfaceImage.height = height;
@@ -85,6 +113,33 @@ function paintCurves(pen: Pen, { document, curves, chart }: Drawn, colors: Ink, 
     });
   }
   pen.setLineDash([]);
+}
+
+/** Room round curves on colours that may be dark or light. */
+function paintHalo(pen: Pen, { document, curves, chart }: Drawn, colors: Ink): void {
+  pen.strokeStyle = colors.paper;
+  pen.lineWidth = 4;
+  pen.globalAlpha = 0.75;
+  for (const { id } of document.curves) {
+    const drawn = curves.get(id);
+    if (drawn) stroke(pen, chart.line(drawn), -Infinity, Infinity, []);
+  }
+  pen.globalAlpha = 1;
+}
+
+/** The scale of shares, above the frame. */
+function paintScale(pen: Pen, area: Area, colors: Ink): void {
+  const [width, x, y] = [90, area.x + area.width / 2 - 20, area.y - 16];
+  for (let k = 0; k < width; k++) {
+    pen.fillStyle = css(shareColor(k / (width - 1)));
+    pen.fillRect(x + k, y, 1.2, 8);
+  }
+  pen.fillStyle = colors.faint;
+  pen.font = "11px system-ui, sans-serif";
+  pen.textAlign = "right";
+  pen.fillText("chaotic 0", x - 4, y + 8);
+  pen.textAlign = "left";
+  pen.fillText("1", x + width + 4, y + 8);
 }
 
 /** The curves of the body before. */
@@ -126,16 +181,24 @@ function paintEvents(pen: Pen, { document, chart }: Drawn, colors: Ink): void {
 /** Where names stand, as long as the same is drawn. */
 const standing = new WeakMap<Chart, Map<number, Place>>();
 
-function paintNames(pen: Pen, { document, chart }: Drawn, colors: Ink): void {
+function paintNames(pen: Pen, { document, chart }: Drawn, colors: Ink, ground: boolean): void {
   const found = standing.get(chart) ?? places(chart, document.regions.map(boxesOf));
   standing.set(chart, found);
   pen.textAlign = "center";
-  pen.fillStyle = colors.text;
   pen.font = "12px system-ui, sans-serif";
   for (const [number, { x, y, box }] of found) {
     const region = document.regions[number];
     if (!region || box < 0) continue;
     const [id, type] = nameOf(region);
+    if (ground) {
+      const wide = Math.max(...(box === 0 ? [id, type] : [box === 1 ? `${id} ${type}` : id]).map((text) => pen.measureText(text).width)) + 6;
+      const high = box === 0 ? 31 : 16;
+      pen.fillStyle = colors.paper;
+      pen.globalAlpha = 0.8;
+      pen.fillRect(x - wide / 2, y - high / 2, wide, high);
+      pen.globalAlpha = 1;
+    }
+    pen.fillStyle = colors.text;
     if (box === 0) {
       pen.fillText(id, x, y - 3);
       pen.fillText(type, x, y + 12);

@@ -8,6 +8,7 @@ import type { Session } from "../state/session";
 import type { Window } from "../bindings/documents";
 import { PlaneChart } from "../state/chart";
 import { beside } from "./beside";
+import { chaosLayer } from "./chaos";
 import { paintDiagram, plot } from "./diagram-paint";
 import { gestures } from "./gestures";
 import { stabilityLine } from "./stability";
@@ -28,7 +29,7 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
   const tip = make("div", { className: "tip", hidden: true });
   const paint = (pen: Pen, size: Size) => session.drawn && paintDiagram(pen, size, session);
   const sheet = new Sheet(canvas, paint);
-  const frame = () => plot(sheet.size, session.state.straight);
+  const frame = () => plot(sheet.size, session.state);
   const inside = (x: number, y: number): [number, number] => [x - frame().x, y - frame().y];
 
   const choose = (x: number, y: number) => {
@@ -69,7 +70,7 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
   });
   canvas.addEventListener("keydown", (event) => keys(session, sheet, event, zoom));
   session.on(["drawing"], () => sheet.now());
-  session.on(["point", "hover", "theme", "shadow"], () => sheet.ask());
+  session.on(["point", "hover", "theme", "shadow", "chaos"], () => sheet.ask());
   const resized = () => (session.resolution = frame());
   new ResizeObserver(() => {
     resized();
@@ -80,23 +81,28 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
   const twin = beside(session);
   const straight = tool("Straight", "Straighten the plane: l to the right, h upwards from the lowest curve, each region as high as its name needs. All numbers told are true ones", () => session.straighten(!session.state.straight));
   straight.dataset.testid = "straight";
+  const layer = chaosLayer(session);
   const zooms = [
     tool("+", "Zoom in", () => zoom([sheet.size.width / 2, sheet.size.height / 2], 0.5)),
     tool("−", "Zoom out", () => zoom([sheet.size.width / 2, sheet.size.height / 2], 2)),
     tool("⌂", "The whole diagram", () => session.view(null)),
   ];
+  for (const zoom of zooms.slice(0, 2)) zoom.className = "zoom";
   const tools = make("div", { className: "tools" },
     twin.tool,
     pin,
     straight,
+    layer.tool,
     ...zooms,
   );
   session.on(["theme"], () => {
+    const { width, height } = session.resolution;
     resized();
+    if (session.drawn && (width !== session.resolution.width || height !== session.resolution.height)) void session.redraw();
     straight.setAttribute("aria-pressed", String(session.state.straight));
     for (const zoom of zooms) zoom.disabled = session.state.straight;
   });
-  const element = panel("Diagram", "The plane of energy h and vertical angular momentum l, both conserved. Within a tinted region all motions have the same shape, which changes on the curves. Curves are steady rotations: solid where stable (thin: without friction only), dashed where unstable; on dotted lines the centre of mass can first hang straight down or stand straight up. Click to choose a point, drag it; a finger taps, or holds and drags; two fingers or the wheel zoom", make("div", { className: "stage" }, canvas, tip), twin.element);
+  const element = panel("Diagram", "The plane of energy h and vertical angular momentum l, both conserved. Within a tinted region all motions have the same shape, which changes on the curves. Curves are steady rotations: solid where stable (thin: without friction only), dashed where unstable; on dotted lines the centre of mass can first hang straight down or stand straight up. Click to choose a point, drag it; a finger taps, or holds and drags; two fingers or the wheel zoom", make("div", { className: "stage" }, canvas, tip), layer.legend, twin.element);
   element.querySelector("header")!.append(tools);
   return { element, sheet };
 }
@@ -108,7 +114,7 @@ function keys(session: Session, { size }: Sheet, event: KeyboardEvent, zoom: (at
   if (!session.drawn) return;
   const { chart } = session.drawn;
   const { point } = session.state;
-  const area = plot(size, session.state.straight);
+  const area = plot(size, session.state);
   const spot = (point && chart.place(valueOf(point.h), valueOf(point.l))) ?? [chart.width / 2, chart.height / 2];
   const center: [number, number] = [spot[0] + area.x, spot[1] + area.y];
   if (event.key === "+" || event.key === "=") zoom(center, 0.7);
@@ -145,6 +151,8 @@ async function hover(session: Session, sheet: Sheet, tip: HTMLElement, at: [numb
   if (region) lines.push(`${region.id}: P = ${region.signature?.split("+").map(surface).join(" + ") ?? "none"}, U = ${region.components.map((c) => surface(c.accessible_region)).join(" + ")}`, `E = ${region.components.map((c) => surface(c.energy_surface)).join(" + ")}, genus ${region.components.map((c) => c.genus ?? "–").join(", ")}`);
   else lines.push(place.region === -1 ? "no motion at this low energy" : "on a curve, to within rounding");
   lines.push(`${shown(place.distance)} in h from ${place.nearest}`);
+  const share = session.state.chaos && region ? session.chaos.at(h, l, place.region, session.state.component) : null;
+  if (share && share.orbits > 0) lines.push(`chaotic ${share.fraction.toFixed(2)} ± ${share.error.toFixed(2)}, open ${share.open.toFixed(2)}: ${share.orbits} orbits`);
   if (curve) lines.push(...(await curveLines(session, curve, h, l)));
   tipAt(tip, sheet.size, at, lines);
 }

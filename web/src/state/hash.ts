@@ -7,7 +7,7 @@ const THEMES: readonly Theme[] = ["dark", "light"];
 const COLORINGS: readonly Coloring[] = ["orbit", "verdict", "lyapunov", "rotation"];
 
 /** Keys of an address. */
-const KEYS = ["A", "r", "h", "l", "body", "view", "orbits", "crossings", "seed", "coloring", "theme", "embed", "present", "tour", "lesson", "beside"];
+const KEYS = ["A", "r", "h", "l", "body", "view", "orbits", "crossings", "seed", "coloring", "theme", "embed", "present", "tour", "lesson", "beside", "layer", "component"];
 
 /** The keys that `parse` passes over: misspelt ones, or those of a later version. */
 export const unknownKeys = (hash: string): string[] => pairs(hash).map(([name]) => name).filter((name) => !KEYS.includes(name));
@@ -17,6 +17,8 @@ export function format(state: State): string {
   if (state.point) parts.push(`h=${state.point.h}`, `l=${state.point.l}`);
   if (state.straight) parts.push("view=straight");
   else if (state.view) parts.push(`view=${[...state.view.h, ...state.view.l].join(",")}`);
+  if (state.chaos) parts.push("layer=chaos");
+  if (state.chaos && state.component > 0) parts.push(`component=${state.component}`);
   for (const name of ["orbits", "crossings", "seed", "coloring"] as const) {
     if (state[name] !== FIRST[name]) parts.push(`${name}=${state[name]}`);
   }
@@ -59,6 +61,8 @@ function read(state: State, name: string, value: string): void {
   if (name === "A" || name === "r") state[name] = triple(name, value);
   else if (name === "view" && value === "straight") state.straight = true;
   else if (name === "view") state.view = window(value);
+  else if (name === "layer") state.chaos = word(name, value, ["chaos"]) === "chaos";
+  else if (name === "component") state.component = count(name, value, 0, 99);
   else if (name === "orbits") state.orbits = count(name, value, 1, 500);
   else if (name === "crossings") state.crossings = count(name, value, 1, 20_000);
   else if (name === "seed") state.seed = count(name, value, 0, 2 ** 32 - 1);

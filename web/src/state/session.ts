@@ -7,6 +7,7 @@ import { format } from "./hash";
 import { NOTHING, type Drawn, type Known, type Shadow } from "./known";
 import { valueOf } from "./numbers";
 import { Orbits } from "./orbits";
+import { ChaosMap } from "./chaos";
 import { PlaneChart } from "./chart";
 import { places } from "./places";
 import { StraightChart } from "./straight";
@@ -46,6 +47,7 @@ export class Session extends Emitter {
   dragging: "body" | "point" | "view" | null = null;
   readonly frames: number[] = [];
   readonly orbits: Orbits;
+  readonly chaos = new ChaosMap(() => this.emit("chaos"));
   /** Size of the diagram in pixels, which rows and curves are made for. */
   resolution = { width: 600, height: 400 };
   private readonly pencil = new Channel(20);

@@ -21,6 +21,9 @@ export interface State {
   view: Window | null;
   /** Whether the diagram is straightened: then it is all to be seen. */
   straight: boolean;
+  /** Whether the chaotic share is shown over the diagram, and of which component of E. */
+  chaos: boolean;
+  component: number;
   orbits: number;
   crossings: number;
   seed: number;
@@ -43,6 +46,8 @@ export const FIRST: State = {
   point: null,
   view: null,
   straight: false,
+  chaos: false,
+  component: 0,
   orbits: 24,
   crossings: 500,
   seed: 0,
