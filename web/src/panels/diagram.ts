@@ -79,7 +79,7 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
   const pin = tool("Keep", "Keep these curves in grey, to compare with another body", () => session.pin());
   session.on(["shadow"], () => pin.setAttribute("aria-pressed", String(session.pinned)));
   const twin = beside(session);
-  const straight = tool("Straight", "Straighten the plane: l to the right, h upwards from the lowest curve, each region as high as its name needs. All numbers told are true ones", () => session.straighten(!session.state.straight));
+  const straight = tool("Straight", "Straighten the diagram: l to the right, h upwards from the lowest curve, each region as high as its name needs. All numbers told are true ones", () => session.straighten(!session.state.straight));
   straight.dataset.testid = "straight";
   const layer = chaosLayer(session);
   const zooms = [
