@@ -226,6 +226,9 @@ fn tried(document: &FindDocument) -> String {
     let show = if showing == 1 { "shows" } else { "show" };
     match tried {
         0 => format!("{bodies} drawn, none of them inside the limits and decided, so none was tried"),
+        1 if drawn == 1 => {
+            format!("one body tried, {}", if showing == 1 { "which shows it" } else { "which does not show it" })
+        }
         _ if tried == drawn => format!("{bodies} tried, {showing} of them {show} it"),
         _ => format!(
             "{bodies} drawn, {tried} of them tried (the others are outside the limits or undecided), {showing} {show} it"

@@ -8,6 +8,7 @@ use bifdiag_schema::{
 };
 use clap::Args;
 
+use super::atlas::{STRAY, strays};
 use super::explain::explanation;
 use super::failure::{Failure, failed};
 use super::input::{BodyArguments, head};
@@ -58,6 +59,10 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
     if let Some(region) = document.regions.iter().find(|region| region.id == id) {
         let width = region.id.parse().ok().and_then(|id: RegionId| atlas.h_widths()[id]);
         show_region(&mut report, &document, region, width);
+        if strays(&subject, &document).contains(&region.id) {
+            report.line("");
+            report.line(STRAY);
+        }
     } else if let Some(curve) = document.curves.iter().find(|curve| curve.id == id) {
         show_curve(&mut report, &document, curve);
     } else if let Some(event) = event.and_then(|place| document.events.get(place)) {
@@ -230,7 +235,7 @@ fn show_curve(report: &mut Report, document: &AtlasDocument, curve: &CurveDocume
         report.line(format!("no region is said to end on it{same}"));
         return;
     }
-    report.line("with rising h:");
+    let mut changes: Vec<String> = Vec::new();
     for below in &document.regions {
         for neighbour in below.neighbours.iter().filter(|neighbour| neighbour.curve == curve.id) {
             let above = document.regions.iter().find(|other| Some(&other.id) == neighbour.region.as_ref());
@@ -243,8 +248,16 @@ fn show_curve(report: &mut Report, document: &AtlasDocument, curve: &CurveDocume
                 Some(_) => continue,
             };
             let change = words::crossing(curve, from_components, &above.components, true);
-            report.line(format!("  from {from} to {}: {change}", above.id));
+            changes.push(format!("  from {from} to {}: {change}", above.id));
         }
+    }
+    if changes.is_empty() {
+        report.line("the regions beside it meet on a range of l that is shorter than doubles tell");
+        return;
+    }
+    report.line("with rising h:");
+    for change in changes {
+        report.line(change);
     }
 }
 

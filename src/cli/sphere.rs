@@ -10,7 +10,7 @@ use bifdiag_documents::{Subject, component};
 use bifdiag_dynamics::field::dot;
 use bifdiag_dynamics::poincare::components_at;
 use bifdiag_equilibria::critical::critical;
-use bifdiag_exact::{Accuracy, AnswerError, classify};
+use bifdiag_exact::{Accuracy, AnswerError, Solver, classify};
 use bifdiag_plot::{Picture, SphereScene, body_line, draw_sphere, told};
 use bifdiag_schema::ComponentDocument;
 use clap::Args;
@@ -74,6 +74,13 @@ impl Site {
                 return Err(Failure::input(format!("--region {id}: the atlas of this body has the regions {known}")));
             };
             let sample = atlas.sample(region);
+            let solver = Solver::new(subject.body.clone(), Accuracy::Exact);
+            if !solver.is_inside(region, [sample.h, sample.l]) {
+                let right = "give --h and --l, or another region";
+                return Err(Failure::input(format!(
+                    "--region {id}: in doubles its sample lies outside it, for it is narrower than they resolve there; {right}"
+                )));
+            }
             let number = |x| Number::from_f64(x).map_err(failed("the sample of the region is beyond f64"));
             return Ok(Self { region: Some(id.clone()), h: number(sample.h)?, l: number(sample.l)? });
         }

@@ -134,6 +134,26 @@ fn no_picture_of_another_body_is_left() {
     assert!(place.path().join("o/atlas.json").exists());
 }
 
+/// In doubles the sample of such a region lies in another one: no picture of that is made under the wanted name.
+#[test]
+fn a_region_that_doubles_do_not_meet_is_not_drawn() {
+    let place = tempfile::tempdir().unwrap();
+    for (body, region) in [
+        ("--A 1,1.000000000000001,1.6 --r=0,0,1", "R3"),
+        ("--A 2,1.2000000000000002,1.2 --r=0.6,0.5,0", "R8"),
+        ("--A 1.7,1.2,0.8 --r=0.3,1e-17,0.5", "R9"),
+    ] {
+        for command in ["sphere", "section --orbits 1 --crossings 2"] {
+            let line = format!("{command} {body} --region {region}");
+            bifdiag(&line).inside(place.path()).refused().telling("in doubles its sample lies outside it");
+        }
+        bifdiag(&format!("show {region} {body}"))
+            .succeeds()
+            .printing("~ in doubles the sample lies outside its region");
+    }
+    bifdiag("sphere --body paper --region R5 --out pictures").inside(place.path()).succeeds();
+}
+
 #[test]
 fn another_section_condition_has_no_signature() {
     let line = "section --body paper --h 5.3 --l 3.25 --orbits 1 --crossings 2 --json";

@@ -147,6 +147,54 @@ fn a_range_of_spins_admits_its_isolated_exceptions() {
     bifdiag("show L-.1 --A 1.71,2.63,2.11 --r 0,0,1").succeeds().printing("alone (D4 = 0): stable (Arnold's theorem)");
 }
 
+/// The three exceptions lie within 10⁻¹³ of each other in l, beside a cusp: l does not tell their spins apart, their own
+/// enclosures do. The spin of the 1:3 resonance is from 60 digits of another program.
+#[test]
+fn isolated_exceptions_beside_a_cusp_keep_their_spins() {
+    let line = "critical-spin --A 5/6,2/29,1/18 --r=0.5942,0.6329,-0.4894";
+    let found = bifdiag(&format!("{line} --json")).succeeds().json();
+    let family = list(&found["families"]).iter().find(|family| family["branch"] == json!("G0")).unwrap();
+    let near = |one: &&Value| (number(&one["spin"]["rad_per_s"]) - 0.912_959).abs() < 1e-5;
+    let isolated: Vec<&Value> =
+        list(&family["stretches"]).iter().flat_map(|one| list(&one["isolated"])).filter(near).collect();
+    let kinds: Vec<&str> = isolated.iter().map(|one| one["kind"].as_str().unwrap()).collect();
+    assert_eq!(kinds, ["1:2", "D4", "1:3"]);
+    assert!((number(&isolated[2]["spin"]["rad_per_s"]) - 0.912_959_693_544).abs() < 1e-12, "{isolated:?}");
+    // As many as along the curve.
+    let atlas = bifdiag("--A 5/6,2/29,1/18 --r=0.5942,0.6329,-0.4894 --json --no-drawing").succeeds().json();
+    let along =
+        list(&atlas["verdict_changes"]).iter().filter(|one| (number(&one["l"]) - 0.166_881_703_85).abs() < 1e-10);
+    assert_eq!(along.filter(|one| one["kind"] != json!("1:1")).count(), 3);
+}
+
+/// Two forks within the rounding of a spin are two changes, and so are two crossings.
+#[test]
+fn changes_at_nearly_one_spin_are_each_told() {
+    let found = bifdiag("critical-spin --A 1,1.0000000000000001,2 --r 0,0,1 --axis z --json").succeeds().json();
+    let events: Vec<&str> = list(&found["changes"]).iter().filter_map(|change| change["event"].as_str()).collect();
+    assert_eq!(events, ["crossing", "crossing", "fork", "fork"]);
+    let told = bifdiag("critical-spin --A 1,1.0000000001,1.5 --r 0,0,1 --axis z").succeeds();
+    told.printing("+axis  13.504744742   13.504744744   unstable");
+}
+
+/// The principal axes of the part are no decimals: no point of doubles is on the axis's curve, and what lies beside it is known.
+#[test]
+fn regions_beside_a_rotation_about_irrational_axes_are_named() {
+    let part = "--inertia 2,2,3.5,-0.5,0,0 --products tensor --com 0.1,0.1,0 --mass 1 --g 10";
+    let told = bifdiag(&format!("state {part} --axis 1,1,0 --spin 3rad/s")).succeeds();
+    told.printing("regions beside it: R1 below, R2 above in h");
+    let permanent = "--inertia 2,2,2,-0.5,-0.5,-0.5 --products tensor --com 0.1,0.1,0.1 --mass 1 --g 10 --axis 1,1,1";
+    let told = bifdiag(&format!("critical-spin {permanent}")).succeeds().stdout();
+    assert!(!told.contains("from the one given"), "{told}");
+}
+
+/// At one spin a curve can be met twice, at a cusp and elsewhere: each sentence says which of the two is meant.
+#[test]
+fn points_of_one_curve_at_one_spin_are_told_apart() {
+    let told = bifdiag("critical --A 1,1.5,2 --r=0.4,0,0.3 --spin").and("1 rad/s").succeeds();
+    told.printing("  stable on G2.1, G1.3 (l = 1.547228505)\n").printing("  unstable on G1.3 (l = 1.36)\n");
+}
+
 /// All verdict changes of the paper's curve G0.1: beside each the distance from the resonance, or D₄, has opposite signs, and
 /// there are no others between them.
 #[test]

@@ -78,7 +78,9 @@ pub fn rotation_changes(rotation: &AxisRotation, atlas: Option<&Atlas>) -> Vec<R
     let mut changes: Vec<RotationChange> = rotation.changes().into_iter().map(stability).collect();
     for region in atlas.map(|atlas| region_changes(atlas, rotation)).unwrap_or_default() {
         let is_same = |change: &&mut RotationChange| {
-            change.stability.is_some() && (change.omega - region.omega).abs() <= change.error_bound + region.error_bound
+            change.stability.is_some()
+                && change.region.is_none()
+                && (change.omega - region.omega).abs() <= change.error_bound + region.error_bound
         };
         match changes.iter_mut().find(is_same) {
             Some(same) => same.region = region.region,
@@ -108,8 +110,8 @@ fn region_changes(atlas: &Atlas, rotation: &AxisRotation) -> Vec<RotationChange>
             Change::Open { .. } | Change::Close { .. } => RegionEvent::Fork,
         });
         match changes.last_mut() {
-            // Within rounding it is one spin, named after the event that changes most.
-            Some(last) if (last.omega - omega).abs() <= last.error_bound + error_bound => {
+            // Events of two kinds within rounding are one change, named after the one that changes most; two of one kind are two.
+            Some(last) if last.region != region && (last.omega - omega).abs() <= last.error_bound + error_bound => {
                 last.region = last.region.max(region);
             }
             _ => {

@@ -8,6 +8,7 @@ use bifdiag_dynamics::section::chaos::{
     ChaosMeasure, Evidence, Judgement, OpenReason, OrbitVerdict, RotationAngle, RotationNumber,
 };
 use bifdiag_dynamics::section::{OrbitEnd, OrbitSection, SectionCondition, SectionPoint, TorusPoint};
+use bifdiag_numbers::decimal::counted;
 use bifdiag_schema::{
     ChaosDocument, CommandLine, ConditionName, DecidedDocument, DriftDocument, EndName, EvidenceDocument,
     IntegratorDocument, IntegratorName, LyapunovDocument, OrbitDocument, RotationAngleName, RotationDocument,
@@ -45,8 +46,8 @@ pub fn section(subject: &Subject, section: &PoincareSection, region: Option<&str
         let numbers = open.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
         let left = orbits.iter().filter(|orbit| open.contains(&orbit.orbit) && orbit.verdict == VerdictName::Open);
         notes.push(format!(
-            "without a verdict after {} crossings, followed for it alone over up to {crossings}: {} {numbers}; {}",
-            section.options.crossings,
+            "without a verdict after {}, followed for it alone over up to {crossings}: {} {numbers}; {}",
+            counted(section.options.crossings, "crossing", "crossings"),
             if open.len() == 1 { "orbit" } else { "orbits" },
             match left.count() {
                 0 => "none stays open".to_owned(),

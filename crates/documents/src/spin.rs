@@ -18,6 +18,9 @@ use crate::steady::steady_families;
 use crate::subject::Subject;
 use crate::tolerance::{measured_command, shares_text, tolerance};
 
+/// An angle of this size, in degrees, is the rounding of the axes that it is between.
+const ROUNDED: f64 = 1e-12;
+
 /// The axis that is permanent or nearest to one that is, beside the given one.
 #[must_use]
 pub fn nearest_axis(subject: &Subject, kind: &AxisKind) -> Option<NearestAxisDocument> {
@@ -84,7 +87,7 @@ pub fn critical_spin(
         body: given(&subject.body),
         axis: question.axis,
         permanent: matches!(found.kind, AxisKind::Permanent { .. }),
-        nearest: nearest_axis(subject, &found.kind).filter(|nearest| nearest.angle_deg > 0.0),
+        nearest: nearest_axis(subject, &found.kind).filter(|nearest| nearest.angle_deg > ROUNDED),
         steady: match found.itself {
             AxisKind::AtOneSpin(_) => Some(found.one_spin.iter().map(|one| one_spin(one, second)).collect()),
             AxisKind::Permanent { .. } | AxisKind::Unknown => None,

@@ -1,6 +1,5 @@
 //! Verdicts on the stability of relative equilibria, and what friction leaves of them, as documents.
 
-use bifdiag_equilibria::critical::Equilibrium;
 use bifdiag_equilibria::nonlinear::{Friction, Nonlinear, VerdictChange};
 use bifdiag_schema::{Damped, FrictionDocument, IsolatedSpinDocument, NonlinearDocument, ResonancesDocument};
 
@@ -24,9 +23,9 @@ pub fn nonlinear(found: &Nonlinear) -> NonlinearDocument {
 }
 
 /// An isolated spin at which Arnold's theorem does not apply; `second` is one second in the body's unit of time.
-pub(crate) fn isolated_spin((point, change): &(Equilibrium, VerdictChange), second: f64) -> IsolatedSpinDocument {
+pub(crate) fn isolated_spin(change: &VerdictChange, second: f64) -> IsolatedSpinDocument {
     IsolatedSpinDocument {
-        spin: spin(point.omega.abs() * second),
+        spin: spin(change.omega * second),
         kind: change.kind,
         verdict: change.verdict,
         why: change.why,

@@ -1,6 +1,7 @@
 //! All steady axes over the spin as a document.
 
-use bifdiag_equilibria::critical::{AxisCount, Equilibrium, Place, SteadyFamily, SteadyStretch, axis_counts};
+use bifdiag_equilibria::critical::{AxisCount, Place, SteadyFamily, SteadyStretch, axis_counts};
+use bifdiag_equilibria::curves::BranchName;
 use bifdiag_equilibria::nonlinear::VerdictChange;
 use bifdiag_equilibria::permanent::PermanentAxis;
 use bifdiag_exact::{AllSpins, EndUp};
@@ -44,7 +45,7 @@ pub fn steady_spins(subject: &Subject, found: &AllSpins) -> SteadySpinsDocument 
 pub(crate) fn steady_families<'a>(
     subject: &Subject,
     families: impl Iterator<Item = &'a SteadyFamily>,
-    exceptions: Option<&[(Equilibrium, VerdictChange)]>,
+    exceptions: Option<&[(BranchName, VerdictChange)]>,
 ) -> Vec<SteadyFamilyDocument> {
     families.map(|found| family(subject, found, exceptions)).collect()
 }
@@ -57,7 +58,7 @@ fn up(subject: &Subject, gamma: [f64; 3]) -> [f64; 3] {
 fn family(
     subject: &Subject,
     found: &SteadyFamily,
-    exceptions: Option<&[(Equilibrium, VerdictChange)]>,
+    exceptions: Option<&[(BranchName, VerdictChange)]>,
 ) -> SteadyFamilyDocument {
     let isolated = exceptions.map(|list| found.isolated(&subject.body, list));
     let stretches = found.stretches.iter().enumerate().map(|(number, one)| {
@@ -76,11 +77,7 @@ fn family(
     }
 }
 
-fn stretch(
-    subject: &Subject,
-    found: &SteadyStretch,
-    isolated: Option<&[&(Equilibrium, VerdictChange)]>,
-) -> SteadyStretchDocument {
+fn stretch(subject: &Subject, found: &SteadyStretch, isolated: Option<&[&VerdictChange]>) -> SteadyStretchDocument {
     let place = |place: &Place| SteadyPlaceDocument {
         spin: spin(place.omega * subject.second()),
         error_bound: place.error_bound * subject.second(),

@@ -148,6 +148,14 @@ impl Solver {
         }
     }
 
+    /// Whether a point of doubles, each of which stands for its shortest decimal, lies in a region: of one that is narrower than
+    /// doubles resolve the rounded sample need not.
+    #[must_use]
+    pub fn is_inside(&self, region: RegionId, [h, l]: [f64; 2]) -> bool {
+        let spots = self.row(l, &[h]).and_then(Result::ok);
+        spots.is_some_and(|spots| spots.first() == Some(&Spot::Region(region)))
+    }
+
     /// Where the points (h, l) of a row lie; each double stands for its shortest decimal. Points without an answer are
     /// undecided. `None` without an atlas.
     ///

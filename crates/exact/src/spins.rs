@@ -3,7 +3,8 @@
 use bifdiag_body::Body;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::region_changes::{RotationChange, rotation_changes};
-use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, RelativeEquilibria, SteadyFamily};
+use bifdiag_equilibria::critical::{Multiplicity, RelativeEquilibria, SteadyFamily};
+use bifdiag_equilibria::curves::BranchName;
 use bifdiag_equilibria::nonlinear::VerdictChange;
 use bifdiag_equilibria::permanent::{
     AxisEnd, AxisKind, AxisRotation, OneSpin, PermanentAxis, SpinType, fastest_along, permanent_axes,
@@ -61,7 +62,7 @@ pub struct AxisSpins {
     /// Of another axis: the families of steady rotations nearest to its ends at fast spins, several if they are equally near.
     pub beside: [Vec<SteadyFamily>; 2],
     /// The isolated relative equilibria of the body to which Arnold's theorem does not apply; `None` where not all were found.
-    pub exceptions: Option<Vec<(Equilibrium, VerdictChange)>>,
+    pub exceptions: Option<Vec<(BranchName, VerdictChange)>>,
     /// The regions of the body are known, of which a permanent axis needs those beside it.
     pub has_regions: bool,
 }
@@ -117,7 +118,7 @@ pub struct AllSpins {
     /// The axes that are permanent at every spin, of a circle of them one, with both ends.
     pub permanent: Vec<(PermanentAxis, [EndUp; 2])>,
     /// The isolated relative equilibria of the body to which Arnold's theorem does not apply; `None` where not all were found.
-    pub exceptions: Option<Vec<(Equilibrium, VerdictChange)>>,
+    pub exceptions: Option<Vec<(BranchName, VerdictChange)>>,
     /// The regions of the body are known, of which a permanent axis needs those beside it.
     pub has_regions: bool,
 }

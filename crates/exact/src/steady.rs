@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use bifdiag_body::{Body, Number};
 use bifdiag_diagram::atlas::Spot;
 use bifdiag_diagram::region_changes::{RotationChange, rotation_changes};
+use bifdiag_diagram::topology::Margin;
 use bifdiag_equilibria::critical::Multiplicity;
 use bifdiag_equilibria::permanent::{
     AxisKind, AxisRotation, Judged, MEANT, PermanentAxis, SteadyRotation, angle_between, nearest_steady, permanent_axis,
@@ -144,12 +145,20 @@ fn changes_beside(changes: &[RotationChange], omega: &RBig) -> [Option<RotationC
 }
 
 /// The regions just below and just above a point of a curve: that curve is still the nearest one there, so that no other
-/// lies between.
+/// lies between. Where the body's numbers are roots, of which finitely many digits are known, no curve is the point's own: the
+/// nearest one is then as far away as the step.
 fn beside(solver: &Solver, [h, l]: [&Number; 2], size: f64, is_exact: bool) -> Option<[Spot; 2]> {
-    let curve = solver.classify(h, l).ok()?.margin.nearest;
+    /// By how much of the step a point may miss its curve.
+    const MISSED: f64 = 1e-3;
+    let curve = solver.classify(h, l).ok().map(|found| found.margin.nearest);
     let near = |step: RBig| {
+        let distance = step.to_f64().value().abs();
         let h = Number::from_rational(h.value() + step);
-        let found = solver.classify(&h, l).ok().filter(|found| found.margin.nearest == curve)?;
+        let is_beside = |margin: &Margin| match &curve {
+            Some(curve) => margin.nearest == *curve,
+            None => (margin.h - distance).abs() <= MISSED * distance,
+        };
+        let found = solver.classify(&h, l).ok().filter(|found| is_beside(&found.margin))?;
         Some(solver.spot(&h, l, &found.answer)).filter(|spot| matches!(spot, Spot::Region(_) | Spot::Forbidden))
     };
     let steps = if is_exact { &STEPS[..] } else { &STEPS[..ROUNDED] };

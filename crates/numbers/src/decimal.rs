@@ -117,6 +117,13 @@ pub fn significant(x: f64, digits: usize) -> String {
     format!("{}e{exponent}", trim_zeros(mantissa))
 }
 
+/// The ends of a range with `digits` significant digits, or with as many more as tell them apart.
+#[must_use]
+pub fn told_apart(ends: [f64; 2], digits: usize) -> [String; 2] {
+    let written = |digits| ends.map(|x| significant(x, digits));
+    (digits..=17).map(written).find(|[from, to]| from != to).unwrap_or_else(|| written(digits))
+}
+
 /// A number with the word for one of them or for several.
 pub fn counted<N: Copy + Display + PartialEq + From<u8>>(number: N, one: &str, several: &str) -> String {
     let word = if number == N::from(1) { one } else { several };

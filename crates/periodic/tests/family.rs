@@ -228,6 +228,21 @@ fn members_are_so_near_that_no_special_orbit_between_them_is_missed() {
     assert!(most < 1.0, "{most}");
 }
 
+/// Where the trace falls from 1,000 to 2 within a hundredth, a fold, two triplings and a crossing lie close together. The fold's h
+/// is that of a continuation by another program (DOP853 and the monodromy, closed to 10⁻¹³).
+#[test]
+fn a_fold_between_steep_traces_is_no_crossing() {
+    let body = body(["1", "2", "3"], ["1", "0", "0"]);
+    let hanging = &critical(&body, &"0.5".parse().unwrap()).unwrap().list[0];
+    let family = followed(&body, hanging, 400, Held::Momentum).remove(1);
+    let events = family.stretch.events.iter().filter(|event| (26.1..26.3).contains(&event.orbit.period));
+    let told: Vec<_> = events.map(|event| (event.kind, event.orbit.h)).collect();
+    let kinds: Vec<OrbitEventKind> = told.iter().map(|(kind, _)| *kind).collect();
+    let (fold, tripling, branch) = (OrbitEventKind::Fold, OrbitEventKind::Tripling, OrbitEventKind::Branch);
+    assert_eq!(kinds, [fold, tripling, tripling, branch], "{told:?}");
+    assert!((told[0].1 - 0.737_621_089).abs() < 1e-8, "{told:?}");
+}
+
 /// The two equilibria of S1.1 are mirror images of each other, and so are their families, which come near to others on their way:
 /// none changes over to one of these, or runs back through its own orbits.
 #[test]

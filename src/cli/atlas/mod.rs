@@ -18,6 +18,8 @@ use super::input::{BodyArguments, accuracy, values};
 use super::terminal::Timings;
 use crate::Curves;
 
+pub use report::{STRAY, strays};
+
 pub const EXAMPLES: &str = "\
 Examples:
   bifdiag atlas --A 2,1.1,1 --r 0.94868,0,0.61623

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use bifdiag_diagram::atlas::{Atlas, Spot};
+use bifdiag_diagram::atlas::Atlas;
 use bifdiag_documents::Subject;
 use bifdiag_documents::words::counted;
 use bifdiag_exact::{Accuracy, Solver};
@@ -17,16 +17,17 @@ use crate::cli::terminal::{Report, Table, significant};
 /// Significant digits of a place in the plane.
 const DIGITS: usize = 8;
 
+/// What is said where the sample of a region, in doubles, lies outside it.
+pub const STRAY: &str = "~ in doubles the sample lies outside its region, which is narrower than they resolve there";
+
 /// Regions whose samples, in doubles, lie elsewhere; regions of `--accuracy fast` are not looked at, for it has others.
-fn strays(subject: &Subject, document: &AtlasDocument) -> Vec<String> {
+pub fn strays(subject: &Subject, document: &AtlasDocument) -> Vec<String> {
     let is_narrow = |region: &&RegionDocument| {
         document.accuracy == Accuracy::Exact && region.sample.margin.h <= region.sample.margin.error_bound
     };
     let solver = Solver::new(subject.body.clone(), Accuracy::Exact);
     let is_inside = |region: &RegionDocument| {
-        let found = solver.row(region.sample.l, &[region.sample.h]);
-        let spot = found.and_then(Result::ok).and_then(|spots| spots.first().copied());
-        matches!(spot, Some(Spot::Region(id)) if id.to_string() == region.id)
+        region.id.parse().is_ok_and(|id| solver.is_inside(id, [region.sample.h, region.sample.l]))
     };
     let narrow = document.regions.iter().filter(is_narrow);
     narrow.filter(|region| !is_inside(region)).map(|region| region.id.clone()).collect()
@@ -47,7 +48,7 @@ pub fn text(subject: &Subject, atlas: &Atlas, document: &AtlasDocument, written:
         let strays = strays(subject, document);
         report.line(region_table(subject, document, &strays));
         if !strays.is_empty() {
-            report.line("~ in doubles the sample lies outside its region, which is narrower than they resolve there");
+            report.line(STRAY);
         }
     }
     report.line("");

@@ -35,7 +35,8 @@ pub fn text(subject: &Subject, document: &CriticalDocument) -> String {
     report.line("");
     report.line(places.text());
     let points: Vec<&RelativeEquilibriumDocument> = document.critical.iter().collect();
-    motions(&mut report, subject, &points);
+    let curves: Vec<String> = points.iter().map(|point| point.branch.clone()).collect();
+    motions(&mut report, subject, &points, &curves);
     report.line("gamma points down, along gravity, in principal axes");
     report.line(format!("error bound of h: {}", bound(document.error_bound, 2)));
     if !document.complete {
@@ -69,7 +70,8 @@ pub fn steady_axes(subject: &Subject, document: &SteadyAxesDocument) -> String {
     report.line("");
     report.line(places.text());
     let points: Vec<&RelativeEquilibriumDocument> = document.axes.iter().map(|axis| &axis.equilibrium).collect();
-    motions(&mut report, subject, &points);
+    let curves: Vec<String> = document.axes.iter().map(|axis| curve_of(axis, &document.axes)).collect();
+    motions(&mut report, subject, &points, &curves);
     let frame = if document.part.is_some() { "in the part's frame" } else { "in principal axes" };
     report.line(format!("axis: the end that points up, {frame}; gamma in the JSON points down, in principal axes"));
     for axis in document.axes.iter().filter(|axis| axis.fold) {
@@ -90,12 +92,19 @@ fn vector(v: [f64; 3]) -> String {
     format!("({x:>9}, {y:>9}, {z:>9})")
 }
 
+/// The curve of an axis; at one spin a curve can be met at several l, which then stand beside its name.
+fn curve_of(axis: &SteadyAxisDocument, axes: &[SteadyAxisDocument]) -> String {
+    let branch = &axis.equilibrium.branch;
+    let is_met_again = axes.iter().any(|other| other.equilibrium.branch == *branch && other.l != axis.l);
+    if is_met_again { format!("{branch} (l = {})", significant(axis.l, DIGITS)) } else { branch.clone() }
+}
+
 /// Types, verdicts, small motions and eigenvalues as a table, and what its words mean.
-fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriumDocument]) {
+fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriumDocument], curves: &[String]) {
     let mut motions = Table::new(&["curve", "type", "stability", "small motions", "eigenvalues"]);
-    for point in points {
+    for (point, curve) in points.iter().zip(curves) {
         motions.row([
-            point.branch.clone(),
+            curve.clone(),
             point.stability.word().to_owned(),
             point.nonlinear.to_string(),
             small_motions(&[point.eigenvalues], |time| significant(time, 6)),
@@ -128,7 +137,7 @@ fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriu
             ));
         }
     }
-    report.line(with_friction(points));
+    report.line(with_friction(points, curves));
     if let Some(all) = points.iter().find(|point| point.multiplicity == Multiplicity::Sphere) {
         report.line(if all.omega == 0.0 {
             "sphere: at rest every orientation is an equilibrium; they are judged as a whole"
@@ -139,9 +148,10 @@ fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriu
 }
 
 /// What friction that conserves l leaves: on which curves the body stays stable, and in how many directions it falls from others.
-fn with_friction(points: &[&RelativeEquilibriumDocument]) -> String {
+fn with_friction(points: &[&RelativeEquilibriumDocument], names: &[String]) -> String {
     let curves = |is: &dyn Fn(&FrictionDocument) -> bool| {
-        let mut found: Vec<&str> = points.iter().filter(|p| is(&p.friction)).map(|p| p.branch.as_str()).collect();
+        let mut found: Vec<&str> =
+            points.iter().zip(names).filter(|(p, _)| is(&p.friction)).map(|(_, name)| name.as_str()).collect();
         found.dedup();
         found.join(", ")
     };

@@ -15,7 +15,7 @@ use crate::cli::export::{Columns, DataFormat, DataTarget, FileSet, Values, answe
 use crate::cli::failure::Failure;
 use crate::cli::input::{head, motion_units};
 use crate::cli::terminal::interrupt::stoppable;
-use crate::cli::terminal::{Progress, Report, Table, Timings, bound, counted, print, significant};
+use crate::cli::terminal::{Progress, Report, Table, Timings, bound, counted, fixed, print, significant};
 
 pub fn run(problem: &Problem<'_>, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     let Problem { arguments, subject, times, .. } = problem;
@@ -137,8 +137,8 @@ fn text(problem: &Problem<'_>, document: &ProvedMotionDocument, motion: &ProvedM
     if written.is_empty() && !motion.samples.is_empty() {
         let middle = |[lo, hi]: &Ends| ((lo + hi) / RBig::from(2)).to_f64().value();
         let vector = |v: &[Ends; 3]| {
-            let [x, y, z] = v.each_ref().map(middle);
-            format!("({x:>11.8}, {y:>11.8}, {z:>11.8})")
+            let [x, y, z] = v.each_ref().map(|ends| fixed(middle(ends), 8));
+            format!("({x:>11}, {y:>11}, {z:>11})")
         };
         let mut table = Table::new(&["time", "gamma", "omega", "width"]);
         for (time, sample) in document.times.iter().zip(&motion.samples).take(LISTED) {

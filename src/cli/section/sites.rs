@@ -11,7 +11,7 @@ use bifdiag_diagram::fast::FastError;
 use bifdiag_documents::Subject;
 use bifdiag_dynamics::poincare::PoincareError;
 use bifdiag_dynamics::section::TorusPoint;
-use bifdiag_exact::Accuracy;
+use bifdiag_exact::{Accuracy, Solver};
 use bifdiag_numbers::decimal::counted;
 use bifdiag_schema::SCHEMA_VERSION;
 
@@ -88,7 +88,24 @@ impl Sites {
             let sample = atlas.sample(region);
             (region.to_string(), sample.h, sample.l)
         });
-        Ok(Self { subject, list: chosen(samples.collect(), wanted)?, all: is_all(wanted) })
+        Self::of_samples(subject, samples.collect(), wanted)
+    }
+
+    /// The samples of the wanted regions; in doubles each must lie in its region.
+    fn of_samples(subject: Subject, samples: Vec<(String, f64, f64)>, wanted: &[String]) -> Result<Self, Failure> {
+        let list = chosen(samples, wanted)?;
+        let solver = Solver::new(subject.body.clone(), Accuracy::Exact);
+        let is_stray = |site: &&Site| {
+            let region = site.region.as_deref().and_then(|id| id.parse().ok());
+            region.is_some_and(|region| !solver.is_inside(region, [site.h.to_f64(), site.l.to_f64()]))
+        };
+        if let Some(Site { region: Some(id), .. }) = list.iter().find(is_stray) {
+            let right = "give --h and --l, or other regions";
+            return Err(Failure::input(format!(
+                "--region {id}: in doubles its sample lies outside it, for it is narrower than they resolve there; {right}"
+            )));
+        }
+        Ok(Self { subject, list, all: is_all(wanted) })
     }
 
     /// The samples of an atlas.json.
@@ -111,7 +128,7 @@ impl Sites {
         let units = units.map_err(|error: UnitsError| wrong(&format!("the units of its part: {error}")))?;
         let subject = Subject { body, part: atlas.body.part, units };
         let samples = atlas.regions.into_iter().map(|region| (region.id, region.sample.h, region.sample.l));
-        Ok(Self { subject, list: chosen(samples.collect(), wanted)?, all: is_all(wanted) })
+        Self::of_samples(subject, samples.collect(), wanted)
     }
 }
 

@@ -13,7 +13,7 @@ use super::changes::table_of_changes;
 use crate::cli::export::answer;
 use crate::cli::failure::{Failure, failed};
 use crate::cli::input::head;
-use crate::cli::terminal::{Report, Table, Timings, fixed, significant};
+use crate::cli::terminal::{Report, Table, Timings, fixed, significant, told_apart};
 
 pub fn run(subject: &Subject, json: bool, timings: &Timings) -> Result<(), Failure> {
     let prepared = RelativeEquilibria::new(&subject.body).map_err(failed("the steady axes could not be found"))?;
@@ -78,7 +78,6 @@ pub fn families(report: &mut Report, families: &[&SteadyFamilyDocument], of_part
 fn table(families: &[&SteadyFamilyDocument]) -> String {
     let mut table = Table::new(&["branch", "from rpm", "to rpm", "type", "stable", "axis there"]);
     for family in families {
-        let rpm = |spin: &SpinDocument| significant(spin.rpm, 8);
         for (number, stretch) in family.stretches.iter().enumerate() {
             let next = family.stretches.get(number + 1).and_then(|next| next.from.as_ref());
             let start = match (number, family.start) {
@@ -86,11 +85,13 @@ fn table(families: &[&SteadyFamilyDocument]) -> String {
                 (0, SteadyStart::Fork) => " (fork)",
                 _ => "",
             };
+            let [from, to] = [stretch.from.as_ref(), next].map(|place| place.map(|place| place.spin));
+            let [from, to] = range(from, to, "0");
             let axis = stretch.from.as_ref().map(|place| place.axis).or(family.slow_axis);
             table.row([
                 if number == 0 { family.branch.clone() } else { String::new() },
-                format!("{}{start}", stretch.from.as_ref().map_or_else(|| "0".to_owned(), |place| rpm(&place.spin))),
-                next.map_or_else(|| "inf".to_owned(), |next| rpm(&next.spin)),
+                format!("{from}{start}"),
+                to,
                 stretch.stability.word().to_owned(),
                 stretch.stable.word().to_owned(),
                 axis.map_or_else(String::new, vector),
@@ -99,6 +100,15 @@ fn table(families: &[&SteadyFamilyDocument]) -> String {
         table.row(["", "inf", "", "", ""].map(str::to_owned).into_iter().chain([vector(family.fast_axis)]));
     }
     table.text()
+}
+
+/// A range of spins in rpm, with the word for one that begins at rest.
+pub fn range(from: Option<SpinDocument>, to: Option<SpinDocument>, at_rest: &str) -> [String; 2] {
+    let written = |spin: SpinDocument| significant(spin.rpm, 8);
+    match (from, to) {
+        (Some(from), Some(to)) => told_apart([from.rpm, to.rpm], 8),
+        _ => [from.map_or_else(|| at_rest.to_owned(), written), to.map_or_else(|| "inf".to_owned(), written)],
+    }
 }
 
 fn vector(v: [f64; 3]) -> String {

@@ -74,7 +74,8 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
     let mut files = FileSet::new(&arguments.out);
     files.add("campbell.csv", DataFormat::Csv.bytes(&columns(&rows))?);
     let top = arguments.to.in_rpm();
-    let (changes, beyond): (Vec<_>, Vec<_>) = changes.into_iter().partition(|(rpm, ..)| *rpm <= top);
+    let (changes, beyond): (Vec<_>, Vec<_>) =
+        changes.into_iter().partition(|(rpm, ..)| *rpm <= top * (1.0 + 4.0 * f64::EPSILON));
     if !arguments.no_plot {
         let scene =
             Campbell { rows: modes(&rows, &crossings), changes: changes.iter().map(|(rpm, ..)| *rpm).collect() };

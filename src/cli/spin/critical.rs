@@ -3,7 +3,7 @@
 use bifdiag_documents::{AxisQuestion, Subject, words};
 use bifdiag_equilibria::permanent::{AxisKind, equally_near};
 use bifdiag_exact::AxisSpins;
-use bifdiag_schema::{AxisEnd, CriticalSpinDocument, NearestAxisDocument, Reason, SpinDocument, SpinStretchDocument};
+use bifdiag_schema::{AxisEnd, CriticalSpinDocument, NearestAxisDocument, Reason, SpinStretchDocument};
 use bifdiag_survey::tolerance::{Tolerances, Tolerated};
 use clap::Args;
 
@@ -160,14 +160,11 @@ fn text(subject: &Subject, document: &CriticalSpinDocument, found: &AxisSpins) -
 fn stretches(report: &mut Report, document: &CriticalSpinDocument) {
     let mut table = Table::new(&["up", "from rpm", "to rpm", "stability", "with friction"]);
     for stretch in &document.stretches {
-        let rpm = |spin: &Option<SpinDocument>, none: &str| match spin {
-            Some(spin) => significant(spin.rpm, 8),
-            None => none.to_owned(),
-        };
+        let [from, to] = all::range(stretch.from, stretch.to, "rest");
         table.row([
             stretch.up.word().to_owned(),
-            rpm(&stretch.from, "rest"),
-            rpm(&stretch.to, "inf"),
+            from,
+            to,
             words::verdict(&stretch.nonlinear),
             words::with_friction(&stretch.friction),
         ]);

@@ -71,6 +71,10 @@ pub fn run(arguments: &SpinDownArguments, timings: &Timings) -> Result<(), Failu
         None => 2.0 * if last > 0.0 { atlas.momentum(last) } else { set.frame.momentum_unit },
     };
     if !(lower < l && l <= upper) {
+        if lower == upper && arguments.momentum.is_none() {
+            let right = "it begins and ends at one l in doubles: give --from another curve";
+            return Err(Failure::input(format!("--from {id}: {right}")));
+        }
         let range = if upper.is_finite() {
             format!("above {}, up to {}", significant(lower, DIGITS), significant(upper, DIGITS))
         } else {

@@ -10,7 +10,7 @@ use crate::curves::{Branch, BranchName, CurveName, Orbit};
 use crate::nonlinear::{Setting, VerdictChange, Verdicts};
 use crate::stability::exact::Strand;
 use crate::stability::{Constants, LinearType, StabilityChangeKind, State};
-use bifdiag_body::{Axis, Body, Number};
+use bifdiag_body::{Axis, Body};
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Arithmetic;
 use bifdiag_numbers::vector::dot;
@@ -80,32 +80,35 @@ impl SteadyFamily {
     pub fn isolated<'a>(
         &self,
         body: &Body,
-        exceptions: &'a [(Equilibrium, VerdictChange)],
-    ) -> Vec<Vec<&'a (Equilibrium, VerdictChange)>> {
-        let mut own: Vec<_> = exceptions.iter().filter(|(point, _)| self.holds(body, point)).collect();
-        own.sort_by(|(p, _), (q, _)| p.omega.abs().total_cmp(&q.omega.abs()));
+        exceptions: &'a [(BranchName, VerdictChange)],
+    ) -> Vec<Vec<&'a VerdictChange>> {
+        let own = exceptions.iter().filter(|(branch, change)| self.has(body, *branch, change.mu));
+        let mut own: Vec<&VerdictChange> = own.map(|(_, change)| change).collect();
+        own.sort_by(|p, q| p.omega.total_cmp(&q.omega));
         let start = |number: usize| self.stretches.get(number).map(|one| one.from.map_or(0.0, |place| place.omega));
         let inside = |(number, stretch): (usize, &SteadyStretch)| {
             let [from, to] = [number, number + 1].map(|number| start(number).unwrap_or(f64::INFINITY));
             let is_inside = |omega: f64| stretch.verdict.is_none() && from < omega && omega < to;
-            own.iter().copied().filter(|(point, _)| is_inside(point.omega.abs())).collect()
+            own.iter().copied().filter(|change| is_inside(change.omega)).collect()
         };
         self.stretches.iter().enumerate().map(inside).collect()
     }
 
-    /// Whether a steady axis of the body belongs to the family. Of two that begin in a fold each keeps its side of it: along
-    /// a branch μ = J + ⟨γ, r⟩/s is monotone, and at fast spins it is the moment about the axis.
+    /// Whether a steady axis of the body belongs to the family.
     #[must_use]
     pub fn holds(&self, body: &Body, axis: &Equilibrium) -> bool {
         let Some(CurveName::Piece { branch, .. }) = axis.curve else { return false };
+        self.has(body, branch, multiplier(body, axis.gamma, axis.omega))
+    }
+
+    /// Whether the family has the point of a branch at μ. Of two that begin in a fold each keeps its side of it: along a branch
+    /// μ = J + ⟨γ, r⟩/s is monotone, and at fast spins it is the moment about the axis.
+    fn has(&self, body: &Body, branch: BranchName, mu: f64) -> bool {
         let fold = self.stretches.first().and_then(|first| first.from).filter(|_| self.start == SteadyStart::Fold);
-        let (a, r) = (body.moments_f64(), body.center_f64());
-        let moment = |gamma: [f64; 3]| (0..3).map(|k| a[k] * gamma[k] * gamma[k]).sum::<f64>();
-        let multiplier = |gamma: [f64; 3], omega: f64| moment(gamma) + dot(gamma, r) / (omega * omega);
         branch == self.branch
             && fold.is_none_or(|fold| {
-                let middle = multiplier(fold.gamma, fold.omega);
-                (multiplier(axis.gamma, axis.omega) < middle) == (moment(self.fast) < middle)
+                let middle = multiplier(body, fold.gamma, fold.omega);
+                (mu < middle) == (moment(body, self.fast) < middle)
             })
     }
 }
@@ -116,6 +119,17 @@ impl SteadyStretch {
     pub fn verdict_with(&self, are_known: bool) -> Option<(NonlinearVerdict, Reason)> {
         self.verdict.or_else(|| are_known.then_some((NonlinearVerdict::Stable, Reason::Arnold)))
     }
+}
+
+/// ⟨γ, Aγ⟩.
+fn moment(body: &Body, gamma: [f64; 3]) -> f64 {
+    let a = body.moments_f64();
+    (0..3).map(|k| a[k] * gamma[k] * gamma[k]).sum()
+}
+
+/// μ = J + ⟨γ, r⟩/Ω².
+fn multiplier(body: &Body, gamma: [f64; 3], omega: f64) -> f64 {
+    moment(body, gamma) + dot(gamma, body.center_f64()) / (omega * omega)
 }
 
 /// How many steady axes there are from one spin on, to the next count.
@@ -240,23 +254,13 @@ impl RelativeEquilibria<'_> {
     }
 
     /// The isolated relative equilibria at which a hypothesis of Arnold's theorem fails between others to which it applies,
-    /// with what fails there, by rising l; `None` where not all were found. Elsewhere that theorem decides wherever
+    /// each with its branch, by rising l; `None` where not all were found. Elsewhere that theorem decides wherever
     /// eigenvalues, energy and integrals do not.
     #[must_use]
-    pub fn exceptions(&self) -> Option<Vec<(Equilibrium, VerdictChange)>> {
+    pub fn exceptions(&self) -> Option<Vec<(BranchName, VerdictChange)>> {
         let verdicts = Verdicts::new(self.body, &self.set);
-        if !verdicts.is_complete() {
-            return None;
-        }
-        let inside = verdicts.changes().iter().filter(|change| !change.changes);
-        inside.map(|change| Some((self.at_change(change)?, *change))).collect()
-    }
-
-    fn at_change(&self, change: &VerdictChange) -> Option<Equilibrium> {
-        let branch = BranchName::of(&self.set.frame, self.set.curves[change.curve].branch);
-        let on = |found: &Equilibrium| matches!(found.curve, Some(CurveName::Piece { branch: of, .. }) if of == branch);
-        let distance = |found: &Equilibrium| (found.h - change.h).abs();
-        let list = self.at(&Number::from_f64(change.l).ok()?).ok()?.list;
-        list.into_iter().filter(on).min_by(|p, q| distance(p).total_cmp(&distance(q)))
+        let branch = |change: &VerdictChange| BranchName::of(&self.set.frame, self.set.curves[change.curve].branch);
+        let inside = || verdicts.changes().iter().filter(|change| !change.changes);
+        verdicts.is_complete().then(|| inside().map(|change| (branch(change), *change)).collect())
     }
 }

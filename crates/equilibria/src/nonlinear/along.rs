@@ -29,6 +29,10 @@ pub struct VerdictChange {
     pub h: f64,
     /// Bound on the error of both.
     pub error_bound: f64,
+    /// Ω, from an enclosure of its own: beside cusps l and h tell it to a few digits only.
+    pub omega: f64,
+    /// μ = J + ⟨γ, r⟩/Ω².
+    pub mu: f64,
     /// Its curve.
     pub curve: CurveId,
     /// What fails.
@@ -242,18 +246,20 @@ impl OnFamily<'_> {
         let question = Question { c: &c, state: &state, reduced: &reduced, kind: kind_there, setting: MAXIMUM };
         let exact = [Failing::Resonance12, Failing::Resonance13].map(|resonance| Some(kind == resonance));
         let found = question.verdict(exact).unwrap_or_else(|| question.undecided(exact));
-        self.change(state.place(&c, &self.set.frame), kind, (found.verdict, found.why), (changes, found.proved))
+        self.change((&c, &state), kind, (found.verdict, found.why), (changes, found.proved))
     }
 
-    fn change(
+    fn change<E: Enclosure>(
         &self,
-        [(l, l_error), (h, h_error)]: [(f64, f64); 2],
+        (c, state): (&Constants<E>, &State<E>),
         kind: Failing,
         (verdict, why): (NonlinearVerdict, Reason),
         (changes, proved): (bool, bool),
     ) -> VerdictChange {
+        let [(l, l_error), (h, h_error)] = state.place(c, &self.set.frame);
+        let [omega, mu] = state.on_family(c, &self.set.frame);
         let error_bound = l_error.max(h_error);
-        VerdictChange { l, h, error_bound, curve: self.curve, kind, verdict, why, changes, proved }
+        VerdictChange { l, h, error_bound, omega, mu, curve: self.curve, kind, verdict, why, changes, proved }
     }
 
     /// The equilibria over a range of t.
@@ -277,6 +283,6 @@ impl OnFamily<'_> {
             None if !is_last => return None,
             None => (NonlinearVerdict::Open, Reason::Degenerate),
         };
-        Some(self.change(state.place(&c, &self.set.frame), Failing::Determinant, verdict, (false, true)))
+        Some(self.change((&c, &state), Failing::Determinant, verdict, (false, true)))
     }
 }

@@ -4,8 +4,7 @@ use bifdiag_schema::{NonlinearVerdict, Reason, SpinType};
 use dashu_ratio::RBig;
 
 use super::rotation::AxisRotation;
-use crate::critical::Equilibrium;
-use crate::curves::{BranchName, CurveName, Pole};
+use crate::curves::{BranchName, Pole};
 use crate::nonlinear::{Friction, VerdictChange};
 
 /// Spins between two changes of type.
@@ -23,7 +22,7 @@ pub struct SpinStretch {
     pub proved: bool,
     /// The isolated rotations inside to which Arnold's theorem does not apply, by rising spin; `None` where not all of them
     /// were found.
-    pub isolated: Option<Vec<(Equilibrium, VerdictChange)>>,
+    pub isolated: Option<Vec<VerdictChange>>,
     /// What friction leaves of it.
     pub friction: Friction,
 }
@@ -34,7 +33,7 @@ impl AxisRotation {
     /// [`exceptions`](crate::critical::RelativeEquilibria::exceptions) of the body, or where these are not known the verdict at
     /// one spin inside. Left out where no double lies inside.
     #[must_use]
-    pub fn stretches(&self, exceptions: Option<&[(Equilibrium, VerdictChange)]>) -> Vec<SpinStretch> {
+    pub fn stretches(&self, exceptions: Option<&[(BranchName, VerdictChange)]>) -> Vec<SpinStretch> {
         let changes = self.changes();
         let ends = |k: usize| [k.checked_sub(1).map(|k| &changes[k]), changes.get(k)];
         let stretch = |k: usize| {
@@ -49,7 +48,7 @@ impl AxisRotation {
         &self,
         [from, to]: [Option<f64>; 2],
         expected: Option<SpinType>,
-        exceptions: Option<&[(Equilibrium, VerdictChange)]>,
+        exceptions: Option<&[(BranchName, VerdictChange)]>,
     ) -> Option<SpinStretch> {
         /// Spins inside, relative to the ends, or to the one that there is.
         const INSIDE: [f64; 5] = [0.5, 0.41, 0.63, 0.29, 0.77];
@@ -70,16 +69,15 @@ impl AxisRotation {
             _ => (judged.nonlinear.verdict, judged.nonlinear.why),
         };
         let pole = if self.weight > RBig::ZERO { Pole::Plus } else { Pole::Minus };
-        let on_axis = |point: &Equilibrium| matches!(point.curve, Some(CurveName::Piece { branch, .. }) if branch == BranchName::Axis(pole));
-        let is_inside = |(point, _): &&(Equilibrium, VerdictChange)| {
+        let is_inside = |(branch, change): &&(BranchName, VerdictChange)| {
             by_normal_form
-                && on_axis(point)
-                && from.is_none_or(|from| from < point.omega.abs())
-                && to.is_none_or(|to| point.omega.abs() < to)
+                && *branch == BranchName::Axis(pole)
+                && from.is_none_or(|from| from < change.omega)
+                && to.is_none_or(|to| change.omega < to)
         };
         let isolated = exceptions.map(|list| {
-            let mut inside: Vec<_> = list.iter().filter(is_inside).cloned().collect();
-            inside.sort_by(|(p, _), (q, _)| p.omega.abs().total_cmp(&q.omega.abs()));
+            let mut inside: Vec<VerdictChange> = list.iter().filter(is_inside).map(|(_, change)| *change).collect();
+            inside.sort_by(|p, q| p.omega.total_cmp(&q.omega));
             inside
         });
         // `verify` does not check what follows from the normal form.

@@ -176,10 +176,22 @@ impl<E: Enclosure> State<E> {
         [l, h].map(|value| value.bounds())
     }
 
-    /// Narrower enclosures tell no more of l and h in doubles.
+    /// Narrower enclosures tell no more of l, h and Ω in doubles.
     #[must_use]
     pub fn is_sharp(&self, c: &Constants<E>) -> bool {
-        self.in_frame(c).iter().all(|[lo, hi]| *hi <= lo.next_up().next_up())
+        let [l, h] = self.in_frame(c);
+        [l, h, self.s.sqrt().bounds()].iter().all(|[lo, hi]| *hi <= lo.next_up().next_up())
+    }
+
+    /// Ω and μ = J + ⟨γ, r⟩/s, in the body's units and rounded; along a family μ is monotone, where l and h turn back at cusps.
+    #[must_use]
+    pub fn on_family(&self, c: &Constants<E>, frame: &Frame) -> [f64; 2] {
+        let gap = (0..3).fold(c.small(0), |sum, k| sum + self.w[k].clone() * self.tau[k].clone());
+        let moment_unit = frame.momentum_unit / frame.frequency_unit;
+        [(self.s.sqrt(), frame.frequency_unit), (self.j.clone() + gap, moment_unit)].map(|(value, unit)| {
+            let [lo, hi] = value.bounds();
+            (lo + 0.5 * (hi - lo)) * unit
+        })
     }
 
     /// l and h in the body's units, each with a bound on its error.

@@ -21,28 +21,55 @@ pub(super) struct Located {
     pub place: f64,
 }
 
+/// Where the parameter turns back without a change of sign of the trace − 2, that touches 0: the members beside it are so near.
+const TOUCHES: f64 = 0.1;
+
 /// Where two families cross an orbit is known to the square root of its defect only: the other family closes as well.
 const CROSSING: f64 = 4e-7;
 
 /// What vanishes at a special orbit.
 type Test = fn(&Setting<'_>, &Member) -> f64;
 
+/// What vanishes where the free parameter turns back.
+fn turning(setting: &Setting<'_>, member: &Member) -> f64 {
+    member.rate(setting.space, setting.held)
+}
+
+/// What vanishes where two families meet.
+fn unity(_: &Setting<'_>, member: &Member) -> f64 {
+    member.orbit.trace - 2.0
+}
+
+/// Whether the test changes its sign from one member to the other.
+fn changes(setting: &Setting<'_>, [from, to]: [&Member; 2], test: Test) -> bool {
+    (test(setting, from) < 0.0) != (test(setting, to) < 0.0)
+}
+
+/// Whether the trace − 2 touches 0 between two members, if it does not change its sign.
+fn touches(members: [&Member; 2]) -> bool {
+    members.iter().all(|member| (member.orbit.trace - 2.0).abs() < TOUCHES)
+}
+
+/// The free parameter does not turn back between two members, or the trace is seen to pass 2 or to touch it there.
+pub(super) fn is_turn_explained(setting: &Setting<'_>, from: &Member, to: &Member) -> bool {
+    let members = [from, to];
+    !changes(setting, members, turning) || changes(setting, members, unity) || touches(members)
+}
+
 /// The special orbits between a member and the one at `distance` from it, in order.
 pub(super) fn events(setting: &Setting<'_>, from: &Member, to: &Member, distance: f64) -> Vec<Located> {
-    let turns: Test = |setting, member| member.rate(setting.space, setting.held);
-    let one: Test = |_, member| member.orbit.trace - 2.0;
     let minus_one: Test = |_, member| member.orbit.trace + 2.0;
     let third: Test = |_, member| member.orbit.trace + 1.0;
-    let changes = |test: Test| (test(setting, from) < 0.0) != (test(setting, to) < 0.0);
+    let changes = |test: Test| changes(setting, [from, to], test);
     let is_clear = |test: Test| test(setting, from).abs() > FLAT && test(setting, to).abs() > FLAT;
     let crosses = |test: Test| is_clear(test) && changes(test);
     let mut found = Vec::new();
     let mut look = |test: Test, kind| found.push(locate(setting, (from, to), distance, test, kind));
-    match (changes(turns), crosses(one)) {
-        (true, true) => look(turns, OrbitEventKind::Fold),
+    match (changes(turning), crosses(unity)) {
+        (true, true) => look(turning, OrbitEventKind::Fold),
         // It turns where a family crosses whose orbits have more symmetry.
-        (true, false) if is_clear(one) => look(turns, OrbitEventKind::Branch),
-        (false, true) => look(one, OrbitEventKind::Branch),
+        (true, false) if is_clear(unity) && touches([from, to]) => look(turning, OrbitEventKind::Branch),
+        (false, true) => look(unity, OrbitEventKind::Branch),
         _ => {}
     }
     for (test, kind) in [(minus_one, OrbitEventKind::Doubling), (third, OrbitEventKind::Tripling)] {

@@ -6,7 +6,7 @@ use bifdiag_dynamics::field::{Dimension, HeavyTop, TopUnits};
 use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, RelativeEquilibria};
 use bifdiag_schema::{FamilyEnd, OrbitEventKind};
 
-use super::event::events;
+use super::event::{events, is_turn_explained};
 use super::member::{Member, Setting};
 use super::model::{End, FamilyError, FamilyOptions, Held, OrbitEvent, Stretch, number};
 use crate::flow::{Phase, Space};
@@ -42,10 +42,12 @@ const LONGEST: f64 = 0.1;
 const SHORTEST: f64 = 1e-7;
 /// The cosine of the angle by which a family may turn in a step.
 const STRAIGHT: f64 = 0.97;
-/// The trace may change by less in a step, as long as it stays about where special orbits have theirs, so that their changes
-/// of sign are seen one by one; but no step is made shorter than so for it.
+/// The trace may change by less in a step where special orbits have theirs, and by a factor of four beyond, so that their
+/// changes of sign are seen one by one; but no step is made shorter than so for it.
 const TURN: f64 = 1.0;
 const FINE: f64 = 1e-3;
+/// Where the free parameter turns back, the trace passes 2 or touches it: that is seen, if not with shorter steps than this.
+const FINEST: f64 = 1e-5;
 /// Where another family crosses, or only comes near, a long step would change over to it: towards the trace 2 and away from it
 /// its distance changes by no more than this factor in a step, and by half of it if all goes on as it did; nearer than that the
 /// families do meet.
@@ -131,7 +133,8 @@ impl<'a> Course<'a> {
             let next = setting.ahead(&last, step).ok();
             let is_fine = |next: &Member| {
                 let seen = turn(&last, next) < TURN && nearing(&last, next) < NEARING;
-                next.straight > STRAIGHT && !next.is_beyond_an_end(&last) && (seen || step < FINE)
+                let explained = is_turn_explained(&setting, &last, next) || step < FINEST;
+                next.straight > STRAIGHT && !next.is_beyond_an_end(&last) && (seen || step < FINE) && explained
             };
             let Some(next) = next.filter(is_fine) else {
                 step *= 0.5;
@@ -219,10 +222,13 @@ impl<'a> Course<'a> {
     }
 }
 
-/// How far the trace moves, beyond ±3 not counted.
+/// How far the trace moves: beyond ±3 by its logarithm, beyond ±192 not counted.
 fn turn(before: &Member, member: &Member) -> f64 {
-    let [was, is] = [before, member].map(|member| member.orbit.trace.clamp(-3.0, 3.0));
-    (is - was).abs()
+    let place = |trace: f64| {
+        let beyond = libm::log(trace.abs().max(3.0) / 3.0) / libm::log(4.0);
+        trace.clamp(-3.0, 3.0) + beyond.min(3.0).copysign(trace)
+    };
+    (place(member.orbit.trace) - place(before.orbit.trace)).abs()
 }
 
 /// How far the trace is from 2.
