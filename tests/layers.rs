@@ -27,14 +27,14 @@ const ORDER: [(&str, &str); 15] = [
     ("crates/dynamics/src", "field integrator motion section poincare"),
     ("crates/enclosure/src", "bound scalar field set step start integrals orbit return_map"),
     ("crates/chaos/src", "liouville share point cells block map"),
-    ("crates/periodic/src", "flow reversor shooting walk orbit family catalogue chart section_map proof list"),
+    ("crates/periodic/src", "flow reversor shooting walk orbit family catalogue chart section_map proof list manifold"),
     (
         "crates/survey/src",
         "parallel parameter design signature scan border events path space strata nearest subdivision search tolerance",
     ),
     (
         "crates/documents/src",
-        "layout codes body integrals subject chaos periodic orbit_list orbit_catalogue proved spin_change stability classification critical steady tolerance spin state spin_down grid atlas certified scan reading border comparison classes find witnesses \
+        "layout codes body integrals subject chaos periodic orbit_list manifolds orbit_catalogue proved spin_change stability classification critical steady tolerance spin state spin_down grid atlas certified scan reading border comparison classes find witnesses \
          section words",
     ),
     ("crates/verify/src", "refused numbers equilibria order topology stability document"),

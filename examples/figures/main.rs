@@ -9,6 +9,7 @@
 mod chart;
 mod diagrams;
 mod figure;
+mod manifolds;
 mod maps;
 mod proved;
 mod schematic;
@@ -57,6 +58,7 @@ fn figures(charts: bool) -> impl Iterator<Item = Figure> {
         .chain(spheres::figures())
         .chain(theorems::figures())
         .chain(sections::figures())
+        .chain(manifolds::figures())
         .chain(maps::figures())
         .chain(proved::figures())
         .chain(tradeoff::figures().filter(move |_| charts))

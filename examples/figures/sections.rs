@@ -149,6 +149,7 @@ fn draw(sections: &Sections) -> Result<Picture, Box<dyn Error>> {
             orbits,
             values: None,
             families: Some(OrbitFamilies { of, names: &VERDICTS, colors: OrbitColors::Verdicts }),
+            curves: None,
             caption,
         })
         .collect();

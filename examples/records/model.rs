@@ -63,7 +63,7 @@ impl Model {
         documents! {
             Head GivenBody AtlasDocument ClassificationDocument GridDocument CriticalDocument SectionsDocument MotionDocument
             ProvedMotionDocument ChaosPointDocument ChaosMapDocument PartAnswerDocument SteadyAxesDocument StateDocument CriticalSpinDocument SteadySpinsDocument SpinDownDocument
-            PeriodicDocument PeriodicFamiliesDocument PeriodicListDocument
+            PeriodicDocument PeriodicFamiliesDocument PeriodicListDocument ManifoldsDocument
             BodiesDocument ExplanationDocument BatchErrorDocument
             RowDocument ScanSummaryDocument BorderDocument EventTracksDocument ComparisonDocument PointProofDocument FindDocument ClassesDocument StandingDocument
         }

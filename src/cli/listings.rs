@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use bifdiag_schema::{
     AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ChaosMapDocument, ChaosPointDocument,
     ClassDocument, ClassesDocument, ClassificationDocument, ComparisonDocument, CriticalDocument, CriticalSpinDocument,
-    EventTracksDocument, ExplanationDocument, FindDocument, GridDocument, MotionDocument, PartAnswerDocument,
-    PeriodicDocument, PeriodicFamiliesDocument, PeriodicListDocument, PointProofDocument, ProvedMotionDocument,
-    RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument, SpinDownDocument, StandingDocument,
-    StateDocument, SteadyAxesDocument, SteadySpinsDocument,
+    EventTracksDocument, ExplanationDocument, FindDocument, GridDocument, ManifoldsDocument, MotionDocument,
+    PartAnswerDocument, PeriodicDocument, PeriodicFamiliesDocument, PeriodicListDocument, PointProofDocument,
+    ProvedMotionDocument, RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument, SpinDownDocument,
+    StandingDocument, StateDocument, SteadyAxesDocument, SteadySpinsDocument,
 };
 use clap::{Args, Command, ValueEnum};
 use schemars::{Schema, schema_for};
@@ -104,6 +104,8 @@ pub enum Name {
     PeriodicFamilies,
     /// The answer of `bifdiag periodic list --json`
     PeriodicList,
+    /// The answer of `bifdiag periodic manifolds --json`, and the `meta` of its data
+    PeriodicManifolds,
     /// The answer of `bifdiag bodies --json`
     Bodies,
     /// The answer of `bifdiag explain --json`
@@ -154,6 +156,7 @@ impl Name {
             Self::Periodic => schema_for!(PeriodicDocument),
             Self::PeriodicFamilies => schema_for!(PeriodicFamiliesDocument),
             Self::PeriodicList => schema_for!(PeriodicListDocument),
+            Self::PeriodicManifolds => schema_for!(ManifoldsDocument),
             Self::Bodies => schema_for!(BodiesDocument),
             Self::Explain => schema_for!(ExplanationDocument),
             Self::BatchError => schema_for!(BatchErrorDocument),

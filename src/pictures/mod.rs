@@ -4,6 +4,7 @@
 mod events;
 #[cfg(feature = "parallel")]
 mod existence;
+mod manifolds;
 #[cfg(feature = "parallel")]
 mod map;
 #[cfg(feature = "parallel")]
@@ -17,6 +18,7 @@ use bifdiag_schema::RelativeEquilibriumDocument;
 
 #[cfg(feature = "parallel")]
 pub use events::{EventScene, events, momenta};
+pub use manifolds::{ManifoldPictureError, manifolds};
 #[cfg(feature = "parallel")]
 pub use map::map;
 #[cfg(feature = "parallel")]

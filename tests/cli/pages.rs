@@ -20,6 +20,7 @@ fn commands() -> Vec<String> {
                 "chaos merge",
                 "periodic family",
                 "periodic list",
+                "periodic manifolds",
                 "",
             ]
             .map(str::to_owned),
@@ -152,6 +153,9 @@ const PERIODIC_LIST: usize = 26;
 /// `periodic` (issue 43): its own two, the point and those of every body.
 const SHORT_ORBITS: usize = 19;
 
+/// `periodic manifolds` (issue 43): its own five, four of its picture, the point and those of every body.
+const MANIFOLDS: usize = 26;
+
 /// Options of `chaos` (issue 41): its own nine, two of its point and those of every body; `--out` of `chaos merge`; that of
 /// `chaos map` with four of its picture.
 const CHAOS: usize = 32;
@@ -165,7 +169,7 @@ fn short_pages_fit_a_screen_and_long_ones_do_not_repeat_themselves() {
         assert!(short.lines().count() <= 50, "{command}: {} lines\n{short}", short.lines().count());
         all += slots(&bifdiag(&format!("{command} --help")).succeeds().stdout());
     }
-    let periodic = PERIODIC_FAMILY + PERIODIC_LIST + SHORT_ORBITS;
+    let periodic = PERIODIC_FAMILY + PERIODIC_LIST + SHORT_ORBITS + MANIFOLDS;
     let bound =
         330 + SPIN_DOWN + MATHEMATICS + OWN_BODIES + PICTURES + FIGURES + PROVED_MOTION + periodic + CHAOS + EVENTS;
     assert!(all < bound, "{all} options on all pages");

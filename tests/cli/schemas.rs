@@ -136,6 +136,8 @@ fn documents_fit_their_schemas() {
         let list = format!("periodic list --body paper {more} --members 12 --json");
         assert_fits("periodic-list", &bifdiag(&list).succeeds().json());
     }
+    let manifolds = "periodic manifolds --body paper --h 6.5 --l 3.25 --length 2 --json";
+    assert_fits("periodic-manifolds", &bifdiag(manifolds).succeeds().json());
     assert_fits("periodic", &bifdiag("periodic --body paper --h 2.6 --l 3.25 --json").succeeds().json());
     assert_fits("bodies", &bifdiag("bodies --json").succeeds().json());
     assert_fits("explain", &bifdiag("explain cusp --json").succeeds().json());

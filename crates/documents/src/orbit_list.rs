@@ -17,6 +17,23 @@ pub fn periodic(subject: &Subject, [h, l]: [&Number; 2], crossings: u32, list: &
     let body = &subject.body;
     let command = subject.command("periodic").option("h", h.text()).option("l", l.text());
     let command = command.option("crossings", crossings);
+    PeriodicDocument {
+        head: head(command.json()),
+        body: given(body),
+        h: h.text().to_owned(),
+        l: l.text().to_owned(),
+        crossings,
+        orbits: listed_orbits(body, list),
+        continua: list.continua.iter().map(|orbit| periodic_orbit(body, orbit)).collect(),
+        index_sums: list.index_sums.clone(),
+        complete: list.gaps.is_empty(),
+        why: why(body, list),
+        part: subject.part.clone(),
+    }
+}
+
+/// The isolated orbits, proved or not.
+pub(crate) fn listed_orbits(body: &Body, list: &OrbitList) -> Vec<PeriodicOrbitDocument> {
     let orbits = list.orbits.iter().map(|listed| {
         let document = periodic_orbit(body, &listed.orbit);
         match &listed.proof {
@@ -24,19 +41,7 @@ pub fn periodic(subject: &Subject, [h, l]: [&Number; 2], crossings: u32, list: &
             Err(_) => document,
         }
     });
-    PeriodicDocument {
-        head: head(command.json()),
-        body: given(body),
-        h: h.text().to_owned(),
-        l: l.text().to_owned(),
-        crossings,
-        orbits: orbits.collect(),
-        continua: list.continua.iter().map(|orbit| periodic_orbit(body, orbit)).collect(),
-        index_sums: list.index_sums.clone(),
-        complete: list.gaps.is_empty(),
-        why: why(body, list),
-        part: subject.part.clone(),
-    }
+    orbits.collect()
 }
 
 /// Digits of ends.
@@ -58,7 +63,7 @@ fn ends(bounds: [f64; 2]) -> Ends {
 }
 
 /// What completeness rests on, or what may be missing.
-fn why(body: &Body, list: &OrbitList) -> String {
+pub(crate) fn why(body: &Body, list: &OrbitList) -> String {
     // Regular precessions: S vanishes along them.
     let lagrange = IntegrableCase::of(body).iter().any(|case| matches!(case, IntegrableCase::Lagrange(_)));
     let in_section =

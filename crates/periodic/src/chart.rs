@@ -88,6 +88,36 @@ impl Surface {
         let (normal, field) = (self.gradients(y).column(3).into_owned(), self.space.field(y));
         normal.dot(&field) / (normal.norm() * field.norm()).max(f64::MIN_POSITIVE)
     }
+
+    /// A direction at a point of P, moved along the motion until it lies in P; of length 1.
+    #[must_use]
+    pub fn along_the_section(&self, y: &Point, direction: &Point) -> Point {
+        let (normal, field) = (self.gradients(y).column(3).into_owned(), self.space.field(y));
+        (direction - field * (normal.dot(direction) / normal.dot(&field))).normalize()
+    }
+
+    /// An orthonormal basis of the tangent plane, the last two, and of what is orthogonal to it; `None` at a singular point.
+    fn basis(&self, y: &Point) -> Option<[Point; 6]> {
+        let gradients = self.gradients(y);
+        let mut basis: Vec<Point> = Vec::with_capacity(6);
+        for k in 0..4 {
+            let direction = orthogonal_to(&basis, gradients.column(k).normalize())?;
+            basis.push(direction);
+        }
+        while basis.len() < 6 {
+            let unit = (0..6)
+                .filter_map(|i| orthogonal_to(&basis, Point::ith(i, 1.0)).map(|v| (i, v)))
+                .max_by(|(i, _), (j, _)| left(&basis, *i).total_cmp(&left(&basis, *j)));
+            basis.push(unit?.1);
+        }
+        basis.try_into().ok()
+    }
+
+    /// An orthonormal basis of the tangent plane; `None` at a singular point.
+    #[must_use]
+    pub fn tangent_plane(&self, y: &Point) -> Option<[Point; 2]> {
+        self.basis(y).map(|[.., u, v]| [u, v])
+    }
 }
 
 /// A square [−radius, radius]² of the tangent plane at a point, over which P is a graph.
@@ -114,18 +144,7 @@ impl Chart {
     /// About a point of P; `radius` is halved until P is a flat graph over the square. `None` near a singular point.
     #[must_use]
     pub fn new(surface: &Surface, center: Point, radius: f64) -> Option<Self> {
-        let mut basis: Vec<Point> = Vec::with_capacity(6);
-        let gradients = surface.gradients(&center);
-        for k in 0..4 {
-            let direction = orthogonal_to(&basis, gradients.column(k).normalize())?;
-            basis.push(direction);
-        }
-        while basis.len() < 6 {
-            let unit = (0..6)
-                .filter_map(|i| orthogonal_to(&basis, Point::ith(i, 1.0)).map(|v| (i, v)))
-                .max_by(|(i, _), (j, _)| left(&basis, *i).total_cmp(&left(&basis, *j)));
-            basis.push(unit?.1);
-        }
+        let basis = surface.basis(&center)?;
         let normal = SMatrix::from_columns(&basis[..4]);
         let mut chart = Self { center, across: [basis[4], basis[5]], normal, radius };
         for _ in 0..HALVINGS {

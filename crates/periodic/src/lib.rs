@@ -5,6 +5,7 @@ pub mod chart;
 pub mod family;
 pub mod flow;
 pub mod list;
+pub mod manifold;
 pub mod orbit;
 pub mod proof;
 pub mod reversor;

@@ -111,6 +111,28 @@ impl PeriodicOrbit {
     }
 }
 
+/// The larger multiplier of an unstable orbit, and the direction, across the orbit at its point, that it stretches.
+///
+/// # Errors
+/// [`OrbitError`] at an equilibrium, and where the motion leaves the range of `f64`.
+pub fn unstable_direction(top: &HeavyTop, start: &State, period: f64) -> Result<(f64, Phase), OrbitError> {
+    let (space, x, time) = reduced(top, start, period);
+    let shot = spread(&space, &Ring { nodes: vec![x], period: time })?.shoot(&space)?;
+    let reduced = shot.reduced();
+    let (matrix, multiplier) = (reduced.matrix, reduced.multipliers()[0][0]);
+    // (M − λ)v = 0, by the row that has more of it.
+    let rows = [0, 1].map(|i| {
+        [matrix[(i, 0)] - if i == 0 { multiplier } else { 0.0 }, matrix[(i, 1)] - if i == 1 { multiplier } else { 0.0 }]
+    });
+    let [a, b] = if dot2(rows[0]) >= dot2(rows[1]) { rows[0] } else { rows[1] };
+    let across = shot.frames[0].across;
+    Ok((multiplier, (across[0] * b - across[1] * a).normalize()))
+}
+
+fn dot2([a, b]: [f64; 2]) -> f64 {
+    a * a + b * b
+}
+
 /// Corrects a guess to a closed orbit; its point and its period.
 ///
 /// # Errors

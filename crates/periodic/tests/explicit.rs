@@ -1,7 +1,7 @@
 //! Motions known in closed form, found unasked among the orbits at their point: what is looked for is not a guess of them.
 
 use bifdiag_body::Body;
-use bifdiag_dynamics::field::{HeavyTop, dot};
+use bifdiag_dynamics::field::{HeavyTop, State, dot};
 use bifdiag_dynamics::poincare::SectionSetting;
 use bifdiag_dynamics::section::Monitor;
 use bifdiag_periodic::list::{ListOptions, OrbitList, list};
@@ -97,6 +97,65 @@ fn the_solution_of_steklov_is_found() {
     assert_eq!(orbits.len(), 2, "{:?}", list.orbits);
     for orbit in orbits {
         assert!((orbit.period / period - 1.0).abs() < 1e-10 && orbit.crossings == 4, "{orbit:?} {period}");
+    }
+}
+
+/// Delone (1892): Kovalevskaya's top, A = (2, 2, 1), r = (1, 0, 0), where her integral |(ω₁+iω₂)² + γ₁+iγ₂|² is 0. Then
+/// γ₁ = ω₂² − ω₁² and γ₂ = −2ω₁ω₂, so that h = 2ω₁² + ω₃²/2 and l = ω₃γ₃ − 2ω₁(ω₁² + ω₂²). With sin α = l/√(2h) and an angle u,
+/// 2ω₁ = √(2h) sin u, ω₃ = √(2h) cos u, ω₁² + ω₂² = cos(u+α), γ₃ = sin(u+α), and ω̇₃ = γ₂ says u̇ = ω₂: u swings between two roots of
+/// ω₂² = cos(u+α) − (h/2) sin²u, in the time 2∫du/ω₂.
+#[test]
+fn the_motions_of_delone_are_found() {
+    let body = Body::parse(&["2", "2", "1"], &["1", "0", "0"]).unwrap();
+    let top = HeavyTop::new(&body);
+    for (h, l) in [(1.5_f64, 0.5_f64), (2.5, 0.8)] {
+        let alpha = libm::asin(l / (2.0 * h).sqrt());
+        let square = |u: f64| libm::cos(u + alpha) - 0.5 * h * libm::sin(u) * libm::sin(u);
+        let state = |u: f64, sign: f64| {
+            let [x, z] = [0.5 * libm::sin(u), libm::cos(u)].map(|part| (2.0 * h).sqrt() * part);
+            let y = sign * square(u).max(0.0).sqrt();
+            let gamma = [y * y - x * x, -2.0 * x * y, libm::sin(u + alpha)];
+            State { gamma, l: [2.0 * x, 2.0 * y, z] }
+        };
+        // It solves the equations of motion: u̇ = ω₂, by differences.
+        for u in [-0.4, 0.1, 0.3] {
+            let (here, step) = (state(u, 1.0), 1e-5);
+            let rate = top.vector_field(&here);
+            let [before, behind] = [-step, step].map(|d| state(u + d, 1.0));
+            for i in 0..3 {
+                let speed = 0.5 * here.l[1];
+                assert!(((behind.gamma[i] - before.gamma[i]) / (2.0 * step) * speed - rate.gamma[i]).abs() < 1e-8);
+                assert!(((behind.l[i] - before.l[i]) / (2.0 * step) * speed - rate.l[i]).abs() < 1e-8);
+            }
+            assert!((top.energy(&here) - h).abs() < 1e-14 && (dot(here.gamma, here.l) - l).abs() < 1e-14);
+        }
+        let root = |mut inside: f64, mut outside: f64| {
+            for _ in 0..100 {
+                let middle = 0.5 * (inside + outside);
+                if square(middle) > 0.0 { inside = middle } else { outside = middle }
+            }
+            inside
+        };
+        let ends = [root(0.0, -1.6), root(0.0, 1.6)];
+        // u = m + a sin t: the square root at the ends goes, and the rule of midpoints is exact but for rounding.
+        let (middle, half, count) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]), 400);
+        let at = |k: i32| {
+            let t = std::f64::consts::PI * ((f64::from(k) + 0.5) / f64::from(count) - 0.5);
+            half * libm::cos(t) / square(middle + half * libm::sin(t)).sqrt()
+        };
+        let period = 2.0 * std::f64::consts::PI / f64::from(count) * (0..count).map(at).sum::<f64>();
+        let list = found(&body, [h, l], 4);
+        // Her integral vanishes on the whole orbit, and on no other one.
+        let integral = |orbit: &PeriodicOrbit| {
+            let ([g1, g2, _], [x, y, _]) = (orbit.start.gamma, top.inverse_inertia(orbit.start.l));
+            (x * x - y * y + g1).abs() + (2.0 * x * y + g2).abs()
+        };
+        let own: Vec<&PeriodicOrbit> =
+            list.orbits.iter().map(|listed| &listed.orbit).filter(|orbit| integral(orbit) < 1e-8).collect();
+        assert!(!own.is_empty(), "{:?}", list.orbits);
+        for orbit in own {
+            assert!((orbit.period / period - 1.0).abs() < 1e-10, "{orbit:?} {period}");
+        }
     }
 }
 

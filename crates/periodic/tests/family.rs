@@ -287,3 +287,33 @@ fn precessions_end_along_the_circle_that_does_not_turn() {
     let limit = q.h - b * (p.h - q.h) / (a - b);
     assert!(q.h - circle.h > 1e-3 && (limit - circle.h).abs() < 1e-4, "{limit} {}", circle.h);
 }
+
+/// At a tripling a family of three times the period passes: both ways are followed. Its orbits close after three turns, and
+/// their trace tends to 2 there.
+#[test]
+fn the_family_that_passes_a_tripling_is_followed_both_ways() {
+    let body = paper();
+    let monitor = Monitor::default();
+    let options = FamilyOptions { held: Held::Momentum, members: 40, branches: true, monitor: &monitor };
+    let l = "1.5".parse().unwrap();
+    let mut seen = 0;
+    for equilibrium in &critical(&body, &l).unwrap().list {
+        for family in families(&body, equilibrium, &options).unwrap() {
+            for event in family.stretch.events.iter().filter(|event| event.kind == OrbitEventKind::Tripling) {
+                assert_eq!(event.branches.len(), 2, "{event:?}");
+                let firsts = [0, 1].map(|k| &event.branches[k].members[0]);
+                let [below, above] = firsts;
+                // At the same distance from the special orbit they differ.
+                let apart = (below.h - above.h).abs() + (below.trace - above.trace).abs();
+                assert!(apart > 1e-7, "{below:?} {above:?}");
+                for first in firsts {
+                    assert!((first.period / event.orbit.period - 3.0).abs() < 0.05, "{first:?}");
+                    assert!(first.trace > 1.9 && first.residual <= 1e-13, "{first:?}");
+                    assert_eq!(first.crossings, 3 * event.orbit.crossings);
+                }
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 0);
+}

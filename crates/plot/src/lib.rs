@@ -31,7 +31,8 @@ pub use page::{Caption, Figure, Picture, Pixels, PlotError, Theme, Width, body_l
 pub use part::{PartScene, draw_part};
 pub use periods::draw_periods;
 pub use section::{
-    OrbitColors, OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene, draw_section, draw_section_rows,
+    OrbitColors, OrbitFamilies, OrbitValues, Projection, SectionCurves, SectionOptions, SectionScene, draw_section,
+    draw_section_rows,
 };
 pub use sphere::{SphereScene, draw_sphere};
 pub use steady::{Steadiness, SteadyCurve, SteadyScene, draw_steady};

@@ -42,7 +42,7 @@ fn orbits(portrait: &Portrait, count: usize, crossings: usize) -> Vec<OrbitSecti
 }
 
 fn scene<'a>(portrait: &'a Portrait, orbits: &'a [OrbitSection]) -> SectionScene<'a> {
-    SectionScene { portrait, orbits, values: None, families: None, caption: "T²+T²" }
+    SectionScene { portrait, orbits, values: None, families: None, curves: None, caption: "T²+T²" }
 }
 
 fn valued<'a>(portrait: &'a Portrait, orbits: &'a [OrbitSection], values: &'a [f64]) -> SectionScene<'a> {

@@ -76,7 +76,8 @@ pub use motion::{
 pub use nonlinear::{Damped, FrictionDocument, NonlinearDocument, NonlinearVerdict, Reason, ResonancesDocument};
 pub use part::{PartAnswerDocument, PartDocument, PrincipalDocument};
 pub use periodic::{
-    FamilyEnd, FamilyEndingDocument, ListedFamilyDocument, ListedOrbitDocument, OrbitEnclosureDocument,
+    ConnectionDocument, ContactDocument, FamilyEnd, FamilyEndingDocument, ListedFamilyDocument, ListedOrbitDocument,
+    ManifoldCurveDocument, ManifoldDocument, ManifoldEnd, ManifoldKind, ManifoldsDocument, OrbitEnclosureDocument,
     OrbitEventDocument, OrbitEventKind, OrbitStability, PeriodicBranchDocument, PeriodicDocument,
     PeriodicFamiliesDocument, PeriodicFamilyDocument, PeriodicListDocument, PeriodicOrbitDocument,
 };

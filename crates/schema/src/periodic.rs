@@ -284,3 +284,120 @@ pub struct PeriodicListDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part: Option<PartDocument>,
 }
+
+term! {
+    /// Which motions run along a manifold.
+    pub enum ManifoldKind {
+        /// Those that leave the orbit.
+        Unstable = "unstable",
+        /// Those that come to it.
+        Stable = "stable",
+    }
+}
+
+term! {
+    /// Why a curve of a manifold ends.
+    pub enum ManifoldEnd {
+        /// It has the length that was asked for.
+        Length = "length",
+        /// What a return adds lies within 10⁻⁴ of a periodic orbit: a saddle connection, or curves that cross at so small an angle
+        /// that they cannot be told apart there.
+        Orbit = "orbit",
+        /// It would take more returns than are computed for a curve.
+        Work = "work",
+    }
+}
+
+/// A curve of a manifold in P, from the orbit on.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ManifoldCurveDocument {
+    /// The point of the orbit from which it comes: of p, Rp, R²p, … the number, p where the orbit starts and R the return.
+    pub point: usize,
+    /// 1 or −1: the two curves at one point. Which is which has no meaning.
+    pub side: i8,
+    /// Its length in (γ, l/L), L = √(2A_max(|h| + |r|)).
+    pub length: f64,
+    /// The number of its points.
+    pub points: usize,
+    /// Breaks at which a motion touches P, so that a pair of crossings is born.
+    pub tangencies: usize,
+    /// Other breaks: neighbouring points could not be brought near each other.
+    pub gaps: usize,
+    /// Why it ends.
+    pub end: ManifoldEnd,
+}
+
+/// The curves of one kind of one orbit.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ManifoldDocument {
+    /// The place of the orbit in `orbits`.
+    pub orbit: usize,
+    /// Stable or unstable.
+    pub kind: ManifoldKind,
+    /// The multiplier that is larger than 1, or below −1.
+    pub multiplier: f64,
+    /// Two at each point of the orbit where ⟨γ,r⟩ is largest.
+    pub curves: Vec<ManifoldCurveDocument>,
+}
+
+/// An orbit that leaves a periodic orbit and comes to one, found where their manifolds cross.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ConnectionDocument {
+    /// The place in `orbits` of the orbit that it leaves.
+    pub from: usize,
+    /// That of the orbit to which it comes; homoclinic where it is the same.
+    pub to: usize,
+    /// γ at a point of it: of those found the one farthest from the periodic orbits.
+    pub gamma: [f64; 3],
+    /// ω there.
+    pub omega: [f64; 3],
+    /// The angle of the two curves there, in radians, in (γ, l/L).
+    pub angle: f64,
+    /// The distance of the points of both curves after Newton's method.
+    pub residual: f64,
+    /// How many of its points were found.
+    pub points: usize,
+}
+
+/// Curves that run along each other, at angles below 10⁻⁴.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ContactDocument {
+    /// The place in `orbits` of the orbit whose unstable curve it is.
+    pub from: usize,
+    /// That of the orbit whose stable curve it is.
+    pub to: usize,
+}
+
+/// The answer of `periodic manifolds`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ManifoldsDocument {
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
+    /// The body.
+    #[serde(flatten)]
+    pub body: GivenBody,
+    /// Energy, as given.
+    pub h: String,
+    /// Vertical angular momentum, as given.
+    pub l: String,
+    /// The most crossings of P in a period that were asked for, inward and outward.
+    pub crossings: u32,
+    /// The length of each curve that was asked for.
+    pub length: f64,
+    /// All isolated orbits, as in `periodic`.
+    pub orbits: Vec<PeriodicOrbitDocument>,
+    /// The manifolds of the unstable ones, by orbit, the unstable one first.
+    pub manifolds: Vec<ManifoldDocument>,
+    /// Homoclinic and heteroclinic orbits, each once, by the orbits that they connect.
+    pub connections: Vec<ConnectionDocument>,
+    /// Curves that cannot be told from each other.
+    pub contacts: Vec<ContactDocument>,
+    /// Whether every curve was followed for its length, without gaps, and every crossing of the polylines is a connection.
+    pub complete: bool,
+    /// What that means, or what may be missing.
+    pub why: String,
+    /// The part from which A and r were computed, when one was given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub part: Option<PartDocument>,
+}

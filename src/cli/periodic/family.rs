@@ -46,7 +46,7 @@ pub struct FamilyArguments {
     /// Follow each family for N orbits at most
     #[arg(long, value_name = "N", default_value_t = 200, help_heading = "Family")]
     pub members: usize,
-    /// Follow the families that begin at doublings and crossings too
+    /// Follow the families that begin at doublings, triplings and crossings too
     #[arg(long, help_heading = "Family")]
     pub branches: bool,
     /// Draw the periods, to DIR/periodic.svg

@@ -49,7 +49,7 @@ pub struct ListArguments {
     /// Follow each family for N orbits at most
     #[arg(long, value_name = "N", default_value_t = 200, help_heading = "Families")]
     pub members: usize,
-    /// Follow the families that begin at doublings and crossings too
+    /// Follow the families that begin at doublings, triplings and crossings too
     #[arg(long, help_heading = "Families")]
     pub branches: bool,
     /// Only linearly stable orbits

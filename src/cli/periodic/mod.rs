@@ -3,6 +3,7 @@
 mod family;
 mod list;
 mod list_output;
+mod manifolds;
 mod short;
 
 use clap::{Args, Subcommand};
@@ -11,6 +12,7 @@ use super::failure::Failure;
 use super::terminal::Timings;
 use family::{FAMILY_EXAMPLES, FamilyArguments};
 use list::{LIST_EXAMPLES, ListArguments};
+use manifolds::{MANIFOLDS_EXAMPLES, ManifoldsArguments};
 use short::ShortArguments;
 
 pub const PERIODIC_EXAMPLES: &str = "\
@@ -42,6 +44,9 @@ pub enum PeriodicCommand {
     /// List the orbits of all families of a body
     #[command(after_help = LIST_EXAMPLES)]
     List(Box<ListArguments>),
+    /// Follow the stable and unstable manifolds of periodic orbits in the section
+    #[command(after_help = MANIFOLDS_EXAMPLES)]
+    Manifolds(Box<ManifoldsArguments>),
 }
 
 pub fn run(arguments: &PeriodicArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
@@ -49,5 +54,6 @@ pub fn run(arguments: &PeriodicArguments, timings: &Timings, quiet: bool) -> Res
         None => short::run(&arguments.short, timings, quiet),
         Some(PeriodicCommand::Family(arguments)) => family::run(arguments, timings, quiet),
         Some(PeriodicCommand::List(arguments)) => list::run(arguments, quiet),
+        Some(PeriodicCommand::Manifolds(arguments)) => manifolds::run(arguments, timings, quiet),
     }
 }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
+use bifdiag_body::Number;
 use bifdiag_documents::Subject;
 use bifdiag_dynamics::poincare::SectionSetting;
 use bifdiag_dynamics::section::{Monitor, SectionError};
@@ -34,17 +35,8 @@ pub struct ShortArguments {
 
 pub fn run(arguments: &ShortArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
-    let missing =
-        |name: &str| Failure::input(format!("{name} is missing: a point such as --h 4.45 --l 3.25 is needed"));
-    let h = arguments.point.energy.as_ref().ok_or_else(|| missing("--h"))?;
-    let l = arguments.point.momentum.as_ref().ok_or_else(|| missing("--l"))?;
     let crossings = arguments.crossings;
-    if !(2..=MOST_CROSSINGS).contains(&crossings) || crossings % 2 == 1 {
-        return Err(Failure::input(format!(
-            "--crossings {crossings}: a periodic orbit crosses P inward as often as outward; 2, 4, … up to {MOST_CROSSINGS} is \
-             possible"
-        )));
-    }
+    let (h, l) = point_and_crossings(&arguments.point, crossings)?;
     let setting = SectionSetting::new(&subject.body, h, l).map_err(poincare_failure)?;
     let monitor = Arc::new(Monitor::default());
     let stop = Arc::clone(&monitor);
@@ -61,6 +53,21 @@ pub fn run(arguments: &ShortArguments, timings: &Timings, quiet: bool) -> Result
     })?;
     let document = bifdiag_documents::periodic(&subject, [h, l], crossings, &found);
     answer(arguments.json, &document, || text(&subject, &document))
+}
+
+/// h and l, which have to be given; and a number of crossings that is possible.
+pub fn point_and_crossings(point: &PointArguments, crossings: u32) -> Result<(&Number, &Number), Failure> {
+    let missing =
+        |name: &str| Failure::input(format!("{name} is missing: a point such as --h 4.45 --l 3.25 is needed"));
+    let h = point.energy.as_ref().ok_or_else(|| missing("--h"))?;
+    let l = point.momentum.as_ref().ok_or_else(|| missing("--l"))?;
+    if !(2..=MOST_CROSSINGS).contains(&crossings) || crossings % 2 == 1 {
+        return Err(Failure::input(format!(
+            "--crossings {crossings}: a periodic orbit crosses P inward as often as outward; 2, 4, … up to {MOST_CROSSINGS} is \
+             possible"
+        )));
+    }
+    Ok((h, l))
 }
 
 /// Significant digits.

@@ -36,6 +36,7 @@ pub fn draw(plan: &Plan<'_>, sections: &[Done]) -> Result<Picture, Failure> {
             orbits: &row.section.orbits,
             values: row.values.as_ref().map(|(label, values)| OrbitValues { label, values }),
             families: Some(OrbitFamilies { of: &row.of, names: row.names, colors: row.colors }),
+            curves: None,
             caption: &row.caption,
         })
         .collect();

@@ -15,6 +15,9 @@ use crate::shooting::{Direction, Ring};
 const FIRST: f64 = 1e-3;
 /// Distances from a special orbit at which a branch is looked for, the best first.
 const BESIDE: [f64; 3] = [1e-2, 3e-3, 3e-2];
+/// Directions in which the family that passes a tripling is looked for: its orbits lie in six, each a sixth of a turn from the next
+/// one but for a linear map.
+const ROUND: u32 = 12;
 /// Two frequencies in a whole ratio within this are in resonance.
 const RESONANT: f64 = 1e-6;
 
@@ -48,36 +51,63 @@ impl Course<'_> {
         }
     }
 
-    /// The family that begins at a special orbit, if one is found.
-    pub fn beside(&self, special: &Member, kind: OrbitEventKind) -> Result<Option<Stretch>, FamilyError> {
-        let (eigenvalue, laps) = match kind {
-            OrbitEventKind::Doubling => (-1.0, 2),
-            OrbitEventKind::Branch => (1.0, 1),
-            _ => return Ok(None),
+    /// The families that begin at a special orbit, as far as they are found: at a tripling both ways on which one passes.
+    pub fn beside(&self, special: &Member, kind: OrbitEventKind) -> Result<Vec<Stretch>, FamilyError> {
+        let (laps, angles) = match kind {
+            OrbitEventKind::Doubling => (2, kernel_of(special, -1.0)),
+            OrbitEventKind::Branch => (1, kernel_of(special, 1.0)),
+            // After three turns every direction comes back: those of the family that passes are not known.
+            OrbitEventKind::Tripling => (3, (0..ROUND).map(|k| f64::from(k) / f64::from(ROUND)).collect()),
+            OrbitEventKind::Fold => return Ok(Vec::new()),
         };
-        let Some(kernel) = kernel(special.shot.reduced().matrix - eigenvalue * Matrix2::identity()) else {
-            return Ok(None);
-        };
-        let [first, second] = special.shot.frames[0].across;
-        let direction: Direction = (first * kernel[0] + second * kernel[1]).push(0.0);
         let once = &special.shot.ring;
         let nodes: Vec<Phase> = (0..laps).flat_map(|_| once.nodes.iter().copied()).collect();
         let ring = Ring { nodes, period: f64::from(laps) * once.period };
-        let Ok(several) = ring.shoot(&self.space) else { return Ok(None) };
-        for distance in BESIDE {
+        let Ok(several) = ring.shoot(&self.space) else { return Ok(Vec::new()) };
+        let across = special.shot.frames[0].across;
+        let look = |distance: f64, [x, y]: [f64; 2]| {
+            let direction: Direction = (across[0] * x + across[1] * y).push(0.0);
             let guess = several.ahead(&self.space, &direction, distance);
-            let Ok(found) = self.setting().close(guess, &direction) else { continue };
+            let member = self.setting().close(guess, &direction).ok()?;
             // Newton's method may have fallen back onto the family that is left.
             let is_new = match kind {
-                OrbitEventKind::Doubling => found.distance_from_half() > distance,
-                _ => special.orbit.symmetric && !found.orbit.symmetric,
+                OrbitEventKind::Doubling => member.distance_from_half() > distance,
+                OrbitEventKind::Tripling => member.distance_from_third() > distance,
+                _ => special.orbit.symmetric && !member.orbit.symmetric,
             };
-            if is_new {
-                return Ok(Some(self.follow(found, 0.5 * distance, true)?));
+            is_new.then_some(member)
+        };
+        for (distance, angle) in BESIDE.iter().flat_map(|distance| angles.iter().map(move |angle| (*distance, *angle)))
+        {
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * angle);
+            let Some(member) = look(distance, [cos, sin]) else { continue };
+            let beside = |member: &Member| {
+                let away = member.shot.ring.nodes[0] - once.nodes[0];
+                across.map(|unit| unit.dot(&away))
+            };
+            let [x, y] = beside(&member);
+            let size = (x * x + y * y).sqrt();
+            let mut found = vec![self.follow(member, 0.5 * distance, true)?];
+            // The other way on which the family passes lies opposite.
+            let opposite = [-x / size, -y / size];
+            if laps == 3
+                && let Some(other) = look(distance, opposite)
+            {
+                let [u, v] = beside(&other);
+                if (u * opposite[1] - v * opposite[0]).abs() < 0.5 * distance {
+                    found.push(self.follow(other, 0.5 * distance, true)?);
+                }
             }
+            return Ok(found);
         }
-        Ok(None)
+        Ok(Vec::new())
     }
+}
+
+/// The direction, as a part of a turn, which the return multiplies by an eigenvalue.
+fn kernel_of(special: &Member, eigenvalue: f64) -> Vec<f64> {
+    let kernel = kernel(special.shot.reduced().matrix - eigenvalue * Matrix2::identity());
+    kernel.map(|v| libm::atan2(v[1], v[0]) / std::f64::consts::TAU).into_iter().collect()
 }
 
 /// (γ, l) of a steady rotation: l = ΩAγ.

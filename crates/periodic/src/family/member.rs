@@ -95,6 +95,12 @@ impl Member {
         (nodes[nodes.len() / 2] - nodes[0]).norm()
     }
 
+    /// How far it is from having a third of its period. (At a tripling it is begun with a multiple of three nodes.)
+    pub fn distance_from_third(&self) -> f64 {
+        let nodes = &self.shot.ring.nodes;
+        (nodes[nodes.len() / 3] - nodes[0]).norm()
+    }
+
     /// Between it and the member before, with the same nodes, lies an orbit of half the period, or an equilibrium: the two nodes
     /// that are half a period apart have changed places.
     pub fn is_beyond_an_end(&self, before: &Self) -> bool {

@@ -5,12 +5,13 @@
 //! and explains what the portrait says, and `points` draws the crossings, as vectors or as an image.
 
 mod colors;
+mod curves;
 mod ground;
 mod layout;
 mod points;
 mod scene;
 
-pub use scene::{OrbitColors, OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene};
+pub use scene::{OrbitColors, OrbitFamilies, OrbitValues, Projection, SectionCurves, SectionOptions, SectionScene};
 
 use crate::page::{Anchor, Heading, INK, Legend, Picture, PlotError, body_line, render, text_width, title_size};
 use bifdiag_dynamics::section::SectionCondition;
@@ -47,7 +48,9 @@ pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) 
     }
     let coloring = Coloring::new(scenes);
     let layout = Layout::new(scenes, options.projection, coloring.bar.is_some(), options.width);
-    let legend = Legend::new(ground::legend(scenes, options.projection), layout.room());
+    let mut entries = ground::legend(scenes, options.projection);
+    entries.extend(curves::legend(scenes));
+    let legend = Legend::new(entries, layout.room());
     let mut heading = heading(scenes, layout.width - 2.0 * layout::TITLE_AT[0]);
     if let Some(title) = &options.title {
         heading.title.clone_from(title);
@@ -61,6 +64,9 @@ pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) 
             ground::shade(canvas, scene.portrait, panel);
             canvas.keep(points::draw(canvas, scene, panel, &coloring, &style));
             ground::outline(canvas, scene.portrait, panel);
+            if let Some(own) = scene.curves {
+                curves::draw(canvas, scene.portrait, own, panel);
+            }
         }
         let size = title_size(&title, TITLE_SIZE, layout.width - layout::TITLE_AT[0]);
         canvas.text(&title, layout::TITLE_AT, size, INK, Anchor::Start);

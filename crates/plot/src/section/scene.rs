@@ -35,6 +35,19 @@ pub struct OrbitFamilies<'a> {
     pub colors: OrbitColors,
 }
 
+/// What is drawn over the orbits of a section: manifolds of periodic orbits, and points on them. A point is γ and its sheet.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SectionCurves {
+    /// Polylines of motions that leave the periodic orbits.
+    pub unstable: Vec<Vec<([f64; 3], i8)>>,
+    /// Polylines of motions that come to them.
+    pub stable: Vec<Vec<([f64; 3], i8)>>,
+    /// Points of the periodic orbits.
+    pub orbits: Vec<([f64; 3], i8)>,
+    /// Points of orbits that connect them.
+    pub connections: Vec<([f64; 3], i8)>,
+}
+
 /// A section and the orbits on it.
 #[derive(Clone, Copy, Debug)]
 pub struct SectionScene<'a> {
@@ -46,6 +59,8 @@ pub struct SectionScene<'a> {
     pub values: Option<OrbitValues<'a>>,
     /// The families of the orbits; `None`: one.
     pub families: Option<OrbitFamilies<'a>>,
+    /// What is drawn over the orbits.
+    pub curves: Option<&'a SectionCurves>,
     /// What is printed beside (h, l), such as the section's type.
     pub caption: &'a str,
 }

@@ -1,0 +1,124 @@
+//! The growth of a branch: the piece that one return of the branch to itself adds is taken on by R, again and again, and cut
+//! finer where it was stretched or bent.
+
+use bifdiag_dynamics::section::SectionError;
+use bifdiag_schema::ManifoldEnd;
+
+use super::curve::{Branch, Curve, Vertex};
+use super::refine::{Break, Node, breaks, refine};
+use super::world::World;
+use crate::flow::Phase;
+
+/// Returns of points that are computed for a branch.
+const WORK: usize = 1_000_000;
+/// A piece that lies so near to a point of a periodic orbit is not followed on: what its points are off turns it within less.
+const CAME: f64 = 1e-4;
+/// Seeds of the first piece.
+const FIRST: u32 = 16;
+
+/// The curves of a branch, one for each of its returns, until each has its length.
+pub fn grow(
+    world: &World<'_>,
+    (place, branch): (usize, &Branch),
+    targets: &[Phase],
+    length: f64,
+) -> Result<Vec<Curve>, SectionError> {
+    let targets: Vec<Phase> = targets.iter().map(|y| world.seen(y)).collect();
+    let mut curves = begin(world, (place, branch))?;
+    let seeds: Vec<f64> = (0..=FIRST).map(|k| f64::from(k) / f64::from(FIRST)).collect();
+    let first = branch.at(world, &seeds.iter().map(|s| (0, *s)).collect::<Vec<_>>())?;
+    let mut nodes: Vec<Node> = seeds.iter().zip(first).map(|(s, point)| Node { s: *s, point }).collect();
+    let mut left = WORK;
+    for level in 0.. {
+        let curve = &mut curves[level % branch.returns];
+        if curve.end.is_none() {
+            let whole = refine(world, branch, level, &mut nodes, length - curve.length, &mut left)?;
+            let broken = breaks(world, branch, level, &nodes)?;
+            let came = came_to(&targets, &nodes);
+            let joined = level >= branch.returns;
+            curve.extend(world, (level, joined), &nodes, &broken, length);
+            curve.end = if curve.length >= length {
+                Some(ManifoldEnd::Length)
+            } else if came && curve.length > 100.0 * CAME {
+                Some(ManifoldEnd::Orbit)
+            } else {
+                (!whole).then_some(ManifoldEnd::Work)
+            };
+        }
+        let is_spent = left < nodes.len();
+        left = left.saturating_sub(nodes.len());
+        if is_spent || curves.iter().all(|curve| curve.end.is_some()) {
+            break;
+        }
+        let (own, points): (Vec<usize>, Vec<Phase>) =
+            nodes.iter().enumerate().filter_map(|(k, node)| node.point.map(|y| (k, y))).unzip();
+        let images = world.map.images(&points, 1)?;
+        for (k, image) in own.into_iter().zip(images) {
+            nodes[k].point = image.first().map(|image| image.point);
+        }
+    }
+    for curve in &mut curves {
+        curve.end.get_or_insert(ManifoldEnd::Work);
+    }
+    Ok(curves)
+}
+
+/// Curves that consist of the points of the orbit.
+fn begin(world: &World<'_>, (place, branch): (usize, &Branch)) -> Result<Vec<Curve>, SectionError> {
+    let images = world.map.images(&[branch.start], branch.turns.saturating_sub(1).max(1))?;
+    let point = |k: usize| if k == 0 { Some(branch.start) } else { images[0].get(k - 1).map(|image| image.point) };
+    let curve = |k: usize| {
+        let number = k % branch.turns;
+        let vertex = point(number).map(|point| Vertex { point: world.seen(&point), level: k, s: f64::NEG_INFINITY });
+        Curve {
+            point: number,
+            side: branch.side_of(k),
+            pieces: vec![vertex.into_iter().collect()],
+            length: 0.0,
+            tangencies: 0,
+            gaps: 0,
+            end: None,
+            branch: place,
+        }
+    };
+    Ok((0..branch.returns).map(curve).collect())
+}
+
+/// The whole piece has come to a periodic orbit.
+fn came_to(targets: &[Phase], nodes: &[Node]) -> bool {
+    targets.iter().any(|target| nodes.iter().all(|node| node.point.is_some_and(|y| (y - target).norm() < CAME)))
+}
+
+impl Curve {
+    /// Adds a piece, as far as the length allows.
+    fn extend(
+        &mut self,
+        world: &World<'_>,
+        (level, joined): (usize, bool),
+        nodes: &[Node],
+        broken: &[Option<Break>],
+        length: f64,
+    ) {
+        // The last seed of a return is the first of the next one.
+        for (k, node) in nodes.iter().enumerate().skip(usize::from(joined)) {
+            let before = k.checked_sub(1).and_then(|k| broken[k]);
+            if let Some(kind) = before {
+                match kind {
+                    Break::Tangency => self.tangencies += 1,
+                    Break::Gap => self.gaps += 1,
+                }
+                self.pieces.push(Vec::new());
+            }
+            let Some(point) = node.point.map(|y| world.seen(&y)) else { continue };
+            let Some(piece) = self.pieces.last_mut() else { continue };
+            if let Some(last) = piece.last() {
+                self.length += (point - last.point).norm();
+            }
+            piece.push(Vertex { point, level, s: node.s });
+            if self.length >= length {
+                break;
+            }
+        }
+        self.pieces.retain(|piece| !piece.is_empty());
+    }
+}

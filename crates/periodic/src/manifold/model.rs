@@ -1,0 +1,72 @@
+//! What is found of manifolds.
+
+use bifdiag_dynamics::field::State;
+use bifdiag_dynamics::poincare::SectionSetting;
+use bifdiag_schema::ManifoldKind;
+
+use super::curve::{Curve, Vertex};
+use crate::chart::Surface;
+
+/// The curves of one kind of one orbit.
+#[derive(Clone, Debug)]
+pub struct Manifold {
+    /// The orbit's place in the list.
+    pub orbit: usize,
+    /// Stable or unstable.
+    pub kind: ManifoldKind,
+    /// The multiplier that is larger than 1, or below −1.
+    pub multiplier: f64,
+    /// Two at each point of the orbit in P⁻.
+    pub curves: Vec<Curve>,
+}
+
+/// What was found.
+#[derive(Clone, Debug, Default)]
+pub struct Manifolds {
+    /// By orbit, the unstable ones first.
+    pub manifolds: Vec<Manifold>,
+    /// Orbits that run from one unstable orbit to one, the same or another: each once.
+    pub connections: Vec<Connection>,
+    /// Pairs of orbits of which a curve of one meets a curve of the other at angles too small to be told from 0.
+    pub contacts: Vec<Contact>,
+    /// Crossings of the polylines that could not be refined.
+    pub unresolved: usize,
+    /// Orbits whose multiplier is too large, or too near to 1, for their manifolds to be followed.
+    pub left_out: Vec<usize>,
+}
+
+/// A homoclinic orbit, or a heteroclinic one.
+#[derive(Clone, Copy, Debug)]
+pub struct Connection {
+    /// The place in the list of the orbit that it leaves.
+    pub from: usize,
+    /// That of the orbit to which it comes.
+    pub to: usize,
+    /// Of its points that were found the one that is farthest from both orbits.
+    pub state: State,
+    /// The angle of the curves there, in (γ, l/L), in radians.
+    pub angle: f64,
+    /// How far the points of both curves are from each other.
+    pub residual: f64,
+    /// How many of its points were found.
+    pub points: usize,
+}
+
+/// Curves that run along each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Contact {
+    /// The place in the list of the orbit whose unstable curve it is.
+    pub from: usize,
+    /// That of the orbit whose stable curve it is.
+    pub to: usize,
+    /// At how many crossings of the polylines.
+    pub places: usize,
+}
+
+impl Manifolds {
+    /// The state at a point of a curve.
+    #[must_use]
+    pub fn state(&self, setting: &SectionSetting, vertex: &Vertex) -> State {
+        Surface::new(setting.torus().top(), setting.h(), setting.l()).state(&vertex.point)
+    }
+}

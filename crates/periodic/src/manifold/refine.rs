@@ -1,0 +1,127 @@
+//! Seeds between seeds, until neighbouring points of a curve are near and its bends small; and what a jump that stays is.
+
+use bifdiag_dynamics::section::SectionError;
+
+use super::curve::Branch;
+use super::world::World;
+use crate::flow::Phase;
+
+/// The largest distance of neighbours.
+pub const GAP: f64 = 0.02;
+/// The largest angle between neighbouring chords, as its sine, in radians …
+const BEND: f64 = 0.2;
+/// … unless they are shorter than this.
+const SHORT: f64 = 1e-3;
+/// Seeds that are not told apart: where their images are, the curve is broken.
+const CLOSEST: f64 = 1e-9;
+/// A crossing that was just born is so near to the one with which it was born.
+const BORN: f64 = 1e-2;
+
+/// The image of a seed; none where the motion does not come back.
+#[derive(Clone, Copy, Debug)]
+pub struct Node {
+    /// The seed.
+    pub s: f64,
+    /// Its image.
+    pub point: Option<Phase>,
+}
+
+/// Why two neighbours are not joined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Break {
+    /// Between them lies a motion that touches P.
+    Tangency,
+    /// They could not be brought nearer to each other.
+    Gap,
+}
+
+fn distance(a: &Node, b: &Node) -> f64 {
+    a.point.zip(b.point).map_or(f64::INFINITY, |(a, b)| (b - a).norm())
+}
+
+fn is_broken(pair: &[Node]) -> bool {
+    pair[1].s - pair[0].s <= CLOSEST && distance(&pair[0], &pair[1]) > GAP
+}
+
+/// Adds nodes until the curve is fine as far as `length`; false where that takes more than the returns that are `left`.
+pub fn refine(
+    world: &World<'_>,
+    branch: &Branch,
+    level: usize,
+    nodes: &mut Vec<Node>,
+    length: f64,
+    left: &mut usize,
+) -> Result<bool, SectionError> {
+    loop {
+        let coarse = coarse(nodes, length);
+        let added: Vec<f64> = coarse.iter().map(|k| 0.5 * (nodes[*k].s + nodes[k + 1].s)).collect();
+        if added.is_empty() {
+            return Ok(true);
+        }
+        let work = added.len() * (level + 1);
+        if work > *left {
+            return Ok(false);
+        }
+        *left -= work;
+        let places: Vec<(usize, f64)> = added.iter().map(|s| (level, *s)).collect();
+        let points = branch.at(world, &places)?;
+        nodes.extend(added.into_iter().zip(points).map(|(s, point)| Node { s, point }));
+        nodes.sort_by(|a, b| a.s.total_cmp(&b.s));
+    }
+}
+
+/// The intervals that are to be cut.
+fn coarse(nodes: &[Node], length: f64) -> Vec<usize> {
+    let mut marked = vec![false; nodes.len() - 1];
+    let mut covered = 0.0;
+    let mut before: Option<Phase> = None;
+    for (k, pair) in nodes.windows(2).enumerate() {
+        if covered >= length {
+            break;
+        }
+        if is_broken(pair) {
+            before = None;
+            continue;
+        }
+        let gap = distance(&pair[0], &pair[1]);
+        let can_be_cut = pair[1].s - pair[0].s > CLOSEST;
+        if gap > GAP {
+            marked[k] = true;
+        }
+        let chord = pair[0].point.zip(pair[1].point).map(|(a, b)| b - a);
+        if let Some((a, b)) = before.zip(chord) {
+            let turned = (b / b.norm() - a / a.norm()).norm();
+            if turned > BEND && a.norm().max(b.norm()) > SHORT {
+                let longer = if a.norm() > b.norm() { k - 1 } else { k };
+                marked[longer] |= can_be_cut;
+            }
+        }
+        before = chord.filter(|chord| chord.norm() > 0.0);
+        if gap.is_finite() {
+            covered += gap;
+        }
+    }
+    (0..marked.len()).filter(|k| marked[*k]).collect()
+}
+
+/// For each pair of neighbours whether, and why, the curve is broken between them.
+pub fn breaks(
+    world: &World<'_>,
+    branch: &Branch,
+    level: usize,
+    nodes: &[Node],
+) -> Result<Vec<Option<Break>>, SectionError> {
+    let mut broken = vec![None; nodes.len() - 1];
+    let places: Vec<usize> = (0..broken.len()).filter(|k| is_broken(&nodes[*k..=k + 1])).collect();
+    let seeds = places.iter().flat_map(|k| [nodes[*k].s, nodes[k + 1].s]);
+    let starts: Option<Vec<Phase>> = seeds.map(|s| branch.seed(world.surface(), s)).collect();
+    let Some(starts) = starts.filter(|starts| !starts.is_empty()) else { return Ok(broken) };
+    let images = world.map.images(&starts, level.max(1))?;
+    for (pair, k) in images.chunks(2).zip(places) {
+        // The first return that jumps: one of the two was just born there.
+        let jump = pair[0].iter().zip(&pair[1]).find(|(a, b)| (a.point - b.point).norm() > 0.1 * GAP);
+        let born = jump.is_some_and(|(a, b)| a.pair.min(b.pair) < BORN);
+        broken[k] = Some(if born { Break::Tangency } else { Break::Gap });
+    }
+    Ok(broken)
+}
