@@ -15,6 +15,7 @@ use bifdiag_plot::{Picture, SphereScene, body_line, draw_sphere, told};
 use bifdiag_schema::ComponentDocument;
 use clap::Args;
 
+use super::atlas::stray_sample;
 use super::export::{FileSet, PictureArguments, WidthArgument, directory};
 use super::failure::{Failure, failed};
 use super::input::{BodyArguments, PointArguments, head, values};
@@ -75,11 +76,8 @@ impl Site {
             };
             let sample = atlas.sample(region);
             let solver = Solver::new(subject.body.clone(), Accuracy::Exact);
-            if !solver.is_inside(region, [sample.h, sample.l]) {
-                let right = "give --h and --l, or another region";
-                return Err(Failure::input(format!(
-                    "--region {id}: in doubles its sample lies outside it, for it is narrower than they resolve there; {right}"
-                )));
+            if solver.is_outside(region, [sample.h, sample.l]) {
+                return Err(stray_sample(id));
             }
             let number = |x| Number::from_f64(x).map_err(failed("the sample of the region is beyond f64"));
             return Ok(Self { region: Some(id.clone()), h: number(sample.h)?, l: number(sample.l)? });

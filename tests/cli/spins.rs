@@ -106,10 +106,9 @@ fn only_pairs_that_oscillate_have_frequencies() {
     let run = bifdiag(&format!("campbell {body} --to")).and("0.9 rad/s").inside(directory.path()).succeeds();
     run.printing("saddle to saddle-centre").printing("the next change of type is at 9.5492966 rpm, beyond --to");
     // A change at the end of the range, to its rounding, is in it.
-    let at_end =
-        bifdiag("campbell --A 1,2,3 --r=1,0,0 --axis=-x --no-plot --to").and("1 rad/s").inside(directory.path());
-    at_end.succeeds().printing("\n9.5492966 rpm: ");
-    bifdiag(&format!("campbell {body} --to")).and("0.9 rad/s").inside(directory.path()).succeeds();
+    let elsewhere = tempfile::tempdir().unwrap();
+    let at_end = bifdiag("campbell --A 1,2,3 --r=1,0,0 --axis=-x --no-plot --to").and("1 rad/s");
+    at_end.inside(elsewhere.path()).succeeds().printing("\n9.5492966 rpm: ");
     let csv = std::fs::read_to_string(directory.path().join("bifdiag-out/campbell.csv")).unwrap();
     let rows: Vec<Vec<&str>> = csv.lines().skip(1).map(|line| line.split(',').collect()).collect();
     assert_eq!((&rows[0][1..3], rows[399][1]), (&["NaN", "NaN"][..], "NaN"));

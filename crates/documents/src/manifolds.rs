@@ -98,8 +98,8 @@ fn missing(list: &OrbitList, found: &Manifolds) -> Vec<String> {
         missing.push(format!("{} in curves could not be closed", counted(torn, "gap", "gaps")));
     }
     if found.unresolved > 0 {
-        let places = counted(found.unresolved, "place", "places");
-        missing.push(format!("at {places} curves come so near each other that it is open whether they cross"));
+        let crossings = counted(found.unresolved, "crossing", "crossings");
+        missing.push(format!("{crossings} of the polylines could not be refined"));
     }
     if !found.left_out.is_empty() {
         let orbits = counted(found.left_out.len(), "orbit", "orbits");

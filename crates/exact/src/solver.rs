@@ -148,12 +148,12 @@ impl Solver {
         }
     }
 
-    /// Whether a point of doubles, each of which stands for its shortest decimal, lies in a region: of one that is narrower than
-    /// doubles resolve the rounded sample need not.
+    /// Whether a point of doubles, each of which stands for its shortest decimal, is known not to lie in a region: the rounded
+    /// sample of a very narrow region may lie outside it.
     #[must_use]
-    pub fn is_inside(&self, region: RegionId, [h, l]: [f64; 2]) -> bool {
-        let spots = self.row(l, &[h]).and_then(Result::ok);
-        spots.is_some_and(|spots| spots.first() == Some(&Spot::Region(region)))
+    pub fn is_outside(&self, region: RegionId, [h, l]: [f64; 2]) -> bool {
+        let spots = self.row(l, &[h]).and_then(Result::ok).unwrap_or_default();
+        spots.first().is_some_and(|spot| ![Spot::Region(region), Spot::Undecided].contains(spot))
     }
 
     /// Where the points (h, l) of a row lie; each double stands for its shortest decimal. Points without an answer are

@@ -47,9 +47,21 @@ impl<'a> SectionMap<'a> {
     /// # Errors
     /// Those of [`sweep`], and [`SectionError::Interrupted`].
     pub fn images(&self, starts: &[Point], count: usize) -> Result<Vec<Vec<Image>>, SectionError> {
+        self.images_within(self.longest, starts, count)
+    }
+
+    /// As [`images`](Self::images), but each return may take as long as a whole motion may there.
+    ///
+    /// # Errors
+    /// Those of [`images`](Self::images).
+    pub fn distant_images(&self, starts: &[Point], count: usize) -> Result<Vec<Vec<Image>>, SectionError> {
+        self.images_within(self.longest * count.max(1) as f64, starts, count)
+    }
+
+    fn images_within(&self, max_time: f64, starts: &[Point], count: usize) -> Result<Vec<Vec<Image>>, SectionError> {
         let states: Vec<State> = starts.iter().map(|y| self.surface.state(y)).collect();
         // A motion from P⁻ crosses P⁺ and P⁻ in turn.
-        let options = SweepOptions { crossings: 2 * count + 1, max_time: self.longest, ..SweepOptions::default() };
+        let options = SweepOptions { crossings: 2 * count + 1, max_time, ..SweepOptions::default() };
         let orbits = sweep(self.torus, &states, &options, self.monitor)?;
         if self.monitor.is_stopped() {
             return Err(SectionError::Interrupted);

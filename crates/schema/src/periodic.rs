@@ -389,11 +389,12 @@ pub struct ManifoldsDocument {
     pub orbits: Vec<PeriodicOrbitDocument>,
     /// The manifolds of the unstable ones, by orbit, the unstable one first.
     pub manifolds: Vec<ManifoldDocument>,
-    /// Homoclinic and heteroclinic orbits, each once, by the orbits that they connect.
+    /// Homoclinic and heteroclinic orbits, each once as far as its points could be matched, by the orbits that they connect.
     pub connections: Vec<ConnectionDocument>,
     /// Curves that cannot be told from each other.
     pub contacts: Vec<ContactDocument>,
-    /// Whether every curve was followed for its length, without gaps, and every crossing of the polylines is a connection.
+    /// Whether no curve took too much work, none has gaps and none was left out, the list of the orbits is complete, and every
+    /// crossing of the polylines farther than 10⁻³ from the orbits is one of a connection or of a contact.
     pub complete: bool,
     /// What that means, or what may be missing.
     pub why: String,

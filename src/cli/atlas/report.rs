@@ -11,6 +11,7 @@ use bifdiag_schema::{
     SampleDocument, StabilityChangeDocument,
 };
 
+use crate::cli::failure::Failure;
 use crate::cli::input::{head, integrable};
 use crate::cli::terminal::{Report, Table, significant};
 
@@ -20,17 +21,25 @@ const DIGITS: usize = 8;
 /// What is said where the sample of a region, in doubles, lies outside it.
 pub const STRAY: &str = "~ in doubles the sample lies outside its region, which is narrower than they resolve there";
 
+/// Nothing is drawn at such a sample under the name of the region.
+pub fn stray_sample(id: &str) -> Failure {
+    Failure::input(format!(
+        "--region {id}: in doubles its sample lies outside it, for it is narrower than they resolve there; give --h and --l, or \
+         another region"
+    ))
+}
+
 /// Regions whose samples, in doubles, lie elsewhere; regions of `--accuracy fast` are not looked at, for it has others.
 pub fn strays(subject: &Subject, document: &AtlasDocument) -> Vec<String> {
     let is_narrow = |region: &&RegionDocument| {
         document.accuracy == Accuracy::Exact && region.sample.margin.h <= region.sample.margin.error_bound
     };
     let solver = Solver::new(subject.body.clone(), Accuracy::Exact);
-    let is_inside = |region: &RegionDocument| {
-        region.id.parse().is_ok_and(|id| solver.is_inside(id, [region.sample.h, region.sample.l]))
+    let is_outside = |region: &RegionDocument| {
+        region.id.parse().is_ok_and(|id| solver.is_outside(id, [region.sample.h, region.sample.l]))
     };
     let narrow = document.regions.iter().filter(is_narrow);
-    narrow.filter(|region| !is_inside(region)).map(|region| region.id.clone()).collect()
+    narrow.filter(|region| is_outside(region)).map(|region| region.id.clone()).collect()
 }
 
 /// The table of regions fits a terminal of this width.

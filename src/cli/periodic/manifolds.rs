@@ -42,7 +42,7 @@ pub struct ManifoldsArguments {
     /// Of the orbits with at most N crossings of P in a period, inward and outward
     #[arg(long, value_name = "N", default_value_t = 2, help_heading = "Orbits")]
     pub crossings: u32,
-    /// Follow each curve for this length, in units in which |gamma| and the largest |l| are 1
+    /// Follow each curve for this length, in units in which |gamma| and a bound of |l| are 1
     #[arg(long, value_name = "L", default_value_t = 10.0, value_parser = length, allow_hyphen_values = true, help_heading = "Orbits")]
     pub length: f64,
     /// Draw the curves over the section, to DIR/manifolds.svg
@@ -194,7 +194,9 @@ fn text(subject: &Subject, document: &ManifoldsDocument, written: &[PathBuf]) ->
         report.line("their curves:");
         report.line(of_curves(document).text());
         report.line("");
-        report.line(format!("{}:", counted(document.connections.len(), "orbit connects them", "orbits connect them")));
+        let colon = if document.connections.is_empty() { "" } else { ":" };
+        let connections = counted(document.connections.len(), "orbit connects them", "orbits connect them");
+        report.line(format!("{connections}{colon}"));
         if !document.connections.is_empty() {
             report.line(of_connections(document).text());
         }

@@ -16,6 +16,7 @@ use bifdiag_numbers::decimal::counted;
 use bifdiag_schema::SCHEMA_VERSION;
 
 use super::arguments::SectionArguments;
+use crate::cli::atlas::stray_sample;
 use crate::cli::failure::Failure;
 use crate::cli::input::{read, values};
 
@@ -88,24 +89,26 @@ impl Sites {
             let sample = atlas.sample(region);
             (region.to_string(), sample.h, sample.l)
         });
-        Self::of_samples(subject, samples.collect(), wanted)
+        Self::of_samples(subject, samples.collect(), wanted, Accuracy::Exact)
     }
 
-    /// The samples of the wanted regions; in doubles each must lie in its region.
-    fn of_samples(subject: Subject, samples: Vec<(String, f64, f64)>, wanted: &[String]) -> Result<Self, Failure> {
+    /// The samples of the wanted regions. Of regions as the exact atlas has them each must lie in its own.
+    fn of_samples(
+        subject: Subject,
+        samples: Vec<(String, f64, f64)>,
+        wanted: &[String],
+        accuracy: Accuracy,
+    ) -> Result<Self, Failure> {
         let list = chosen(samples, wanted)?;
         let solver = Solver::new(subject.body.clone(), Accuracy::Exact);
-        let is_stray = |site: &&Site| {
-            let region = site.region.as_deref().and_then(|id| id.parse().ok());
-            region.is_some_and(|region| !solver.is_inside(region, [site.h.to_f64(), site.l.to_f64()]))
+        let is_stray = |id: &str, site: &Site| {
+            id.parse().is_ok_and(|region| solver.is_outside(region, [site.h.to_f64(), site.l.to_f64()]))
         };
-        if let Some(Site { region: Some(id), .. }) = list.iter().find(is_stray) {
-            let right = "give --h and --l, or other regions";
-            return Err(Failure::input(format!(
-                "--region {id}: in doubles its sample lies outside it, for it is narrower than they resolve there; {right}"
-            )));
+        let named = list.iter().filter_map(|site| Some((site.region.as_deref()?, site)));
+        match named.filter(|_| accuracy == Accuracy::Exact).find(|(id, site)| is_stray(id, site)) {
+            Some((id, _)) => Err(stray_sample(id)),
+            None => Ok(Self { subject, list, all: is_all(wanted) }),
         }
-        Ok(Self { subject, list, all: is_all(wanted) })
     }
 
     /// The samples of an atlas.json.
@@ -128,7 +131,7 @@ impl Sites {
         let units = units.map_err(|error: UnitsError| wrong(&format!("the units of its part: {error}")))?;
         let subject = Subject { body, part: atlas.body.part, units };
         let samples = atlas.regions.into_iter().map(|region| (region.id, region.sample.h, region.sample.l));
-        Self::of_samples(subject, samples.collect(), wanted)
+        Self::of_samples(subject, samples.collect(), wanted, atlas.accuracy)
     }
 }
 

@@ -90,7 +90,7 @@ impl Course<'_> {
             let mut found = vec![self.follow(member, 0.5 * distance, true)?];
             // The other way on which the family passes lies opposite.
             let opposite = [-x / size, -y / size];
-            if laps == 3
+            if kind == OrbitEventKind::Tripling
                 && let Some(other) = look(distance, opposite)
             {
                 let [u, v] = beside(&other);

@@ -21,7 +21,7 @@ pub(super) struct Located {
     pub place: f64,
 }
 
-/// Where the parameter turns back without a change of sign of the trace − 2, that touches 0: the members beside it are so near.
+/// Within this of 2 at both members, the trace is taken to touch 2 between them.
 const TOUCHES: f64 = 0.1;
 
 /// Where two families cross an orbit is known to the square root of its defect only: the other family closes as well.

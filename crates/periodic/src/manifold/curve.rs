@@ -80,7 +80,7 @@ impl Branch {
         if most == 0 {
             return Ok(seeds);
         }
-        let images = world.map.images(&starts, most)?;
+        let images = world.map.distant_images(&starts, most)?;
         let mut images = images.iter();
         let place = |((k, _), seed): (&(usize, f64), Option<Phase>)| {
             let seed = seed?;

@@ -8,7 +8,7 @@ use crate::flow::Phase;
 
 /// The largest distance of neighbours.
 pub const GAP: f64 = 0.02;
-/// The largest angle between neighbouring chords, as its sine, in radians …
+/// The largest distance of the unit vectors along neighbouring chords, which is their angle in radians as long as it is small …
 const BEND: f64 = 0.2;
 /// … unless they are shorter than this.
 const SHORT: f64 = 1e-3;
@@ -111,12 +111,17 @@ pub fn breaks(
     level: usize,
     nodes: &[Node],
 ) -> Result<Vec<Option<Break>>, SectionError> {
-    let mut broken = vec![None; nodes.len() - 1];
-    let places: Vec<usize> = (0..broken.len()).filter(|k| is_broken(&nodes[*k..=k + 1])).collect();
-    let seeds = places.iter().flat_map(|k| [nodes[*k].s, nodes[k + 1].s]);
-    let starts: Option<Vec<Phase>> = seeds.map(|s| branch.seed(world.surface(), s)).collect();
-    let Some(starts) = starts.filter(|starts| !starts.is_empty()) else { return Ok(broken) };
-    let images = world.map.images(&starts, level.max(1))?;
+    let is_apart = |pair: &[Node]| (distance(&pair[0], &pair[1]) > GAP).then_some(Break::Gap);
+    let mut broken: Vec<Option<Break>> = nodes.windows(2).map(is_apart).collect();
+    let seed = |k: usize| branch.seed(world.surface(), nodes[k].s);
+    let jumps = (0..broken.len()).filter(|k| is_broken(&nodes[*k..=k + 1]));
+    let jumps = jumps.filter_map(|k| Some((k, [seed(k)?, seed(k + 1)?])));
+    let (places, starts): (Vec<usize>, Vec<[Phase; 2]>) = jumps.unzip();
+    if places.is_empty() {
+        return Ok(broken);
+    }
+    let starts = starts.concat();
+    let images = world.map.distant_images(&starts, level.max(1))?;
     for (pair, k) in images.chunks(2).zip(places) {
         // The first return that jumps: one of the two was just born there.
         let jump = pair[0].iter().zip(&pair[1]).find(|(a, b)| (a.point - b.point).norm() > 0.1 * GAP);
