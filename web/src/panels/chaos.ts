@@ -52,7 +52,7 @@ export function chaosLayer(session: Session): { tool: HTMLButtonElement; legend:
     else {
       const cells = ({ cells }: { cells: number }) => `${cells} × ${cells} cells`;
       const next = told.next && told.next.level !== told.level ? `; ${cells(told.next.level)}: ${Math.round(100 * told.next.share)} % done` : told.next ? `, ${Math.round(100 * told.next.share)} % done` : "";
-      words.textContent = `${cells(told.level)}, standard deviations up to ${told.error.toFixed(2)}, ${(100 * told.open).toFixed(1)} % without a verdict${next}. Grey: not measured`;
+      words.textContent = `${cells(told.level)}, standard deviations up to ${told.error.toFixed(2)}, ${(100 * told.open).toFixed(1)} % without a verdict${next}. Grey: no orbit of the region in the cell`;
     }
   };
   session.on(["body", "drawing", "theme"], follow);

@@ -18,11 +18,17 @@ export const plot = ({ width, height }: Size, { straight, chaos }: Pick<State, "
   return { x: 46, y: top, width: Math.max(10, width - 46 - right), height: Math.max(10, height - 36 - top) };
 };
 
+/** The frame that the drawing was made for: a diagram that cannot be straightened keeps the frame of one that is. */
+export const areaOf = (size: Size, { state, drawn }: Session): Area => {
+  const area = plot(size, state);
+  return drawn ? { ...area, width: drawn.chart.width, height: drawn.chart.height } : area;
+};
+
 export function paintDiagram(pen: Pen, size: Size, session: Session): void {
   const drawn = session.drawn!;
   const { chart } = drawn;
   const colors = ink();
-  const area = plot(size, { ...session.state, straight: chart instanceof StraightChart });
+  const area = areaOf(size, session);
   paintRegions(pen, area, drawn, colors, session);
   pen.save();
   pen.beginPath();
@@ -30,7 +36,7 @@ export function paintDiagram(pen: Pen, size: Size, session: Session): void {
   pen.clip();
   pen.translate(area.x, area.y);
   if (chart instanceof StraightChart) paintLevels(pen, chart, colors);
-  if (session.shadow) paintShadow(pen, chart, session.shadow, colors);
+  if (session.shadow?.straight === chart instanceof StraightChart) paintShadow(pen, chart, session.shadow!, colors);
   if (session.state.chaos) paintHalo(pen, drawn, colors);
   paintCurves(pen, drawn, colors, session.hover.curve);
   paintEvents(pen, drawn, colors);
@@ -147,7 +153,7 @@ function paintShadow(pen: Pen, chart: Chart, shadow: Shadow, colors: Ink): void 
   pen.strokeStyle = colors.faint;
   pen.globalAlpha = 0.45;
   pen.lineWidth = 3;
-  for (const points of shadow.values()) stroke(pen, chart.line(points), -Infinity, Infinity, []);
+  for (const points of shadow.curves.values()) stroke(pen, chart.line(points), -Infinity, Infinity, []);
   pen.globalAlpha = 1;
 }
 

@@ -25,6 +25,10 @@ export interface Known {
 }
 
 /** Curves of the body before, which stay in sight for a while so that one sees what moved. */
-export type Shadow = Map<string, Float64Array>;
+export interface Shadow {
+  curves: Map<string, Float64Array>;
+  /** They are points of the straightened plane. */
+  straight: boolean;
+}
 
 export const NOTHING: Known = { status: "open", region: null, signature: "", components: null, margin: null, exact: false };

@@ -107,7 +107,7 @@ export class Session extends Emitter {
 
   body(A: Triple, r: Triple): void {
     clearTimeout(this.fading);
-    this.shadow ??= this.drawn?.curves ?? null;
+    this.shadow ??= this.outline();
     this.held ??= this.state.view ? null : (this.drawn?.window ?? null);
     this.state = { ...this.state, A, r, view: this.dragging === "body" ? this.state.view : null };
     this.emit("body");
@@ -126,11 +126,17 @@ export class Session extends Emitter {
     void this.glance();
   }
 
+  /** The curves as they are drawn now. */
+  private outline(): Shadow | null {
+    return this.drawn ? { curves: this.drawn.curves, straight: this.drawn.chart instanceof StraightChart } : null;
+  }
+
   /** Straightens the plane, or shows it as it is. */
   straighten(straight: boolean): void {
     this.state = { ...this.state, straight };
     this.shares = this.shadow = null;
     this.pinned = false;
+    this.emit("shadow");
     this.write(true);
     this.emit("theme");
     void this.redraw();
@@ -182,7 +188,7 @@ export class Session extends Emitter {
   /** Keeps the curves that are drawn now to compare others with, or lets them go. */
   pin(): void {
     this.pinned = !this.pinned;
-    this.shadow = this.pinned ? (this.drawn?.curves ?? null) : null;
+    this.shadow = this.pinned ? this.outline() : null;
     this.emit("shadow");
   }
 
