@@ -21,6 +21,7 @@ impl Shares {
     /// # Errors
     /// A body that is none.
     #[wasm_bindgen(constructor)]
+    #[expect(clippy::needless_pass_by_value, reason = "so lists of strings come from JavaScript")]
     pub fn new(moments: Vec<String>, center: Vec<String>) -> Result<Self, JsError> {
         Ok(Self { solver: Solver::new(Body::parse(&moments, &center)?, Accuracy::Exact) })
     }
