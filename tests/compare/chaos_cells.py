@@ -46,7 +46,7 @@ def part_of_map(program, cells, error, *more):
         used = children_time() - begin
         document = json.loads(file.read_text())
     sides = [(document["window"][name][1] - document["window"][name][0]) / cells for name in "hl"]
-    return [row for row in document["rows"] if row["orbits"]], used, sides
+    return [row for row in document.get("rows", []) if row["orbits"]], used, sides
 
 
 def alone(rows):
@@ -169,7 +169,7 @@ def main():
         total = {name: total[name] + part for name, part in zip(total, parts)}
     fraction, left_open, share = np.mean(compared, axis=0)
     print(f"over the {len(compared)} cells: {fraction:.3f} + {left_open:.3f} open, heyoka {share:.3f}")
-    print(f"bifdiag {total['cells'] / total['ours']:.1f} cells a second, heyoka {total['cells'] / total['for all']:.3f}: "
+    print(f"bifdiag {total['cells'] / total['ours']:.1f} rows a second, heyoka {total['cells'] / total['for all']:.3f}: "
           f"{total['for all'] / total['ours']:.0f} times as many")
     print(f"orbits a second: bifdiag {total['our orbits'] / total['ours']:.0f}, heyoka {total['their orbits'] / total['theirs']:.0f}")
 
