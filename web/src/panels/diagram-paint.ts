@@ -18,17 +18,11 @@ export const plot = ({ width, height }: Size, { straight, chaos }: Pick<State, "
   return { x: 46, y: top, width: Math.max(10, width - 46 - right), height: Math.max(10, height - 36 - top) };
 };
 
-/** The frame that the drawing was made for: a diagram that cannot be straightened keeps the frame of one that is. */
-export const areaOf = (size: Size, { state, drawn }: Session): Area => {
-  const area = plot(size, state);
-  return drawn ? { ...area, width: drawn.chart.width, height: drawn.chart.height } : area;
-};
-
 export function paintDiagram(pen: Pen, size: Size, session: Session): void {
   const drawn = session.drawn!;
   const { chart } = drawn;
   const colors = ink();
-  const area = areaOf(size, session);
+  const area = plot(size, session.state);
   paintRegions(pen, area, drawn, colors, session);
   pen.save();
   pen.beginPath();

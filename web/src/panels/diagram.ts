@@ -9,7 +9,7 @@ import type { Window } from "../bindings/documents";
 import { PlaneChart } from "../state/chart";
 import { beside } from "./beside";
 import { chaosLayer } from "./chaos";
-import { areaOf, paintDiagram, plot } from "./diagram-paint";
+import { paintDiagram, plot } from "./diagram-paint";
 import { gestures } from "./gestures";
 import { stabilityLine } from "./stability";
 
@@ -29,7 +29,7 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
   const tip = make("div", { className: "tip", hidden: true });
   const paint = (pen: Pen, size: Size) => session.drawn && paintDiagram(pen, size, session);
   const sheet = new Sheet(canvas, paint);
-  const frame = () => areaOf(sheet.size, session);
+  const frame = () => plot(sheet.size, session.state);
   const inside = (x: number, y: number): [number, number] => [x - frame().x, y - frame().y];
 
   const choose = (x: number, y: number) => {
