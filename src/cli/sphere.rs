@@ -75,8 +75,7 @@ impl Site {
                 return Err(Failure::input(format!("--region {id}: the atlas of this body has the regions {known}")));
             };
             let sample = atlas.sample(region);
-            let solver = Solver::new(subject.body.clone(), Accuracy::Exact);
-            if solver.is_outside(region, [sample.h, sample.l]) {
+            if Solver::of(atlas, Accuracy::Exact).is_outside(region, [sample.h, sample.l]) {
                 return Err(stray_sample(id));
             }
             let number = |x| Number::from_f64(x).map_err(failed("the sample of the region is beyond f64"));

@@ -8,7 +8,7 @@ use bifdiag_periodic::manifold::Manifolds;
 use bifdiag_plot::{
     OrbitColors, OrbitFamilies, Picture, PlotError, SectionCurves, SectionOptions, SectionScene, Theme, draw_section,
 };
-use bifdiag_schema::{ManifoldKind, OrbitStability};
+use bifdiag_schema::ManifoldKind;
 use thiserror::Error;
 
 /// Why there is no picture.
@@ -55,14 +55,11 @@ pub fn manifolds(
         let pieces = own.flat_map(|manifold| &manifold.curves).flat_map(|curve| &curve.pieces);
         pieces.map(|piece| piece.iter().map(|vertex| place(&found.state(setting, vertex))).collect()).collect()
     };
-    let unstable = |listed: &&_| {
-        let listed: &bifdiag_periodic::list::ListedOrbit = listed;
-        matches!(listed.orbit.stability, OrbitStability::Hyperbolic | OrbitStability::InverseHyperbolic)
-    };
+    let unstable = list.orbits.iter().filter(|listed| listed.orbit.stability.is_unstable());
     let curves = SectionCurves {
         unstable: lines(ManifoldKind::Unstable),
         stable: lines(ManifoldKind::Stable),
-        orbits: list.orbits.iter().filter(unstable).map(|listed| place(&listed.orbit.start)).collect(),
+        orbits: unstable.map(|listed| place(&listed.orbit.start)).collect(),
         connections: found.connections.iter().map(|connection| place(&connection.state)).collect(),
     };
     let of = vec![GREY; orbits.len()];

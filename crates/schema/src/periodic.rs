@@ -20,6 +20,14 @@ term! {
     }
 }
 
+impl OrbitStability {
+    /// It has a multiplier outside the unit circle.
+    #[must_use]
+    pub fn is_unstable(self) -> bool {
+        matches!(self, Self::Hyperbolic | Self::InverseHyperbolic)
+    }
+}
+
 /// A periodic orbit of γ and ω.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct PeriodicOrbitDocument {

@@ -8,12 +8,11 @@ use bifdiag_documents::Subject;
 use bifdiag_dynamics::field::State;
 use bifdiag_dynamics::poincare::SectionSetting;
 use bifdiag_dynamics::section::{Monitor, SectionError, TorusPoint};
-use bifdiag_periodic::list::{ListError, ListOptions, list};
 use bifdiag_periodic::manifold::{Curve, ManifoldError, ManifoldOptions, Manifolds, manifolds};
-use bifdiag_schema::{ManifoldEnd, ManifoldKind, ManifoldsDocument, OrbitStability};
+use bifdiag_schema::{ManifoldEnd, ManifoldKind, ManifoldsDocument};
 use clap::Args;
 
-use super::short::{point_and_crossings, yes};
+use super::short::{listed, point_and_crossings, yes};
 use crate::cli::export::{Columns, DataTarget, FileSet, PictureArguments, Values, answer};
 use crate::cli::failure::{Failure, failed};
 use crate::cli::input::{BodyArguments, PointArguments, head, motion_units, values};
@@ -80,15 +79,7 @@ pub fn run(arguments: &ManifoldsArguments, timings: &Timings, quiet: bool) -> Re
     let monitor = Arc::new(Monitor::default());
     let stop = Arc::clone(&monitor);
     let interruptible = stoppable(move || stop.stop.store(true, Ordering::Relaxed));
-    let options = ListOptions { crossings: arguments.crossings, ..ListOptions::default() };
-    let progress = Progress::open("motions followed", quiet);
-    let listed = timings
-        .stage("orbits", || progress.watching(&monitor.orbits, || list(&setting, &options, &monitor)))
-        .map_err(|error| match error {
-            ListError::Setting(error) => poincare_failure(error),
-            ListError::Section(SectionError::Interrupted) => Failure::work("interrupted"),
-            error => failed("the orbits could not be found")(error),
-        })?;
+    let listed = listed(&setting, arguments.crossings, &monitor, timings, quiet)?;
     let options = ManifoldOptions { length: arguments.length };
     let progress = Progress::open("motions followed", quiet);
     let work = || progress.watching(&monitor.orbits, || manifolds(&setting, &listed, &options, &monitor));
@@ -184,7 +175,7 @@ fn text(subject: &Subject, document: &ManifoldsDocument, written: &[PathBuf]) ->
         document.h, document.l, document.crossings
     ));
     report.line("");
-    if document.orbits.iter().all(|orbit| !is_unstable(orbit.stability)) {
+    if document.orbits.iter().all(|orbit| !orbit.stability.is_unstable()) {
         report.line("none that is isolated");
     } else {
         report.line(of_orbits(document).text());
@@ -218,17 +209,13 @@ fn text(subject: &Subject, document: &ManifoldsDocument, written: &[PathBuf]) ->
     report.text()
 }
 
-fn is_unstable(stability: OrbitStability) -> bool {
-    matches!(stability, OrbitStability::Hyperbolic | OrbitStability::InverseHyperbolic)
-}
-
 fn vector(v: [f64; 3]) -> String {
     v.map(|x| significant(if x.abs() < 1e-9 { 0.0 } else { x }, DIGITS)).join(" ")
 }
 
 fn of_orbits(document: &ManifoldsDocument) -> Table {
     let mut table = Table::new(&["orbit", "crossings", "T", "multiplier", "symmetric", "proved", "gamma"]);
-    for (number, orbit) in document.orbits.iter().enumerate().filter(|(_, orbit)| is_unstable(orbit.stability)) {
+    for (number, orbit) in document.orbits.iter().enumerate().filter(|(_, orbit)| orbit.stability.is_unstable()) {
         table.row([
             number.to_string(),
             orbit.crossings.to_string(),

@@ -7,7 +7,7 @@ use bifdiag_body::Number;
 use bifdiag_documents::Subject;
 use bifdiag_dynamics::poincare::SectionSetting;
 use bifdiag_dynamics::section::{Monitor, SectionError};
-use bifdiag_periodic::list::{ListError, ListOptions, MOST_CROSSINGS, list};
+use bifdiag_periodic::list::{ListError, ListOptions, MOST_CROSSINGS, OrbitList, list};
 use bifdiag_schema::{PeriodicDocument, PeriodicOrbitDocument};
 use clap::Args;
 
@@ -41,18 +41,29 @@ pub fn run(arguments: &ShortArguments, timings: &Timings, quiet: bool) -> Result
     let monitor = Arc::new(Monitor::default());
     let stop = Arc::clone(&monitor);
     let interruptible = stoppable(move || stop.stop.store(true, Ordering::Relaxed));
+    let found = listed(&setting, crossings, &monitor, timings, quiet);
+    drop(interruptible);
+    let found = found?;
+    let document = bifdiag_documents::periodic(&subject, [h, l], crossings, &found);
+    answer(arguments.json, &document, || text(&subject, &document))
+}
+
+/// The orbits of the point, as the work goes on.
+pub fn listed(
+    setting: &SectionSetting,
+    crossings: u32,
+    monitor: &Monitor,
+    timings: &Timings,
+    quiet: bool,
+) -> Result<OrbitList, Failure> {
     let options = ListOptions { crossings, ..ListOptions::default() };
     let progress = Progress::open("motions followed", quiet);
-    let work = || progress.watching(&monitor.orbits, || list(&setting, &options, &monitor));
-    let found = timings.stage("orbits", work);
-    drop(interruptible);
-    let found = found.map_err(|error| match error {
+    let work = || progress.watching(&monitor.orbits, || list(setting, &options, monitor));
+    timings.stage("orbits", work).map_err(|error| match error {
         ListError::Setting(error) => poincare_failure(error),
         ListError::Section(SectionError::Interrupted) => Failure::work("interrupted"),
         error => failed("the orbits could not be found")(error),
-    })?;
-    let document = bifdiag_documents::periodic(&subject, [h, l], crossings, &found);
-    answer(arguments.json, &document, || text(&subject, &document))
+    })
 }
 
 /// h and l, which have to be given; and a number of crossings that is possible.

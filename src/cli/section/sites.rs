@@ -89,26 +89,26 @@ impl Sites {
             let sample = atlas.sample(region);
             (region.to_string(), sample.h, sample.l)
         });
-        Self::of_samples(subject, samples.collect(), wanted, Accuracy::Exact)
+        let samples = samples.collect();
+        Self::of_samples(subject, samples, wanted, Some(&Solver::of(atlas, Accuracy::Exact)))
     }
 
-    /// The samples of the wanted regions. Of regions as the exact atlas has them each must lie in its own.
+    /// The samples of the wanted regions, each of which must lie in its own, where a solver knows the same regions.
     fn of_samples(
         subject: Subject,
         samples: Vec<(String, f64, f64)>,
         wanted: &[String],
-        accuracy: Accuracy,
+        solver: Option<&Solver>,
     ) -> Result<Self, Failure> {
         let list = chosen(samples, wanted)?;
-        let solver = Solver::new(subject.body.clone(), Accuracy::Exact);
-        let is_stray = |id: &str, site: &Site| {
-            id.parse().is_ok_and(|region| solver.is_outside(region, [site.h.to_f64(), site.l.to_f64()]))
-        };
-        let named = list.iter().filter_map(|site| Some((site.region.as_deref()?, site)));
-        match named.filter(|_| accuracy == Accuracy::Exact).find(|(id, site)| is_stray(id, site)) {
-            Some((id, _)) => Err(stray_sample(id)),
-            None => Ok(Self { subject, list, all: is_all(wanted) }),
-        }
+        let stray = solver.and_then(|solver| {
+            list.iter().find_map(|site| {
+                let id = site.region.as_deref()?;
+                let is_outside = solver.is_outside(id.parse().ok()?, [site.h.to_f64(), site.l.to_f64()]);
+                is_outside.then(|| stray_sample(id))
+            })
+        });
+        stray.map_or_else(|| Ok(Self { subject, list, all: is_all(wanted) }), Err)
     }
 
     /// The samples of an atlas.json.
@@ -131,7 +131,8 @@ impl Sites {
         let units = units.map_err(|error: UnitsError| wrong(&format!("the units of its part: {error}")))?;
         let subject = Subject { body, part: atlas.body.part, units };
         let samples = atlas.regions.into_iter().map(|region| (region.id, region.sample.h, region.sample.l));
-        Self::of_samples(subject, samples.collect(), wanted, atlas.accuracy)
+        let solver = (atlas.accuracy == Accuracy::Exact).then(|| Solver::new(subject.body.clone(), Accuracy::Exact));
+        Self::of_samples(subject, samples.collect(), wanted, solver.as_ref())
     }
 }
 

@@ -2,7 +2,7 @@
 
 use bifdiag::diagram::atlas::Place;
 use bifdiag::documents::words;
-use bifdiag::equilibria::curves::{Curve, CurveName};
+use bifdiag::equilibria::curves::CurveName;
 use bifdiag::numbers::table::Id;
 use bifdiag::schema::AtlasDocument;
 use bifdiag::{Accuracy, Atlas, atlas};
@@ -56,24 +56,8 @@ impl Diagram {
     /// The energies of a curve at rising momenta within its range; none where there is no such curve.
     #[must_use]
     pub fn energies(&self, curve: &str, momenta: &[f64]) -> Vec<f64> {
-        let set = &self.atlas.arrangement().set;
-        let Ok(name) = curve.parse::<CurveName>() else { return Vec::new() };
-        // A pole line may run on the last piece of an axis.
-        let carries = |curve: &Curve| curve.pole.filter(|_| curve.x()[1].is_infinite()).map(CurveName::Pole);
-        let mut curves = set.curves.pairs();
-        let Some((_, curve)) =
-            curves.find(|&(id, curve)| CurveName::of(set, id) == name || carries(curve) == Some(name))
-        else {
-            return Vec::new();
-        };
-        let [from, to] = curve.x();
-        // Below this a curve that starts at l = 0 is at its limit to the last bit.
-        let least = if from > 0.0 { from } else { 1e-60 };
-        let energy = |l: &f64| {
-            let scaled = l / set.frame.momentum_unit;
-            self.atlas.energy(curve.point(&set.frame, (0.5 * scaled * scaled).max(least).min(to)).h())
-        };
-        momenta.iter().map(energy).collect()
+        let name = curve.parse::<CurveName>().ok();
+        name.and_then(|name| self.atlas.energies(name, momenta)).unwrap_or_default()
     }
 
     /// The regions met at `count` momenta in the middles of equal parts of [from, to]: for each the number of curves over

@@ -59,7 +59,7 @@ async function draw(body: string, view: Window | null, width: number, height: nu
 /** The diagram that was drawn last, straightened. */
 function straighten(module: Straights, width: number, height: number, { held, momenta }: Straightening): StraightDrawing & { curves: Float64Array } {
   const { of, text, document } = diagram!;
-  // Of the forms of a name the shares are fitted to all on two lines, on one, and to the id.
+  // The shares are fitted to three forms of a name: on two lines, on one line, and the id alone.
   const boxes = Float64Array.from(document.regions.flatMap((region) => boxesOf(region).flat()));
   const found = new module.Straight(text, of, width, height, boxes, held, momenta);
   try {

@@ -32,7 +32,7 @@ interface Found {
   level: Level;
   tiles: Set<number>;
   /** By cell, region and component. */
-  shares: Map<string, Share>;
+  shares: Map<number, Share>;
 }
 
 export class ChaosMap {
@@ -131,4 +131,5 @@ export class ChaosMap {
   }
 }
 
-const key = (i: number, j: number, region: number, component: number): string => `${i},${j},${region},${component}`;
+/** A number, since each pixel asks: cells along a side, regions and components are far fewer than 4,096. */
+const key = (i: number, j: number, region: number, component: number): number => ((component * 4096 + region) * 4096 + i) * 4096 + j;

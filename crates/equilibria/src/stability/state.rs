@@ -186,9 +186,8 @@ impl<E: Enclosure> State<E> {
     /// Ω and μ = J + ⟨γ, r⟩/s, in the body's units and rounded; along a family μ is monotone, where l and h turn back at cusps.
     #[must_use]
     pub fn on_family(&self, c: &Constants<E>, frame: &Frame) -> [f64; 2] {
-        let gap = (0..3).fold(c.small(0), |sum, k| sum + self.w[k].clone() * self.tau[k].clone());
         let moment_unit = frame.momentum_unit / frame.frequency_unit;
-        [(self.s.sqrt(), frame.frequency_unit), (self.j.clone() + gap, moment_unit)].map(|(value, unit)| {
+        [(self.s.sqrt(), frame.frequency_unit), (self.j.clone() + self.gap(c), moment_unit)].map(|(value, unit)| {
             let [lo, hi] = value.bounds();
             (lo + 0.5 * (hi - lo)) * unit
         })
@@ -234,8 +233,12 @@ impl<E: Enclosure> State<E> {
     /// ⟨γ, r⟩ = s(μ − J) (from s(μ − A)γ = r).
     #[must_use]
     pub fn potential(&self, c: &Constants<E>) -> E {
-        let gap = (0..3).fold(c.small(0), |sum, k| sum + self.w[k].clone() * self.tau[k].clone());
-        self.s.clone() * gap
+        self.s.clone() * self.gap(c)
+    }
+
+    /// μ − J.
+    fn gap(&self, c: &Constants<E>) -> E {
+        (0..3).fold(c.small(0), |sum, k| sum + self.w[k].clone() * self.tau[k].clone())
     }
 }
 

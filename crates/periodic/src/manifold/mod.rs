@@ -13,7 +13,7 @@ mod world;
 
 use bifdiag_dynamics::poincare::SectionSetting;
 use bifdiag_dynamics::section::{Monitor, SectionError};
-use bifdiag_schema::{ManifoldKind, OrbitStability};
+use bifdiag_schema::ManifoldKind;
 use thiserror::Error;
 
 pub use crossing::Crossing;
@@ -74,12 +74,11 @@ pub fn manifolds(
     };
     let worlds = [world(false), world(true)];
     let mut found = Manifolds::default();
-    let is_unstable = |s| matches!(s, OrbitStability::Hyperbolic | OrbitStability::InverseHyperbolic);
     let mut targets: Vec<Phase> = Vec::new();
     let mut branches: Vec<Branch> = Vec::new();
     for (place, listed) in list.orbits.iter().enumerate() {
         let orbit = &listed.orbit;
-        if !is_unstable(orbit.stability) {
+        if !orbit.stability.is_unstable() {
             continue;
         }
         let turns = (orbit.crossings / 2) as usize;

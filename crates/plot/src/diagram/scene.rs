@@ -95,6 +95,17 @@ pub trait CurveSource {
     }
 }
 
+/// The curves of an atlas, for the tests of this folder.
+#[cfg(test)]
+pub(super) struct Curves(pub bifdiag_diagram::atlas::Atlas);
+
+#[cfg(test)]
+impl CurveSource for Curves {
+    fn polyline(&self, curve: &str, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>> {
+        self.0.polyline(curve.parse().ok()?, l, tolerance)
+    }
+}
+
 /// A piece of a region between two curves.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cell {

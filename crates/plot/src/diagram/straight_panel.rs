@@ -41,7 +41,7 @@ impl<'a> StraightPanel<'a> {
         Ok(Self { scene, straight: straight.ok_or(PlotError::NotStraight)? })
     }
 
-    /// By which everything is placed.
+    /// The shares that place everything.
     #[must_use]
     pub fn shares(&self) -> &StraightShares {
         self.straight.shares()
@@ -92,21 +92,13 @@ impl<'a> StraightPanel<'a> {
 #[cfg(test)]
 mod tests {
     use super::super::labels::{boxes, names};
-    use super::super::scene::DiagramTitle;
+    use super::super::scene::{Curves, DiagramTitle};
     use super::super::straight_diagram;
     use super::*;
     use crate::page::{Width, distance};
     use bifdiag_documents::DocumentOptions;
     use support::bodies::{STRATA, random_body};
     use support::random::SplitMix64;
-
-    struct Curves(bifdiag_diagram::atlas::Atlas);
-
-    impl CurveSource for Curves {
-        fn polyline(&self, curve: &str, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>> {
-            self.0.polyline(curve.parse().ok()?, l, tolerance)
-        }
-    }
 
     fn panels(check: impl Fn(&Curves, &AtlasDocument, &StraightPanel<'_>)) {
         let mut rng = SplitMix64::new(40);

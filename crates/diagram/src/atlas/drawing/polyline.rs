@@ -65,13 +65,23 @@ impl Atlas {
         self.chords(curve, l, Tolerance { h, aspect: STEEP * (l[1] - l[0]) / frame.momentum_unit / h })
     }
 
+    /// The energies of a curve at momenta, at its ends and beyond them the limits; `None` when there is no such curve.
+    #[must_use]
+    pub fn energies(&self, curve: CurveName, momenta: &[f64]) -> Option<Vec<f64>> {
+        let curve = self.named(curve)?;
+        Some(momenta.iter().map(|l| self.h_at(curve, *l)).collect())
+    }
+
+    fn named(&self, name: CurveName) -> Option<&Curve> {
+        let set = &self.arrangement.set;
+        let is_named =
+            |id: CurveId| CurveName::of(set, id) == name || self.carries_pole(id).map(CurveName::Pole) == Some(name);
+        set.curves.ids().find(|&id| is_named(id)).map(|id| &set.curves[id])
+    }
+
     fn chords(&self, curve: CurveName, l: [f64; 2], tolerance: Tolerance) -> Option<Vec<[f64; 2]>> {
         let set = &self.arrangement.set;
-        let number = set
-            .curves
-            .ids()
-            .find(|&c| CurveName::of(set, c) == curve || self.carries_pole(c).map(CurveName::Pole) == Some(curve))?;
-        let curve = &set.curves[number];
+        let curve = self.named(curve)?;
         let range = curve.x().map(|x| self.momentum(x));
         let range = [range[0].max(l[0]), range[1].min(l[1])];
         (range[0] < range[1]).then(|| {

@@ -19,7 +19,7 @@ const MOST: f64 = 60.0;
 /// No level of h is labelled so close to the upper edge, where h goes to infinity.
 const UPPER: f64 = 9.0;
 
-/// Of a label below the axis.
+/// Half the width of a label below the axis.
 pub(crate) fn half_width(label: &str) -> f64 {
     text_width(label, TICK_SIZE) / 2.0
 }

@@ -74,7 +74,7 @@ impl Straight {
     }
 }
 
-/// The shortest decimal in an interval of positive numbers.
+/// A decimal of few places in an interval of positive numbers.
 fn roundest(from: f64, to: f64) -> f64 {
     let middle = 0.5 * (from + to);
     let mut power = 1.0;

@@ -134,20 +134,12 @@ mod tests {
     use super::straighten;
     use crate::diagram::labels::{boxes, names};
     use crate::diagram::plan::Plan;
-    use crate::diagram::scene::{CurveSource, DiagramOptions, Scene, windows};
+    use crate::diagram::scene::{Curves, DiagramOptions, Scene, windows};
     use crate::diagram::straight::plane::{BELOW_ALL, Straight};
     use crate::page::{Point, Rect, Width};
     use bifdiag_documents::DocumentOptions;
     use support::bodies::{STRATA, random_body};
     use support::random::SplitMix64;
-
-    struct Curves(bifdiag_diagram::atlas::Atlas);
-
-    impl CurveSource for Curves {
-        fn polyline(&self, curve: &str, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>> {
-            self.0.polyline(curve.parse().ok()?, l, tolerance)
-        }
-    }
 
     /// Bodies of all strata.
     fn straightened(check: impl Fn(&Straight, &Scene<'_>)) {

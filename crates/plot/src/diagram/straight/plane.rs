@@ -136,7 +136,7 @@ impl Straight {
         (h[h.len() - 1] - h[0]) + self.energy_unit()
     }
 
-    /// By which everything is placed.
+    /// The shares that place everything.
     pub(crate) fn shares(&self) -> &Shares {
         &self.shares
     }
