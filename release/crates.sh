@@ -10,6 +10,9 @@ cargo package --quiet --workspace --no-verify --allow-dirty \
 cp "$CARGO_TARGET_DIR"/package/*.crate "$OUT/crates/"
 cargo metadata --format-version 1 --no-deps --offline | python3 release/order.py > "$OUT/crates/crates.txt"
 diff <(sort "$OUT/crates/crates.txt") <(cd "$OUT/crates" && ls ./*.crate | sed 's#^\./##; s#-[0-9][0-9.]*\.crate$##' | sort)
+for crate in "$OUT"/crates/*.crate; do
+    [ "$(tar -tzf "$crate" | grep -c '/LICENSE-\(MIT\|APACHE\)$')" = 2 ] || { echo "$crate lacks the licences" >&2; exit 1; }
+done
 python3 release/registry.py "$OUT/crates" "$CARGO_TARGET_DIR/registry"
 home="$(mktemp -d)"
 trap 'rm -rf "$home"' EXIT
