@@ -96,7 +96,10 @@ fn a_page_is_served_with_the_body_in_its_address() {
     let (head, body) = served.ask("GET /");
     assert!(head.starts_with("HTTP/1.1 200 OK\r\nContent-Type: text/html"), "{head}");
     assert_eq!(body, b"<title>here</title>");
+    // The page is asked for anew each time; the files that it names have other names once they change.
+    assert!(head.contains("Cache-Control: no-cache\r\n"), "{head}");
     let (head, body) = served.ask("GET /assets/module.wasm?anew");
+    assert!(head.contains("Cache-Control: max-age=31536000, immutable\r\n"), "{head}");
     assert!(head.contains("Content-Type: application/wasm\r\nContent-Length: 8\r\n"), "{head}");
     assert_eq!(body, module);
     assert_eq!(served.ask("HEAD /index.html").1, b"");

@@ -23,6 +23,9 @@ const REFUSAL: Duration = Duration::from_millis(100);
 const CONNECTIONS: usize = 64;
 /// Pause after a connection could not be taken, for instance because no descriptor was free.
 const PAUSE: Duration = Duration::from_millis(50);
+/// Below this path the page's build gives each file a name that changes with its content: a browser need not ask again.
+const NAMED_BY_CONTENT: &str = "/assets/";
+const FOREVER: &str = "max-age=31536000, immutable";
 /// Names of this machine. A page of another site whose name was made to lead here (DNS rebinding) says that name.
 const HOSTS: [&str; 3] = ["localhost", "127.0.0.1", "[::1]"];
 
@@ -171,8 +174,9 @@ fn answer(stream: &TcpStream, folder: &Folder) -> io::Result<()> {
         ("GET" | "HEAD", None) => ("404 Not Found", "text/plain", b"There is no such file.\n".to_vec()),
         _ => ("405 Method Not Allowed", "text/plain", b"Only GET and HEAD are answered.\n".to_vec()),
     };
+    let keep = if status.starts_with("200") && path.starts_with(NAMED_BY_CONTENT) { FOREVER } else { "no-cache" };
     let head = format!(
-        "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\n{encoding}Vary: Accept-Encoding\r\nCache-Control: no-cache\r\nConnection: close\r\n\r\n",
+        "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\n{encoding}Vary: Accept-Encoding\r\nCache-Control: {keep}\r\nConnection: close\r\n\r\n",
         body.len()
     );
     let mut stream = Until(stream, Instant::now() + ANSWER);
