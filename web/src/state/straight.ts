@@ -44,7 +44,8 @@ export class StraightChart implements Chart {
       this.columns.push(column);
     }
     this.regions = new Int16Array(width * height).fill(-1);
-    this.columns.forEach((column) => this.paint(column));
+    // There may be fewer columns than pixels: between two events that are a few units of the last place apart there are no more momenta.
+    for (let x = 0; x < width; x++) this.paint(this.columnAt(x + 0.5), x);
   }
 
   place(h: number, lv: number): Spot | null {
@@ -103,11 +104,11 @@ export class StraightChart implements Chart {
     return left && (!right || x - left.x < right.x - x) ? left : right;
   }
 
-  private paint({ x, y, region }: Column): void {
-    const column = Math.min(this.width - 1, Math.floor(x));
+  private paint(column: Column | undefined, x: number): void {
+    const { y, region } = column ?? { y: [], region: [] };
     for (let k = 0; k < y.length; k++) {
       const [top, bottom] = [Math.round(y[k + 1] ?? 0), Math.round(y[k]!)];
-      for (let row = top; row < bottom; row++) this.regions[row * this.width + column] = region[k]!;
+      for (let row = top; row < bottom; row++) this.regions[row * this.width + x] = region[k]!;
     }
   }
 }

@@ -43,6 +43,12 @@ test("regions fill their pixels", () => {
   expect([at(25, 95), at(25, 89), at(25, 50), at(25, 49), at(25, 0)]).toEqual([-1, 0, 0, 1, 1]);
 });
 
+test("between columns that are far apart, because no momenta lie between them, the nearest one is painted and answers", () => {
+  const at = (x: number, y: number) => chart.regions[y * 100 + x];
+  for (const x of [10, 40, 70, 99]) expect([at(x, 95), at(x, 70), at(x, 20)]).toEqual([-1, 0, 1]);
+  expect([40, 70].map((x) => chart.value(x, 70)![1])).toEqual([0.25, 1]);
+});
+
 test("a name stands where it fits, on one line in a strip", () => {
   // One region over all pixels but the upper 24 rows, which another one has.
   const rows = Float64Array.from(Array.from({ length: 100 }, (_, row) => [1, -1, row < 76 ? 0 : 1]).flat());
