@@ -4,7 +4,8 @@ import { make } from "./draw/dom";
 import { guides } from "./guide/guides";
 import { story } from "./guide/story";
 import { bodiesPanel } from "./panels/bodies";
-import { bodyPanel, presetsOf } from "./panels/body";
+import presets from "virtual:presets";
+import { bodyPanel } from "./panels/body";
 import { Clock } from "./panels/clock";
 import { diagramPanel } from "./panels/diagram";
 import { applyTheme, headPanel } from "./panels/head";
@@ -22,13 +23,12 @@ import { parse, unknownKeys } from "./state/hash";
 import { Session } from "./state/session";
 import { bodyText, FIRST, START } from "./state/state";
 
-async function begin(): Promise<void> {
+function begin(): void {
   const root = document.querySelector("main")!;
   const session = new Session();
   const clock = new Clock();
   // Before all panels, which draw in its colours.
   session.on(["theme"], () => applyTheme(session));
-  const presets = presetsOf(await session.presets());
   const diagram = diagramPanel(session);
   const sphere = spherePanel(session);
   const section = sectionPanel(session, clock);
@@ -37,7 +37,7 @@ async function begin(): Promise<void> {
   const guide = guides(session);
   const sheets = { diagram: diagram.sheet, sphere: sphere.sheet, section: section.sheet, motion: motion.sheet, bodies: bodies.sheet };
   const column = (name: string, ...panels: HTMLElement[]) => make("div", { className: `column ${name}` }, ...panels);
-  const body = bodyPanel(session, presets);
+  const body = bodyPanel(session);
   root.replaceChildren(
     column("left", body, regionsPanel(session)),
     column("middle", diagram.element, pointPanel(session), guide.card),
@@ -70,12 +70,20 @@ async function begin(): Promise<void> {
     read();
   });
   read();
-  // Where the address is no secure one there is no such thing, and the page needs its server when it is opened again.
-  if (import.meta.env.PROD) void navigator.serviceWorker?.register("./offline.js").catch(() => undefined);
+  // What is kept for later is not loaded before the page is there. Where the address is no secure one there is no such thing, and
+  // the page needs its server when it is opened again.
+  let kept = !import.meta.env.PROD;
+  session.on(["ready"], () => {
+    if (kept || document.documentElement.dataset.ready !== "true") return;
+    kept = true;
+    void navigator.serviceWorker?.register("./offline.js").catch(() => undefined);
+  });
   document.title = `bifdiag: ${bodyText(session.state)}`;
 }
 
-begin().catch((error: Error) => {
-  document.querySelector("main")!.replaceChildren(make("p", { className: "error", data: { testid: "error" } }, `The explorer could not start: ${error.message}`));
+try {
+  begin();
+} catch (error) {
+  document.querySelector("main")!.replaceChildren(make("p", { className: "error", data: { testid: "error" } }, `The explorer could not start: ${error instanceof Error ? error.message : String(error)}`));
   document.documentElement.dataset.ready = "true";
-});
+}

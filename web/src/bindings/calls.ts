@@ -61,7 +61,6 @@ export type Site = [body: string, h: string, l: string];
 
 /** The name of a call to its arguments and its answer. */
 export interface Calls {
-  presets: [[], string[]];
   draw: [[body: string, view: Window | null, width: number, height: number, point: [h: number, l: number] | null, straight: Straightening | null], Drawing];
   locate: [[body: string, h: number, l: number], Place];
   surgeries: [[body: string, from: [h: number, l: number], to: [h: number, l: number]], string[]];

@@ -7,11 +7,16 @@ export class Superseded extends Error {}
 
 /** The module is compiled once and shared by all workers: while it arrives where the server knows its type, and else afterwards. */
 let compiled: Promise<WebAssembly.Module> | undefined;
+const load = async () => {
+  const response = await fetch(moduleUrl);
+  if (!response.ok) throw new Error(`the program could not be loaded: ${response.status} ${response.statusText}`);
+  const known = response.headers.get("Content-Type")?.startsWith("application/wasm");
+  return known ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+};
 const compile = () =>
-  (compiled ??= fetch(moduleUrl).then(async (response) => {
-    if (!response.ok) throw new Error(`the program could not be loaded: ${response.status} ${response.statusText}`);
-    const known = response.headers.get("Content-Type")?.startsWith("application/wasm");
-    return known ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+  (compiled ??= load().catch((error: unknown) => {
+    compiled = undefined;
+    throw error;
   }));
 
 interface Waiting {
@@ -22,6 +27,8 @@ interface Waiting {
 
 export class Channel {
   private worker: Worker | undefined;
+  /** Whether the worker has the module. */
+  private able = false;
   private current: Waiting | undefined;
   private queue: Waiting[] = [];
   private clock: ReturnType<typeof setTimeout> | undefined;
@@ -63,28 +70,35 @@ export class Channel {
     clearTimeout(this.clock);
     this.worker?.terminate();
     this.worker = undefined;
+    this.able = false;
     this.current = undefined;
   }
 
+  /** Questions wait until the worker has the module, so that of one kind only the latest is answered then. */
   private advance(): void {
     if (this.current || this.queue.length === 0) return;
+    if (!this.able || !this.worker) return this.begin();
     this.current = this.queue.shift()!;
     const { question } = this.current;
     this.clock = setTimeout(() => this.giveUp(`no answer within ${this.budget} seconds`), 1000 * this.budget);
-    this.start().then(
-      (worker) => this.current?.question === question && worker.postMessage(question),
-      (error: Error) => this.giveUp(error.message),
-    );
+    this.worker.postMessage(question);
   }
 
-  private async start(): Promise<Worker> {
-    if (this.worker) return this.worker;
-    // Its script loads while the module does. Nobody else asks before it has the module: one question after the other.
+  /** Starts the worker, whose script loads while the module does. */
+  begin(): void {
+    if (this.worker) return;
     const worker = (this.worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" }));
     worker.onmessage = ({ data }: MessageEvent<Reply>) => this.settle(data);
     worker.onerror = (event) => this.giveUp(event.message || "the worker stopped");
-    worker.postMessage({ module: await compile() });
-    return worker;
+    compile().then(
+      (module) => {
+        if (this.worker !== worker) return;
+        worker.postMessage({ module });
+        this.able = true;
+        this.advance();
+      },
+      (error: Error) => this.worker === worker && this.giveUp(error.message),
+    );
   }
 
   private settle(reply: Reply): void {
@@ -103,7 +117,7 @@ export class Channel {
   }
 
   private giveUp(message: string): void {
-    const waiting = this.current;
+    const waiting = this.current ?? this.queue.shift();
     this.stop();
     waiting?.reject(new Error(message));
     this.advance();

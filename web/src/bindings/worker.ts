@@ -101,7 +101,6 @@ const chaos = later<Chaos>("the chaotic share", chaosUrl, () => import("./genera
 const straights = later<Straights>("the straightened diagram", straightUrl, () => import("./generated/bifdiag_web_straight.js"));
 
 const answers: { [N in Name]: (...values: Arguments<N>) => Answer<N> | Promise<Answer<N>> } = {
-  presets: () => guest.presets(),
   draw,
   locate,
   surgeries: (body, from, to) => diagramOf(body).of.surgeries(Float64Array.from(from), Float64Array.from(to)),

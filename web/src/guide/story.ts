@@ -49,8 +49,16 @@ export function story(session: Session): { card: HTMLElement; play: HTMLElement 
   for (const kind of ["pointerdown", "keydown", "wheel"] as const) addEventListener(kind, () => (idle(), end()), { capture: true, passive: true });
   addEventListener("hashchange", () => (idle(), end()));
   let clock: ReturnType<typeof setTimeout> | undefined;
-  const idle = () => clearTimeout(clock);
-  if (location.hash.length <= 1 && !matchMedia("(prefers-reduced-motion: reduce)").matches) clock = setTimeout(() => void play(), PATIENCE);
+  const idle = () => {
+    waiting = false;
+    clearTimeout(clock);
+  };
+  let waiting = location.hash.length <= 1 && !matchMedia("(prefers-reduced-motion: reduce)").matches;
+  // From when there is something to tell of, however long that took to load.
+  session.on(["ready"], () => {
+    if (waiting) clock = setTimeout(() => void play(), PATIENCE);
+    waiting = false;
+  });
   return { card, play: button("▶ Story", "A minute that plays itself", () => void play(), { testid: "play-story" }) };
 }
 

@@ -1,4 +1,5 @@
 /** The body: exact texts, presets, and two points to drag, A in the triangle of bodies and r on an octant of the sphere. */
+import presets from "virtual:presets";
 import type { Flags, Triple } from "../bindings/documents";
 import { make, panel } from "../draw/dom";
 import { mark, numberField } from "../draw/field";
@@ -14,6 +15,9 @@ export interface Preset {
   A: Triple;
   r: Triple;
 }
+
+/** Writes what is not there yet: each write makes the browser lay out the field anew. */
+const written = (input: HTMLInputElement, value: string) => input.value === value || (input.value = value);
 
 /** A slider for a number of r; while it is held, its ends stay. */
 function slider(session: Session, axis: number): { element: HTMLInputElement; show: () => void } {
@@ -37,19 +41,9 @@ function slider(session: Session, axis: number): { element: HTMLInputElement; sh
   });
   const show = () => {
     if (!session.dragging) [element.min, element.max] = [String(-reach()), String(reach())];
-    element.value = String(valueOf(session.state.r[axis]!));
+    written(element, String(valueOf(session.state.r[axis]!)));
   };
   return { element, show };
-}
-
-/** `presets()` of the module as a list. */
-export function presetsOf(texts: string[]): Preset[] {
-  const list: Preset[] = [];
-  for (let at = 0; at < texts.length; at += 8) {
-    const [name, note, ...numbers] = texts.slice(at, at + 8) as [string, string, ...string[]];
-    list.push({ name, note, A: numbers.slice(0, 3) as Triple, r: numbers.slice(3) as Triple });
-  }
-  return list;
 }
 
 function field(name: string, hint: string, change: (text: string) => void): HTMLInputElement {
@@ -66,7 +60,7 @@ function field(name: string, hint: string, change: (text: string) => void): HTML
   return input;
 }
 
-export function bodyPanel(session: Session, presets: Preset[]): HTMLElement {
+export function bodyPanel(session: Session): HTMLElement {
   const inputs = (name: "A" | "r", hint: string) =>
     [0, 1, 2].map((axis) =>
       field(`${name}${axis + 1}`, hint, (text) => {
@@ -89,7 +83,7 @@ export function bodyPanel(session: Session, presets: Preset[]): HTMLElement {
   const notes = make("p", { className: "note" });
   const show = () => {
     const { A, r } = session.state;
-    for (const [inputs, numbers] of [[moments, A], [center, r]] as const) inputs.forEach((input, i) => ((input.value = numbers[i]!), mark(input, false)));
+    for (const [inputs, numbers] of [[moments, A], [center, r]] as const) inputs.forEach((input, i) => (written(input, numbers[i]!), mark(input, false)));
     sliders.forEach(({ show }) => show());
     choice.value = presets.find((preset) => preset.A.join() === A.join() && preset.r.join() === r.join())?.name ?? "";
   };

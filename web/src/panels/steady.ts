@@ -13,6 +13,8 @@ export function steadyTable(session: Session): HTMLElement {
   const element = make("div", { className: "steady", hidden: true }, title, make("table", {}, make("thead", {}, head), body), exceptions);
   const show = () => {
     const { critical, state, drawn } = session;
+    // Under the hand the table is that of the place where the hand came from.
+    if (session.dragging && body.rows.length > 0) return;
     element.hidden = critical.length === 0 || !state.point;
     if (element.hidden || !state.point || !drawn) return;
     const palette = branchColors(drawn.document, ink().dark);
@@ -37,7 +39,7 @@ export function steadyTable(session: Session): HTMLElement {
   const mark = () => {
     for (const row of body.rows) row.classList.toggle("lit", row.dataset.curve === session.hover.curve);
   };
-  session.on(["point", "theme"], show);
+  session.on(["point", "theme", "atlas"], show);
   session.on(["body", "atlas"], tell);
   session.on(["hover"], mark);
   return element;

@@ -1,5 +1,5 @@
 /** Who wants to know of a change. */
-export type Change = "body" | "drawing" | "atlas" | "point" | "section" | "orbits" | "selection" | "motion" | "hover" | "theme" | "message" | "guide" | "shadow" | "address" | "chaos";
+export type Change = "body" | "drawing" | "atlas" | "point" | "section" | "orbits" | "selection" | "motion" | "hover" | "theme" | "message" | "guide" | "shadow" | "address" | "chaos" | "ready";
 
 export class Emitter {
   private readonly listeners = new Map<Change, (() => void)[]>();

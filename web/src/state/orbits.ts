@@ -37,9 +37,14 @@ export class Orbits {
   /** Counts what is opened, so that answers to an older question are known. */
   private opening = 0;
   private site: Site = ["", "", ""];
+  private crossings = 0;
   private readonly channel = new Channel(120);
+  /** Verdicts take most of the time, and no batch of them needs another. */
+  private readonly second = new Channel(120);
 
-  constructor(private readonly session: Emitter) {}
+  constructor(private readonly session: Emitter) {
+    for (const channel of [this.channel, this.second]) channel.begin();
+  }
 
   get count(): number {
     return this.rows.reduce((sum, rows) => sum + rows.length / ROW, 0);
@@ -48,18 +53,18 @@ export class Orbits {
   close(reason = ""): void {
     this.opening++;
     Object.assign(this, { reason, axes: null, portrait: null, starts: [], rows: [], judged: [], motion: null, running: false, seconds: 0 });
-    this.channel.reset();
+    this.reset();
     this.session.emit("section");
     this.session.emit("orbits");
     this.session.emit("motion");
   }
 
+  /** Opens the section and follows the first orbits, one of which the body then moves along. */
   async open(body: string, { h, l }: Point, { orbits, seed, crossings }: State): Promise<void> {
     this.close();
-    const opening = ++this.opening;
-    const current = () => opening === this.opening;
     this.site = [body, h, l];
-    try {
+    this.crossings = crossings;
+    await this.work(async (current) => {
       const opened = await this.channel.ask("open", this.site, orbits, seed);
       if (!current()) return;
       const [x, y, z] = [0, 3, 6].map((at) => [...opened.axes.subarray(at, at + 3)] as Vec);
@@ -69,21 +74,46 @@ export class Orbits {
       this.selected = 0;
       this.session.emit("section");
       this.running = true;
-      for (let first = 0, count = CHUNK; first < orbits && current(); first += count) {
-        count = Math.min(Math.max(first, CHUNK), LARGEST_CHUNK);
+      await this.follow(0, CHUNK, crossings, current);
+      await this.play(current);
+    });
+  }
+
+  /** Follows the other orbits, and judges all. */
+  async complete(): Promise<void> {
+    const { crossings, starts } = this;
+    const orbits = starts.length;
+    await this.work(async (current) => {
+      if (!this.running) return;
+      for (let first = CHUNK, count = CHUNK; first < orbits && current(); first += count) {
+        count = Math.min(first, LARGEST_CHUNK, orbits - first);
         await this.follow(first, count, crossings, current);
       }
-      await this.play(current);
-      for (let first = 0; first < orbits && current(); first += CHUNK) await this.judge(first, CHUNK, crossings, current);
-      if (!current()) return;
-      this.running = false;
+      let next = 0;
+      const judge = async (channel: Channel) => {
+        for (let first = next; first < orbits && current(); first = next) {
+          next += CHUNK;
+          await this.judge(channel, first, Math.min(CHUNK, orbits - first), crossings, current);
+        }
+      };
+      await Promise.all([judge(this.channel), judge(this.second)]);
+      if (current()) this.running = false;
+    });
+    this.session.emit("orbits");
+  }
+
+  /** Work at what is open now; where it fails a sentence says why. */
+  private async work(what: (current: () => boolean) => Promise<void>): Promise<void> {
+    const opening = this.opening;
+    const current = () => opening === this.opening;
+    try {
+      await what(current);
     } catch (error) {
       if (error instanceof Superseded || !current()) return;
       this.running = false;
       this.reason = error instanceof Error ? error.message : String(error);
       this.session.emit("section");
     }
-    this.session.emit("orbits");
   }
 
   /** Starts another orbit at a point of the section. */
@@ -96,7 +126,7 @@ export class Orbits {
       await this.follow(orbit, 1, crossings, current);
       if (!current()) return;
       this.select(orbit);
-      await this.judge(orbit, 1, crossings, current);
+      await this.judge(this.channel, orbit, 1, crossings, current);
     } catch (error) {
       if (error instanceof Superseded) return;
       this.starts.splice(orbit, 1);
@@ -112,10 +142,14 @@ export class Orbits {
     void this.play(() => opening === this.opening && this.selected === orbit).catch(() => undefined);
   }
 
+  private reset(): void {
+    for (const channel of [this.channel, this.second]) channel.reset();
+  }
+
   stop(): void {
     this.opening++;
     this.running = false;
-    this.channel.reset();
+    this.reset();
     this.session.emit("orbits");
   }
 
@@ -140,8 +174,8 @@ export class Orbits {
   }
 
   /** Their verdicts, from the same starts over as many crossings. */
-  private async judge(first: number, count: number, crossings: number, current: () => boolean): Promise<void> {
-    const found = await this.channel.ask("judge", this.site, this.flat(first, count), crossings);
+  private async judge(channel: Channel, first: number, count: number, crossings: number, current: () => boolean): Promise<void> {
+    const found = await channel.ask("judge", this.site, this.flat(first, count), crossings);
     if (!current()) return;
     found.forEach((orbit, i) => (this.judged[first + i] = { ...orbit, orbit: first + i }));
     this.session.emit("orbits");

@@ -74,10 +74,9 @@ export class Session extends Emitter {
 
   constructor() {
     super();
+    this.archivist.begin();
     this.orbits = new Orbits(this);
   }
-
-  presets = () => this.pencil.ask("presets");
 
   /** Everything anew; `opened`: from the address, which is not another step then. A wrong one stays. */
   set(state: State, opened: boolean | "wrong" = false): void {
@@ -110,8 +109,10 @@ export class Session extends Emitter {
     this.shadow ??= this.outline();
     this.held ??= this.state.view ? null : (this.drawn?.window ?? null);
     this.state = { ...this.state, A, r, view: this.dragging === "body" ? this.state.view : null };
+    // The worker draws while the panels take the new numbers.
+    const drawing = this.dragging ? this.sketch() : null;
     this.emit("body");
-    void (this.dragging ? this.sketch() : this.settle());
+    void (drawing ?? this.settle());
   }
 
   point(point: Point | null): void {
@@ -203,7 +204,7 @@ export class Session extends Emitter {
     this.emit("address");
   }
 
-  /** The exact answer to all that the state asks for. */
+  /** The exact answer to all that the state asks for: first what is seen and moves, then verdicts. */
   private async settle(newBody = true): Promise<void> {
     const generation = ++this.generation;
     document.documentElement.dataset.ready = "false";
@@ -213,14 +214,21 @@ export class Session extends Emitter {
     try {
       const early = newBody && this.state.point ? this.classify(generation) : null;
       early?.catch(() => undefined);
-      if (newBody) {
-        this.atlas = this.shares = null;
-        await Promise.all([this.picture(generation), this.document(generation)]);
-      }
+      if (newBody) this.atlas = this.shares = null;
+      // Beside what a page that begins is waited for, the atlas would take half of a processor.
+      const atlas = newBody && !this.opened ? this.document(generation) : null;
+      atlas?.catch(() => undefined);
+      if (newBody) await this.picture(generation);
       if (generation === this.generation) await (early ?? this.classify(generation));
       if (generation === this.generation) {
-        this.write();
-        this.opened = false;
+        void this.reach("moving", generation);
+        const orbits = this.orbits.complete();
+        await (atlas ?? (newBody ? this.document(generation) : null));
+        if (generation === this.generation) {
+          this.write();
+          this.opened = false;
+        }
+        await orbits;
       }
     } catch (error) {
       if (error instanceof Superseded || generation !== this.generation) return;
@@ -231,8 +239,16 @@ export class Session extends Emitter {
     if (generation !== this.generation) return;
     this.emit("message");
     if (newBody) this.fade();
+    await this.reach("true", generation);
+  }
+
+  /** Tells how far the page is, once that is painted: "moving", the picture is there, the point is decided and the body turns; "true", all is. */
+  private async reach(stage: "moving" | "true", generation: number): Promise<void> {
     await new Promise((painted) => requestAnimationFrame(() => requestAnimationFrame(painted)));
-    if (generation === this.generation) document.documentElement.dataset.ready = "true";
+    const { dataset } = document.documentElement;
+    if (generation !== this.generation || dataset.ready === "true") return;
+    dataset.ready = stage;
+    this.emit("ready");
   }
 
   /** Nothing of an older body stays beside a message. */

@@ -1,6 +1,6 @@
 /** What goes wrong, what is slow, what is not there. */
 import { expect, test } from "vitest";
-import { data, go, open, picture, ready, serve } from "./open";
+import { data, go, load, open, picture, ready, serve } from "./open";
 
 serve();
 
@@ -97,6 +97,28 @@ test("frames while a hand drags r", async () => {
   console.log(`frames while dragging r: ${frames.length} drawn, median ${median.toFixed(1)} ms, 95 % within ${late.toFixed(1)} ms`);
   // Figures are printed, not asserted: a test must not depend on what else the machine does.
   expect(frames.length).toBeGreaterThan(10);
+  await page.close();
+});
+
+test("over a slow line the page is there before its module, and the last body that was chosen meanwhile is drawn", async () => {
+  let arrive = () => undefined as void;
+  const held = new Promise<void>((release) => (arrive = release));
+  const page = await load("", { serviceWorkers: "block" }, async (page) => {
+    await page.addInitScript(() => new MutationObserver(() => (((window as { stages?: string[] }).stages ??= []).push(document.documentElement.dataset.ready ?? ""))).observe(document, { subtree: true, attributeFilter: ["data-ready"] }));
+    await page.route(/bifdiag_web_bg-.*\.wasm$/, async (route) => (await held, route.continue()));
+  });
+  const names = page.getByTestId("presets");
+  await names.waitFor();
+  expect(await names.locator("option").count()).toBeGreaterThan(10);
+  expect(await page.getByTestId("region-row").count()).toBe(0);
+  await names.selectOption("kovalevskaya");
+  await names.selectOption("lagrange");
+  arrive();
+  await ready(page);
+  expect(await page.locator(".body-controls .note").textContent()).toContain("form circles");
+  expect(await page.evaluate(() => location.hash)).toContain("A=3/2,1,1&r=1,0,0");
+  const stages = await page.evaluate(() => (window as { stages?: string[] }).stages!);
+  expect([stages.indexOf("moving") >= 0, stages.indexOf("moving") < stages.lastIndexOf("true")]).toEqual([true, true]);
   await page.close();
 });
 

@@ -24,14 +24,21 @@ export function serve(): void {
 
 /** A page at a hash, ready; the console must have stayed free of errors when it is closed. */
 export async function open(hash: string, options: BrowserContextOptions = {}): Promise<Page> {
+  const page = await load(hash, options);
+  await ready(page);
+  return page;
+}
+
+/** A page that begins to load. */
+export async function load(hash: string, options: BrowserContextOptions = {}, prepare: (page: Page) => Promise<void> = async () => undefined): Promise<Page> {
   const context = await browser.newContext({ viewport: SIZE, acceptDownloads: true, ...options });
   const page = await context.newPage();
   const errors: string[] = [];
   page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
   page.on("pageerror", (error) => errors.push(String(error)));
   page.on("close", () => expect(errors).toEqual([]));
+  await prepare(page);
   await page.goto(`${address}${hash ? `#${hash}` : ""}`);
-  await ready(page);
   return page;
 }
 

@@ -47,9 +47,31 @@ test("answers come in the order of the questions, from one worker", async () => 
 test("of those that wait the latest of a kind is answered", async () => {
   answer = echo;
   const channel = new Channel(5);
+  await channel.ask("atlas", "0");
   const [first, second, third] = ["1", "2", "3"].map((body) => channel.latest("atlas", body));
   await expect(second).rejects.toBeInstanceOf(Superseded);
   expect([await first, await third]).toEqual(["1", "3"]);
+});
+
+test("while the module loads nothing is asked, and then only the latest of a kind", async () => {
+  const asked: unknown[] = [];
+  answer = (question) => (asked.push(question.values[0]), echo(question));
+  const channel = new Channel(5);
+  channel.begin();
+  const [first, second] = ["1", "2"].map((body) => channel.latest("atlas", body));
+  await expect(first).rejects.toBeInstanceOf(Superseded);
+  expect([await second, asked, started]).toEqual(["2", ["2"], 1]);
+});
+
+test("a module that could not be loaded is told, and asked for again with the next question", async () => {
+  answer = echo;
+  vi.resetModules();
+  const { Channel } = await import("../../src/bindings/client");
+  vi.stubGlobal("fetch", async () => new Response(null, { status: 503, statusText: "Busy" }));
+  const channel = new Channel(5);
+  await expect(channel.ask("atlas", "a")).rejects.toThrow("the program could not be loaded: 503 Busy");
+  vi.stubGlobal("fetch", async () => new Response(EMPTY));
+  expect(await channel.ask("atlas", "b")).toBe("b");
 });
 
 test("what takes too long ends in a message, and the next question has a new worker", async () => {
