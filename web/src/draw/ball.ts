@@ -5,6 +5,9 @@ export type Vec = [number, number, number];
 /** Rows of a rotation: from the body's axes to those of the screen (right, up, towards the reader). */
 export type Turn = [Vec, Vec, Vec];
 
+/** So many pixels in each direction have one ray: fewer while a hand moves the body. */
+export const grainOf = ({ dragging }: { dragging: string | null }): number => (dragging === "body" ? 2 : 1);
+
 export const dot = (a: Vec, b: Vec): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const cross = (a: Vec, b: Vec): Vec => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 export const times = (s: number, a: Vec): Vec => [s * a[0], s * a[1], s * a[2]];

@@ -7,11 +7,14 @@ export interface Size {
 
 export type Pen = CanvasRenderingContext2D;
 
-/** A panel's canvas: it calls `paint` when it was asked to, once a frame, in CSS pixels. */
+/** A panel's canvas: it calls `paint` when it was asked to, once a frame and while it can be seen, in CSS pixels. */
 export class Sheet {
   readonly pen: Pen;
   size: Size = { width: 0, height: 0 };
   private asked = false;
+  private seen = true;
+  /** Whether it was asked to paint while nobody could see it. */
+  private stale = false;
 
   constructor(
     readonly element: HTMLCanvasElement,
@@ -19,24 +22,34 @@ export class Sheet {
   ) {
     this.pen = element.getContext("2d")!;
     new ResizeObserver(() => this.resize()).observe(element);
+    new IntersectionObserver((entries) => {
+      this.seen = entries.at(-1)!.isIntersecting;
+      if (this.seen && this.stale) this.now();
+    }).observe(element);
   }
 
   /** Paints with the next frame. */
   ask(): void {
-    if (this.asked) return;
+    if (this.asked || (this.stale = !this.seen)) return;
     this.asked = true;
     requestAnimationFrame(() => this.now());
   }
 
   /** Paints at once. */
   now(): void {
-    this.asked = false;
+    this.asked = this.stale = false;
     if (this.size.width === 0) this.measure();
     if (this.size.width === 0) return;
     const scale = this.element.width / this.size.width;
     this.pen.setTransform(scale, 0, 0, scale, 0, 0);
     this.pen.clearRect(0, 0, this.size.width, this.size.height);
     this.paint(this.pen, this.size);
+  }
+
+  /** With what it would show if it were seen. */
+  painted(): this {
+    if (this.stale) this.now();
+    return this;
   }
 
   /** Paints on another pen, such as one that writes SVG. */
@@ -66,6 +79,26 @@ export class Sheet {
     if (width === this.size.width && height === this.size.height) return;
     this.measure();
     this.now();
+  }
+}
+
+/** Pixels on their way to a canvas, kept for the next picture of the same size. */
+export class Pixels {
+  image = new ImageData(1, 1);
+  private readonly canvas = document.createElement("canvas");
+
+  /** As large as asked, with what was in it before. */
+  sized(width: number, height: number): ImageData {
+    if (this.image.width !== width || this.image.height !== height) {
+      this.image = new ImageData(width, height);
+      Object.assign(this.canvas, { width, height });
+    }
+    return this.image;
+  }
+
+  draw(pen: Pen, x: number, y: number, width: number, height: number): void {
+    this.canvas.getContext("2d")!.putImageData(this.image, 0, 0);
+    pen.drawImage(this.canvas, x, y, width, height);
   }
 }
 

@@ -12,7 +12,7 @@ export function save(name: string, content: string | Blob, type = "application/o
 }
 
 export const pictureOf = (sheet: Sheet): Promise<Blob> =>
-  new Promise((resolve, reject) => sheet.element.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the picture could not be made"))), "image/png"));
+  new Promise((resolve, reject) => sheet.painted().element.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the picture could not be made"))), "image/png"));
 
 /** A panel as SVG: what is drawn with lines stays lines. */
 export async function svgOf(sheet: Sheet): Promise<string> {

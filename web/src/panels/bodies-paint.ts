@@ -1,5 +1,5 @@
 /** The picture of a map of bodies. */
-import { ticks, type Pen, type Size } from "../draw/canvas";
+import { Pixels, ticks, type Pen, type Size } from "../draw/canvas";
 import { ink, type Ink, type Rgb } from "../draw/theme";
 import type { State } from "../state/state";
 import type { Border } from "./borders";
@@ -20,12 +20,14 @@ export const boxOf = ({ width, height }: Size): Box => {
   return { x: 46 + (width - 60 - side) / 2, y: 8, side };
 };
 
-let scratch: HTMLCanvasElement | undefined;
+let scratch: Pixels | undefined;
 
 export function paintBodies(pen: Pen, size: Size, state: State, family: Family, cells: Cells, borders: Border[]): void {
   const colors = ink();
   const box = boxOf(size);
-  const image = new ImageData(FINEST, FINEST);
+  scratch ??= new Pixels();
+  const image = scratch.sized(FINEST, FINEST);
+  image.data.fill(0);
   for (let at = 0; at < FINEST * FINEST; at++) {
     const cell = cells.nearest(at);
     if (!cell || cell.class === -2) continue;
@@ -35,11 +37,8 @@ export function paintBodies(pen: Pen, size: Size, state: State, family: Family, 
     for (let i = 0; i < 3; i++) image.data[to + i] = color[i]! * shade;
     image.data[to + 3] = 255;
   }
-  scratch ??= document.createElement("canvas");
-  scratch.width = scratch.height = FINEST;
-  scratch.getContext("2d")!.putImageData(image, 0, 0);
   pen.imageSmoothingEnabled = false;
-  pen.drawImage(scratch, box.x, box.y, box.side, box.side);
+  scratch.draw(pen, box.x, box.y, box.side, box.side);
   axes(pen, family, box, colors);
   const spot = (x: number, y: number, radius: number, color: string) => {
     const across = (value: number, [from, to]: [number, number]) => ((value - from) / (to - from)) * box.side;

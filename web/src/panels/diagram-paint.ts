@@ -1,5 +1,5 @@
 /** The picture of the diagram. */
-import type { Pen, Size } from "../draw/canvas";
+import { Pixels, type Pen, type Size } from "../draw/canvas";
 import { branchColors, css, ink, NO_SHARE, shareColor, tint, type Ink, type Rgb } from "../draw/theme";
 import { valueOf } from "../state/numbers";
 import type { Drawn, Shadow } from "../state/known";
@@ -34,7 +34,7 @@ export function paintDiagram(pen: Pen, size: Size, session: Session): void {
   if (session.state.chaos) paintHalo(pen, drawn, colors);
   paintCurves(pen, drawn, colors, session.hover.curve);
   paintEvents(pen, drawn, colors);
-  paintNames(pen, drawn, colors, session.state.chaos);
+  paintNames(pen, drawn, colors, session.state.chaos, session.dragging === "body");
   paintPoint(pen, chart, session, colors);
   pen.restore();
   if (chart instanceof StraightChart) paintStraightAxes(pen, area, chart, colors);
@@ -42,7 +42,15 @@ export function paintDiagram(pen: Pen, size: Size, session: Session): void {
   if (session.state.chaos) paintScale(pen, area, colors);
 }
 
-let surfaceImage: HTMLCanvasElement | undefined;
+/** While the module is on its way. */
+export function paintWaiting(pen: Pen, { width, height }: Size): void {
+  pen.fillStyle = ink().faint;
+  pen.textAlign = "center";
+  pen.font = "13px system-ui, sans-serif";
+  pen.fillText("Loading …", width / 2, height / 2);
+}
+
+let surface: Pixels | undefined;
 
 const code = ([r, g, b]: Rgb) => (255 << 24) | (b << 16) | (g << 8) | r;
 
@@ -71,21 +79,20 @@ function paintRegions(pen: Pen, area: Area, { document, chart }: Drawn, colors: 
   const { width, height, regions } = chart;
   const lit = session.hover.region ?? null;
   const over = session.state.chaos ? sharesOf(chart, session) : null;
-  const image = new ImageData(width, height);
-  const pixels = new Uint32Array(image.data.buffer);
-  const tints = document.regions.map((region) => {
-    const color = tint(typeOf(region), circlesOf(region), colors.dark);
-    return code(region.id === lit ? (color.map((value) => (colors.dark ? Math.min(255, value + 26) : Math.max(0, value - 22))) as Rgb) : color);
-  });
+  surface ??= new Pixels();
+  const pixels = new Uint32Array(surface.sized(width, height).data.buffer);
   const outside = Number.parseInt(colors.forbidden.slice(1), 16);
-  const forbidden = code([outside >> 16, (outside >> 8) & 255, outside & 255]);
-  for (let at = 0; at < regions.length; at++) pixels[at] = over?.[at] || (regions[at]! < 0 ? forbidden : (tints[regions[at]!] ?? 0));
-  surfaceImage ??= globalThis.document.createElement("canvas");
-  surfaceImage.width = width;
-  surfaceImage.height = height;
-  surfaceImage.getContext("2d")!.putImageData(image, 0, 0);
+  // The forbidden part, whose number is −1, comes first.
+  const palette = new Uint32Array(document.regions.length + 1);
+  palette[0] = code([outside >> 16, (outside >> 8) & 255, outside & 255]);
+  document.regions.forEach((region, number) => {
+    const color = tint(typeOf(region), circlesOf(region), colors.dark);
+    palette[number + 1] = code(region.id === lit ? (color.map((value) => (colors.dark ? Math.min(255, value + 26) : Math.max(0, value - 22))) as Rgb) : color);
+  });
+  for (let at = 0; at < regions.length; at++) pixels[at] = palette[regions[at]! + 1]!;
+  if (over) for (let at = 0; at < regions.length; at++) pixels[at] = over[at] || pixels[at]!;
   pen.imageSmoothingEnabled = false;
-  pen.drawImage(surfaceImage, area.x, area.y, area.width, area.height);
+  surface.draw(pen, area.x, area.y, area.width, area.height);
 }
 
 function paintCurves(pen: Pen, { document, curves, chart }: Drawn, colors: Ink, lit: string | undefined): void {
@@ -181,8 +188,8 @@ function paintEvents(pen: Pen, { document, chart }: Drawn, colors: Ink): void {
 /** Where names stand, as long as the same is drawn. */
 const standing = new WeakMap<Chart, Map<number, Place>>();
 
-function paintNames(pen: Pen, { document, chart }: Drawn, colors: Ink, ground: boolean): void {
-  const found = standing.get(chart) ?? places(chart, document.regions.map(boxesOf));
+function paintNames(pen: Pen, { document, chart }: Drawn, colors: Ink, ground: boolean, moving: boolean): void {
+  const found = standing.get(chart) ?? places(chart, document.regions.map(boxesOf), moving);
   standing.set(chart, found);
   pen.textAlign = "center";
   pen.font = "12px system-ui, sans-serif";

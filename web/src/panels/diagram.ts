@@ -9,7 +9,7 @@ import type { Window } from "../bindings/documents";
 import { PlaneChart } from "../state/chart";
 import { beside } from "./beside";
 import { chaosLayer } from "./chaos";
-import { paintDiagram, plot } from "./diagram-paint";
+import { paintDiagram, paintWaiting, plot } from "./diagram-paint";
 import { gestures } from "./gestures";
 import { stabilityLine } from "./stability";
 
@@ -27,7 +27,11 @@ function narrowed({ h, l }: Window, [hc, lc]: [number, number], factor: number):
 export function diagramPanel(session: Session): { element: HTMLElement; sheet: Sheet } {
   const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": "Diagram of energy h and momentum l: click to choose a point, arrow keys move it, plus and minus zoom" }, data: { testid: "diagram" } });
   const tip = make("div", { className: "tip", hidden: true });
-  const paint = (pen: Pen, size: Size) => session.drawn && paintDiagram(pen, size, session);
+  let painted = session.state.point;
+  const paint = (pen: Pen, size: Size) => {
+    painted = session.state.point;
+    return session.drawn ? paintDiagram(pen, size, session) : session.message || paintWaiting(pen, size);
+  };
   const sheet = new Sheet(canvas, paint);
   const frame = () => plot(sheet.size, session.state);
   const inside = (x: number, y: number): [number, number] => [x - frame().x, y - frame().y];
@@ -39,7 +43,11 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
   // The straightened plane is all to be seen.
   const zoom = (at: [number, number], factor: number) => {
     const { chart, window } = session.drawn ?? {};
-    const next = chart instanceof PlaneChart && narrowed(window!, chart.value(...inside(...at)) ?? [window!.h[0], 0], factor);
+    if (!(chart instanceof PlaneChart)) return;
+    const [x, y] = inside(...at);
+    // Over the numbers of an axis what stands beside them stays.
+    const kept = chart.value(Math.min(chart.width, Math.max(0, x)), Math.min(chart.height, Math.max(0, y)));
+    const next = narrowed(window!, kept ?? [window!.h[0], 0], factor);
     if (next) session.view(next);
   };
   const pan = (dx: number, dy: number) => {
@@ -70,11 +78,13 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
   });
   canvas.addEventListener("keydown", (event) => keys(session, sheet, event, zoom));
   session.on(["drawing"], () => sheet.now());
-  session.on(["point", "hover", "theme", "shadow", "chaos"], () => sheet.ask());
+  session.on(["hover", "theme", "shadow", "chaos"], () => sheet.ask());
+  // What is learnt of a point is told elsewhere.
+  session.on(["point"], () => session.state.point !== painted && sheet.ask());
   const resized = () => (session.resolution = frame());
   new ResizeObserver(() => {
     resized();
-    if (session.drawn) void session.redraw();
+    void session.redraw();
   }).observe(canvas);
   const pin = tool("Keep", "Keep these curves in grey, to compare with another body", () => session.pin());
   session.on(["shadow"], () => pin.setAttribute("aria-pressed", String(session.pinned)));

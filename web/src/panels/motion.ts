@@ -1,6 +1,6 @@
 /** The body's motion: its ellipsoid of inertia turning about the fixed point, the centre of mass, the trace of the vertical, three angles. */
-import { apply, composed, lookingAt, rotation, turned, type Turn, type Vec } from "../draw/ball";
-import { Sheet, type Pen, type Size } from "../draw/canvas";
+import { apply, composed, grainOf, lookingAt, rotation, turned, type Turn, type Vec } from "../draw/ball";
+import { Pixels, Sheet, type Pen, type Size } from "../draw/canvas";
 import { drag } from "../draw/press";
 import { button, make, panel } from "../draw/dom";
 import { ink, type Ink } from "../draw/theme";
@@ -62,6 +62,8 @@ export function motionPanel(session: Session, clock: Clock): { element: HTMLElem
     sheet.ask();
   });
   clock.on(() => {
+    // While a hand changes the body the motion is that of another one.
+    if (session.dragging === "body") return;
     play.textContent = clock.playing ? "❚❚" : "▶";
     slider.value = String(clock.end > 0 ? clock.time / clock.end : 0);
     const { motion } = session.orbits;
@@ -69,8 +71,7 @@ export function motionPanel(session: Session, clock: Clock): { element: HTMLElem
       const at = momentAt(motion, clock);
       angles.textContent = ["ϑ", "ψ", "φ"].map((name, i) => `${name} = ${motion[at + 10 + i]!.toFixed(2)}`).join("  ");
     } else angles.textContent = "";
-    // While a hand changes the body the motion is that of another one.
-    if (session.dragging !== "body") sheet.ask();
+    sheet.ask();
   });
   session.on(["theme", "body"], () => sheet.ask());
   const bar = make("div", { className: "bar" }, play, slider, speed, angles);
@@ -85,7 +86,7 @@ function momentAt(motion: Float64Array, clock: Clock): number {
   return MOMENT * Math.min(count - 1, Math.max(0, Math.round(share * (count - 1))));
 }
 
-let scratch: HTMLCanvasElement | undefined;
+let scratch: Pixels | undefined;
 
 function paint(pen: Pen, size: Size, session: Session, clock: Clock, view: Turn): void {
   const colors = ink();
@@ -108,7 +109,7 @@ function paint(pen: Pen, size: Size, session: Session, clock: Clock, view: Turn)
   };
   paintGravity(pen, radius, view, colors);
   trace(pen, motion, at, axes, place, colors, false);
-  paintBody(pen, size, radius, axes, turn, colors);
+  paintBody(pen, size, radius, grainOf(session), axes, turn, colors);
   trace(pen, motion, at, axes, place, colors, true);
   center(pen, session, place, colors);
   paintAxes(pen, axes, place, colors);
@@ -147,11 +148,12 @@ function legend(pen: Pen, { height }: Size, colors: Ink): void {
   line("— path of the vertical on the body", 0, colors.accent);
 }
 
-/** The ellipsoid by one ray for each pixel: |x/a| = 1 in the body's axes. */
-function paintBody(pen: Pen, size: Size, radius: number, axes: Vec, turn: Turn, colors: Ink): void {
+/** The ellipsoid by one ray for each pixel or few: |x/a| = 1 in the body's axes. */
+function paintBody(pen: Pen, size: Size, large: number, grain: number, axes: Vec, turn: Turn, colors: Ink): void {
+  const radius = large / grain;
   const side = Math.floor(2 * radius) + 2;
-  const image = new ImageData(side, side);
-  const { data } = image;
+  scratch ??= new Pixels();
+  const { data } = scratch.sized(side, side);
   const [X, Y, Z] = turn.map((row) => [row[0] / axes[0], row[1] / axes[1], row[2] / axes[2]]) as unknown as Turn;
   const zz = Z[0] * Z[0] + Z[1] * Z[1] + Z[2] * Z[2];
   for (let row = 0; row < side; row++) {
@@ -161,7 +163,10 @@ function paintBody(pen: Pen, size: Size, radius: number, axes: Vec, turn: Turn, 
       const [a, b, c] = [u * X[0] + v * Y[0], u * X[1] + v * Y[1], u * X[2] + v * Y[2]];
       const half = (a * Z[0] + b * Z[1] + c * Z[2]) / zz;
       const square = half * half - (a * a + b * b + c * c - 1) / zz;
-      if (square < 0) continue;
+      if (square < 0) {
+        data[4 * (row * side + column) + 3] = 0;
+        continue;
+      }
       const depth = -half + Math.sqrt(square);
       const p = [a + depth * Z[0], b + depth * Z[1], c + depth * Z[2]] as const;
       // The normal of |x/a| = 1 is p/a in the body's axes.
@@ -178,10 +183,8 @@ function paintBody(pen: Pen, size: Size, radius: number, axes: Vec, turn: Turn, 
       data[at + 3] = Math.min(255, 255 * square * zz * 0.4 * radius);
     }
   }
-  scratch ??= document.createElement("canvas");
-  scratch.width = scratch.height = side;
-  scratch.getContext("2d")!.putImageData(image, 0, 0);
-  pen.drawImage(scratch, size.width / 2 - side / 2, size.height / 2 - side / 2);
+  const shown = side * grain;
+  scratch.draw(pen, size.width / 2 - shown / 2, size.height / 2 - shown / 2, shown, shown);
 }
 
 /** Where the vertical has pierced the body: on the ellipsoid, in front or behind. */

@@ -87,6 +87,6 @@ export function octant(session: Session): HTMLElement {
     const [right, up, front] = apply(VIEW, direction());
     take(back(VIEW, [right + 0.01 * step[0]!, up + 0.01 * step[1]!, front]));
   });
-  session.on(["body", "theme"], () => sheet.now());
+  session.on(["body", "theme"], () => sheet.ask());
   return make("figure", {}, canvas, make("figcaption", {}, "direction of r"));
 }

@@ -31,6 +31,7 @@ export function pointPanel(session: Session): HTMLElement {
   const sentence = make("p", { className: "sentence", attributes: { "aria-live": "polite" }, data: { testid: "surgery" } });
   // What a screen reader says once the hand rests: the region and what lies over it.
   const told = make("p", { className: "unseen", attributes: { role: "status" }, data: { testid: "told" } });
+  let listing = session.known.components;
   const show = () => {
     const { known, state } = session;
     if (document.activeElement !== h) h.value = state.point?.h ?? "";
@@ -42,8 +43,8 @@ export function pointPanel(session: Session): HTMLElement {
     signature.dataset.signature = known.signature;
     signature.textContent = known.signature ? `P = ${known.signature.split("+").map(surface).join(" + ")}` : "";
     margin.textContent = known.margin && state.point ? `${shown(known.margin.h)} in h from ${known.margin.nearest}` : "";
-    parts.replaceChildren(
-      ...(known.components ?? []).map((component, i) => {
+    if (listing !== known.components) parts.replaceChildren(
+      ...((listing = known.components) ?? []).map((component, i) => {
         const poles = component.poles?.map((pole) => `${pole === "-" ? "−" : "+"}r̂`).join(", ");
         const text = `U = ${surface(component.accessible_region)}${poles ? ` with ${poles}` : ""}, E = ${surface(component.energy_surface)}, P = ${component.section ? `${surface(component.section)}, genus ${component.genus}` : "none"}`;
         const words = `Accessible: ${inWords(component.accessible_region)}. Section: ${component.section ? inWords(component.section) : "none"}. The genus counts handles: boundary circles + poles − 1.`;

@@ -23,6 +23,8 @@ export function sectionPanel(session: Session, clock: Clock): { element: HTMLEle
   const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": "Poincaré section: click to start an orbit; arrow keys move a cross, Enter starts an orbit at it, Tab goes on" }, data: { testid: "section" } });
   let cursor: { psi: number; theta: number } | null = null;
   let still: HTMLCanvasElement | null = null;
+  /** What the points of `still` are. */
+  let drawn = "";
   const paint = (pen: Pen, size: Size) => {
     still = still ?? drawStill(session, size, pen.canvas.width ? pen.canvas.width / size.width : 1);
     pen.drawImage(still, 0, 0, size.width, size.height);
@@ -80,12 +82,15 @@ export function sectionPanel(session: Session, clock: Clock): { element: HTMLEle
     stop.hidden = !orbits.running;
     coloring.value = session.state.coloring;
     note.textContent = orbits.reason || scaleText(session);
+    const { coloring: colors } = session.state;
+    const points = [orbits.count, orbits.rows.length, colors, colors === "orbit" || orbits.judged.filter(Boolean).length].join();
+    if (points === drawn) return;
+    drawn = points;
     anew();
   });
-  session.on(["selection"], anew);
-  session.on(["theme"], anew);
+  session.on(["section", "selection", "theme"], anew);
   new ResizeObserver(anew).observe(canvas);
-  clock.on(() => sheet.ask());
+  clock.on(() => session.dragging !== "body" && sheet.ask());
   const { legend, choice, reason } = verdicts(session);
   const bar = make("div", { className: "bar" }, count, " crossings ", stop, coloring, choice, note);
   const element = panel("Poincaré section", "Each orbit leaves a dot whenever its centre of mass is highest or lowest. T⁺ and T⁻ are the two halves of this surface: over each direction inside U lie two such states, one on each half, and along the dark line, the edge of U, the halves are glued. Over a disc without a pole this gives a sphere S², over a disc with one pole a torus T²; M²₂ has two handles (genus 2). ψ′ and ϑ′ are angles of the vertical about the axis through the poles. Curves: regular orbits; clouds: chaotic ones", make("div", { className: "stage" }, canvas, tip), bar, reason);

@@ -1,6 +1,6 @@
 /** The accessible region U on the Poisson sphere: all directions γ of the vertical, seen from the body, that the energy allows. */
-import { castBall, apply, lookingAt, turned, unit, type Turn, type Vec } from "../draw/ball";
-import { Sheet, type Pen, type Size } from "../draw/canvas";
+import { castBall, apply, grainOf, lookingAt, turned, unit, type Turn, type Vec } from "../draw/ball";
+import { Pixels, Sheet, type Pen, type Size } from "../draw/canvas";
 import { drag } from "../draw/press";
 import { make, panel } from "../draw/dom";
 import { ink, strong, tint, type Ink, type Rgb } from "../draw/theme";
@@ -69,7 +69,8 @@ function directionAt(sheet: Sheet, turn: Turn, event: PointerEvent): Vec | null 
   return [0, 1, 2].map((i) => x * turn[0][i]! + y * turn[1][i]! + z * turn[2][i]!) as Vec;
 }
 
-let scratch: HTMLCanvasElement | undefined;
+let scratch: Pixels | undefined;
+
 
 function paint(pen: Pen, size: Size, session: Session, turn: Turn, labels: Labels): void {
   const colors = ink();
@@ -78,14 +79,16 @@ function paint(pen: Pen, size: Size, session: Session, turn: Turn, labels: Label
   const radius = 0.45 * side;
   const u = potential(A.map(valueOf) as Vec, r.map(valueOf) as Vec, point ? valueOf(point.l) : 0);
   const h = point ? valueOf(point.h) : NaN;
-  const image = new ImageData(side, side);
+  const grain = grainOf(session);
+  const rays = Math.floor(side / grain);
+  scratch ??= new Pixels();
   const extremes = [Infinity, -Infinity] as [number, number];
   for (const { h: value } of session.critical) extremes.splice(0, 2, Math.min(extremes[0], value), Math.max(extremes[1], value));
   const step = Number.isFinite(extremes[0]) && extremes[1] > extremes[0] ? (extremes[1] - extremes[0]) / LEVELS : Infinity;
   const dark = colors.dark;
   const region = session.drawn?.document.regions.find(({ id }) => id === session.known.region);
   const hue: Rgb = region ? strong(tint(typeOf(region), circlesOf(region), dark), dark) : dark ? [120, 130, 140] : [190, 196, 202];
-  castBall(image, radius, turn, (g, light, out, at) => {
+  castBall(scratch.sized(rays, rays), radius / grain, turn, (g, light, out, at) => {
     const value = u(g);
     const inside = value <= h;
     const part = inside ? (labels.at(g) ?? 0) : -1;
@@ -97,11 +100,7 @@ function paint(pen: Pen, size: Size, session: Session, turn: Turn, labels: Label
     for (let i = 0; i < 3; i++) out[at + i] = Math.min(255, base[i]! * shade + (inside ? 22 * light : 0));
     out[at + 3] = 255;
   });
-  scratch ??= document.createElement("canvas");
-  scratch.width = scratch.height = side;
-  scratch.getContext("2d")!.putImageData(image, 0, 0);
-  const [left, top] = [(size.width - side) / 2, (size.height - side) / 2];
-  pen.drawImage(scratch, left, top, side, side);
+  scratch.draw(pen, (size.width - side) / 2, (size.height - side) / 2, side, side);
   pen.strokeStyle = colors.faint;
   pen.lineWidth = 1;
   pen.beginPath();

@@ -43,6 +43,8 @@ export function takePanel(session: Session, sheets: Sheets): HTMLElement {
   const shell = make("code", { data: { testid: "command-line" } });
   const python = make("code", { data: { testid: "python-lines" } });
   const refresh = () => {
+    // Nobody copies from under the hand, and each text moves what stands below it.
+    if (session.dragging) return;
     link.href = location.href;
     link.textContent = "Link to this view";
     shell.textContent = commandLines(session.state);

@@ -85,6 +85,8 @@ export function triangle(session: Session): HTMLElement {
     const sum = a.reduce((x, y) => x + y, 0);
     take(a.map((x, i) => x / sum + 0.005 * step[i]!) as [number, number, number]);
   });
-  session.on(["body", "theme"], () => sheet.now());
+  let shown = session.state.A;
+  session.on(["body"], () => session.state.A.join() !== shown.join() && ((shown = session.state.A), sheet.ask()));
+  session.on(["theme"], () => sheet.ask());
   return make("figure", {}, canvas, make("figcaption", {}, "ratios of A"));
 }

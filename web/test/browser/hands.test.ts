@@ -215,6 +215,26 @@ test("every canvas has its keys, and a voice says region and type", async () => 
   await page.close();
 });
 
+test("the wheel over the numbers of an axis keeps what stands beside them", async () => {
+  const page = await open(`${POINT}&view=0,8,1,5`);
+  const box = (await page.getByTestId("diagram").boundingBox())!;
+  const shown = () => page.evaluate(() => window.bifdiag.window()!);
+  const turn = async (x: number, y: number) => {
+    const before = await shown();
+    await page.mouse.move(box.x + x, box.y + y);
+    await page.mouse.wheel(0, -200);
+    await expect.poll(shown).not.toEqual(before);
+    return shown();
+  };
+  // Below the frame, in its middle; then left of it, at its upper end.
+  const frame = { x: 46, y: 8, width: box.width - 56, height: box.height - 44 };
+  const below = await turn(frame.x + frame.width / 2, box.height - 10);
+  expect([(below.h[0] + below.h[1]) / 2, below.l[0]]).toEqual([expect.closeTo(4, 1), expect.closeTo(1, 3)]);
+  const beside = await turn(10, frame.y);
+  expect([beside.h[0], beside.l[1]]).toEqual([expect.closeTo(below.h[0], 3), expect.closeTo(below.l[1], 3)]);
+  await page.close();
+});
+
 test("after a change of theme nothing keeps the old colours", async () => {
   const ids = ["triangle", "octant", "diagram", "sphere"];
   const pictures = async (page: Page) => Promise.all(ids.map((id) => picture(page, id)));
