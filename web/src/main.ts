@@ -53,10 +53,10 @@ function begin(): void {
   presenter(session, panels, guide.step);
 
   const named = (name: string) => presets.find((preset) => preset.name === name);
-  const read = () => {
+  const read = (hash: string) => {
     try {
-      session.set(location.hash.length > 1 ? parse(location.hash, named) : START, true);
-      const unknown = unknownKeys(location.hash);
+      session.set(hash.length > 1 ? parse(hash, named) : START, true);
+      const unknown = unknownKeys(hash);
       session.notice = unknown.length > 0 ? `The address has ${unknown.join(", ")}, which this page does not know.` : "";
     } catch (error) {
       // What is wrong stays in the address and is told over the paper's body.
@@ -65,11 +65,12 @@ function begin(): void {
       document.documentElement.dataset.ready = "true";
     }
   };
-  addEventListener("hashchange", () => {
+  // What settles just now may write its own address before this is told.
+  addEventListener("hashchange", ({ newURL }) => {
     document.documentElement.dataset.ready = "false";
-    read();
+    read(new URL(newURL).hash);
   });
-  read();
+  read(location.hash);
   // What is kept for later is not loaded before the page is there. Where the address is no secure one there is no such thing, and
   // the page needs its server when it is opened again.
   let kept = !import.meta.env.PROD;

@@ -219,11 +219,14 @@ export class Session extends Emitter {
       const atlas = newBody && !this.opened ? this.document(generation) : null;
       atlas?.catch(() => undefined);
       if (newBody) await this.picture(generation);
-      if (generation === this.generation) await (early ?? this.classify(generation));
+      // What is wrong with the point is told beside the body's atlas.
+      let wrong: unknown = null;
+      if (generation === this.generation) await (early ?? this.classify(generation)).catch((error: unknown) => (wrong = error));
       if (generation === this.generation) {
-        void this.reach("moving", generation);
-        const orbits = this.orbits.complete();
+        if (!wrong) void this.reach("moving", generation);
+        const orbits = wrong ? null : this.orbits.complete();
         await (atlas ?? (newBody ? this.document(generation) : null));
+        if (wrong) throw wrong;
         if (generation === this.generation) {
           this.write();
           this.opened = false;

@@ -21,6 +21,14 @@ test.each([
   await page.close();
 });
 
+test("beside what is wrong with a point stands the body's diagram", async () => {
+  const page = await open(`${PAPER}&h=3,8&l=3.25`);
+  expect(await page.getByTestId("error").textContent()).toContain("3,8");
+  expect(await page.getByTestId("region-row").count()).toBe(9);
+  expect(await page.evaluate(() => location.hash)).toContain("h=3,8");
+  await page.close();
+});
+
 test("where there is no section, a sentence says why, and that is no error", async () => {
   for (const hash of ["A=2,1.5,1&r=0,0,0&h=0.6&l=1", `${PAPER}&h=-9&l=1`]) {
     const page = await open(hash);
@@ -75,6 +83,19 @@ test("a new question while an old one runs wins", async () => {
   await go(page, `${PAPER}&h=3.8&l=3.25`);
   expect(await data(page, "point-region", "region")).toBe("R5");
   expect(Number(await page.getByTestId("crossing-count").textContent())).toBe(12024);
+  await page.close();
+});
+
+test("an address is answered although the page wrote its own in that moment", async () => {
+  const page = await open(`${PAPER}&h=3.8&l=3.25`);
+  await page.evaluate(() => {
+    const own = location.hash;
+    document.documentElement.dataset.ready = "false";
+    location.hash = "body=kovalevskaya&h=2&l=1";
+    history.replaceState(null, "", own);
+  });
+  await ready(page);
+  expect([await data(page, "point-region", "region"), await page.evaluate(() => location.hash)]).toEqual(["R2", "#A=2,2,1&r=1,0,0&h=2&l=1"]);
   await page.close();
 });
 
