@@ -26,6 +26,7 @@ export class Sheet {
       this.seen = entries.at(-1)!.isIntersecting;
       if (this.seen && this.stale) this.now();
     }).observe(element);
+    addEventListener("beforeprint", () => this.painted());
   }
 
   /** Paints with the next frame. */

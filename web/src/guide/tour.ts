@@ -17,7 +17,7 @@ export const TOUR: Step[] = [
   {
     title: "One body, nine regions",
     text: "A rigid body turns about a fixed point under gravity. Two quantities are conserved: its energy h and its angular momentum l about the vertical. The diagram shows all pairs (h, l) for the paper's body. Within each of the nine tinted regions the set of possible motions has the same shape; grey means that no motion has so little energy.",
-    attempt: "Move the pointer over the diagram and watch the table of regions.",
+    attempt: "Move the pointer over the diagram, or tap in it, and watch the table of regions.",
     state: {},
   },
   {

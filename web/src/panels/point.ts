@@ -37,7 +37,7 @@ export function pointPanel(session: Session): HTMLElement {
     if (document.activeElement !== h) h.value = state.point?.h ?? "";
     if (document.activeElement !== l) l.value = state.point?.l ?? "";
     status.dataset.status = known.status === "open" ? "" : known.status;
-    status.textContent = known.status === "regular" ? `${known.exact ? "decided exactly" : "while moving"}` : STATUS[known.status];
+    status.textContent = known.status === "regular" ? `${known.exact ? "decided exactly" : "while moving"}` : known.status === "open" && state.point ? "" : STATUS[known.status];
     region.dataset.region = known.region ?? "";
     region.textContent = known.region ?? "";
     signature.dataset.signature = known.signature;

@@ -74,6 +74,7 @@ export function sectionPanel(session: Session, clock: Clock): { element: HTMLEle
   const count = make("b", { data: { testid: "crossing-count" } }, "0");
   const note = make("span", { className: "note" });
   const stop = button("Stop", "Stop the computation", () => orbits.stop());
+  stop.hidden = true;
   const coloring = make("select", { title: "What the colours of the points show", attributes: { "aria-label": "colours" } });
   for (const [value, text] of COLORINGS) coloring.append(make("option", { value }, text));
   coloring.addEventListener("change", () => session.update({ coloring: coloring.value as Coloring }, "orbits"));

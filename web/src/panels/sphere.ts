@@ -111,7 +111,7 @@ function paint(pen: Pen, size: Size, session: Session, turn: Turn, labels: Label
     return { at: [size.width / 2 + radius * x, size.height / 2 - radius * y], front: z >= 0 };
   };
   paintBoundary(pen, session, place, colors);
-  paintMarks(pen, session, place, colors);
+  paintMarks(pen, size, session, place, colors);
   if (!point) {
     pen.fillStyle = colors.text;
     pen.textAlign = "center";
@@ -139,7 +139,7 @@ function paintBoundary(pen: Pen, session: Session, place: Placed, colors: Ink): 
 }
 
 /** Poles ±r̂, and critical points with their Morse index. */
-function paintMarks(pen: Pen, session: Session, place: Placed, colors: Ink): void {
+function paintMarks(pen: Pen, { width }: Size, session: Session, place: Placed, colors: Ink): void {
   const mark = (vector: Vec, text: string, shape: "dot" | "cross") => {
     const { at, front } = place(vector);
     pen.globalAlpha = front ? 1 : 0.28;
@@ -157,8 +157,9 @@ function paintMarks(pen: Pen, session: Session, place: Placed, colors: Ink): voi
     if (shape === "dot") pen.fill();
     else pen.stroke();
     pen.font = "11px system-ui, sans-serif";
-    pen.textAlign = "left";
-    pen.fillText(text, x + 6, y - 4);
+    const fits = x + 6 + pen.measureText(text).width < width;
+    pen.textAlign = fits ? "left" : "right";
+    pen.fillText(text, fits ? x + 6 : x - 6, y - 4);
     pen.globalAlpha = 1;
   };
   const r = session.state.r.map(valueOf) as Vec;

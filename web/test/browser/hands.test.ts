@@ -65,9 +65,9 @@ test("a phone: a tap chooses a point, a long press drags it, and so does its han
   await page.close();
 });
 
-test("a phone: targets are 44 pixels high, and the bar leads to each panel", async () => {
+test("a phone: targets are 44 pixels high, buttons as wide, and the bar leads to each panel", async () => {
   const page = await open(POINT, phone(PHONES[0]!));
-  const small = await page.evaluate(() => [...document.querySelectorAll("button, select, input, summary, tbody tr")].filter((element) => element.getClientRects().length > 0 && (element as HTMLInputElement).type !== "file" && element.getBoundingClientRect().height < 44).map((element) => element.outerHTML.slice(0, 80)));
+  const small = await page.evaluate(() => [...document.querySelectorAll("button, select, input, summary, tbody tr")].filter((element) => element.getClientRects().length > 0 && (element as HTMLInputElement).type !== "file" && (element.getBoundingClientRect().height < 44 || (element instanceof HTMLButtonElement && element.getBoundingClientRect().width < 44))).map((element) => element.outerHTML.slice(0, 80)));
   expect(small).toEqual([]);
   for (const [name, id] of [["Section", "section"], ["Body", "triangle"], ["Motion", "motion"], ["Diagram", "diagram"]]) {
     await page.getByTestId("stack-bar").getByRole("button", { name: name! }).click();
@@ -255,6 +255,7 @@ test("on paper canvases keep their shape, and there are no buttons", async () =>
   expect(await page.locator("button:visible, select:visible").count()).toBe(0);
   expect(await page.getByTestId("sphere").evaluate((element) => getComputedStyle(element).objectFit)).toBe("contain");
   expect(await page.getByTestId("bodies-map").isVisible()).toBe(false);
+  expect(await page.locator(".swatch").first().evaluate((element) => getComputedStyle(element).printColorAdjust)).toBe("exact");
   await page.close();
 });
 

@@ -332,6 +332,7 @@ test("one panel alone for lecture pages", async () => {
   for (const name of ["diagram", "section", "motion"]) {
     const page = await open(`${POINT}&embed=${name}`, { viewport: { width: 600, height: 420 } });
     for (const id of ["diagram", "sphere", "section", "motion"]) expect(await page.getByTestId(id).isVisible(), `${id} in ${name}`).toBe(id === name);
+    expect(await page.getByTestId("stack-bar").isVisible(), name).toBe(false);
     expect(await colors(page, name)).toBeGreaterThan(20);
     await page.close();
   }
