@@ -34,9 +34,9 @@ page_for_python() {
     cp -r web/dist python/package/bifdiag/page
 }
 
-# An environment for Python's programs, made once: `tool NAME…` installs, `$tools/bin` has them.
+# An environment for Python's programs, made once and again if the folder has been moved: `tool NAME…` installs, `$tools/bin` has them.
 tools="$CARGO_TARGET_DIR/release-tools"
 tool() {
-    [ -d "$tools" ] || python3 -m venv "$tools"
+    "$tools/bin/pip" --version > /dev/null 2>&1 || python3 -m venv --clear "$tools"
     "$tools/bin/pip" install --quiet --disable-pip-version-check "$@" || lacking "pip cannot install $*"
 }
