@@ -24,7 +24,7 @@ pub struct Walk {
 }
 
 /// Places in a step at which signs are looked at.
-const LOOKS: u32 = 8;
+const LOOKS: usize = 8;
 /// A state that a reversor moves no further is one of its fixed points, and so far at most where the trace is nearly 2: the
 /// orbits beside one close nearly as well there, and it is known only to its defect over what the trace is off 2.
 const FIXED: [f64; 2] = [1e-6, 1e-4];
@@ -109,9 +109,9 @@ impl Walker<'_> {
     fn part(&mut self, steps: &[TaylorStep], mut last: Seen, closing: Option<&Seen>) -> Seen {
         for (number, step) in steps.iter().enumerate() {
             self.found.action += 2.0 * height_along(&self.space.top, step);
-            for k in 0..LOOKS {
-                let ends = [k, k + 1].map(|k| f64::from(k) / f64::from(LOOKS));
-                let mut next = self.seen(at(step, ends[1]));
+            for (k, state) in looks(step).into_iter().enumerate() {
+                let ends = [k, k + 1].map(|k| k as f64 / LOOKS as f64);
+                let mut next = self.seen(state);
                 if let Some(closing) = closing.filter(|_| number + 1 == steps.len() && k + 1 == LOOKS) {
                     next.height = closing.height;
                     next.moved.clone_from(&closing.moved);
@@ -162,6 +162,25 @@ impl Walker<'_> {
             }
         }
     }
+}
+
+/// The states at the places where signs are looked at: what [`at`] gives, all at once.
+fn looks(step: &TaylorStep) -> [State; LOOKS] {
+    let places: [f64; LOOKS] = std::array::from_fn(|k| (k + 1) as f64 / LOOKS as f64);
+    let mut states = [State::default(); LOOKS];
+    for i in 0..3 {
+        let (mut gamma, mut l) = ([0.0; LOOKS], [0.0; LOOKS]);
+        for coefficient in step.coefficients().iter().rev() {
+            for k in 0..LOOKS {
+                gamma[k] = gamma[k] * places[k] + coefficient.gamma[i];
+                l[k] = l[k] * places[k] + coefficient.l[i];
+            }
+        }
+        for k in 0..LOOKS {
+            (states[k].gamma[i], states[k].l[i]) = (gamma[k], l[k]);
+        }
+    }
+    states
 }
 
 /// The state at x ∈ [0, 1] of a step. (Not fused: what is looked for has few digits to lose, and where the compiler may not

@@ -52,7 +52,12 @@ impl Course<'_> {
     }
 
     /// The families that begin at a special orbit, as far as they are found: at a tripling both ways on which one passes.
-    pub fn beside(&self, special: &Member, kind: OrbitEventKind) -> Result<Vec<Stretch>, FamilyError> {
+    pub fn beside(
+        &self,
+        special: &Member,
+        is_symmetric: bool,
+        kind: OrbitEventKind,
+    ) -> Result<Vec<Stretch>, FamilyError> {
         let (laps, angles) = match kind {
             OrbitEventKind::Doubling => (2, kernel_of(special, -1.0)),
             OrbitEventKind::Branch => (1, kernel_of(special, 1.0)),
@@ -73,7 +78,7 @@ impl Course<'_> {
             let is_new = match kind {
                 OrbitEventKind::Doubling => member.distance_from_half() > distance,
                 OrbitEventKind::Tripling => member.distance_from_third() > distance,
-                _ => special.orbit.symmetric && !member.orbit.symmetric,
+                _ => is_symmetric && !self.describe(&member).0.symmetric,
             };
             is_new.then_some(member)
         };

@@ -3,13 +3,14 @@
 use bifdiag_schema::OrbitEventKind;
 
 use super::member::{Member, Setting};
-use crate::shooting::Keep;
 
 /// A trace that is so near to one of a special orbit all along is no change of sign, but rounding: in integrable tops whole
 /// families have the trace 2.
 const FLAT: f64 = 1e-7;
-/// Steps of the search; it stops where the place no longer moves.
+/// Steps of the search; it stops where the place no longer moves, or moves no less than the step before: that is rounding once
+/// the moves are so small.
 const STEPS: u32 = 60;
+const ROUNDING: f64 = 1e-8;
 
 /// A special orbit, located.
 pub(super) struct Located {
@@ -37,7 +38,7 @@ fn turning(setting: &Setting<'_>, member: &Member) -> f64 {
 
 /// What vanishes where two families meet.
 fn unity(_: &Setting<'_>, member: &Member) -> f64 {
-    member.orbit.trace - 2.0
+    member.trace - 2.0
 }
 
 /// Whether the test changes its sign from one member to the other.
@@ -47,7 +48,7 @@ fn changes(setting: &Setting<'_>, [from, to]: [&Member; 2], test: Test) -> bool 
 
 /// Whether the trace − 2 touches 0 between two members, if it does not change its sign.
 fn touches(members: [&Member; 2]) -> bool {
-    members.iter().all(|member| (member.orbit.trace - 2.0).abs() < TOUCHES)
+    members.iter().all(|member| (member.trace - 2.0).abs() < TOUCHES)
 }
 
 /// The free parameter does not turn back between two members, or the trace is seen to pass 2 or to touch it there.
@@ -58,8 +59,8 @@ pub(super) fn is_turn_explained(setting: &Setting<'_>, from: &Member, to: &Membe
 
 /// The special orbits between a member and the one at `distance` from it, in order.
 pub(super) fn events(setting: &Setting<'_>, from: &Member, to: &Member, distance: f64) -> Vec<Located> {
-    let minus_one: Test = |_, member| member.orbit.trace + 2.0;
-    let third: Test = |_, member| member.orbit.trace + 1.0;
+    let minus_one: Test = |_, member| member.trace + 2.0;
+    let third: Test = |_, member| member.trace + 1.0;
     let changes = |test: Test| changes(setting, [from, to], test);
     let is_clear = |test: Test| test(setting, from).abs() > FLAT && test(setting, to).abs() > FLAT;
     let crosses = |test: Test| is_clear(test) && changes(test);
@@ -89,13 +90,11 @@ fn locate(
     test: Test,
     kind: OrbitEventKind,
 ) -> Located {
-    let parameter = |member: &Member| match setting.held {
-        Keep::Energy(_) => member.orbit.l,
-        _ => member.orbit.h,
-    };
+    let parameter = |member: &Member| member.parameter(setting.space, setting.held);
     let mut ends = [0.0, 1.0];
     let mut values = [test(setting, from), test(setting, to)];
     let mut best: Option<Located> = None;
+    let mut moved_before = f64::INFINITY;
     for _ in 0..STEPS {
         let place = (ends[0] - values[0] * (ends[1] - ends[0]) / (values[1] - values[0])).clamp(ends[0], ends[1]);
         // From the nearest orbit that is known: beside a crossing of families only a good guess leads to the right one.
@@ -109,9 +108,10 @@ fn locate(
             error = error.max(CROSSING);
         }
         best = Some(Located { kind, member, error, place });
-        if moved <= 1e-12 || value == 0.0 {
+        if moved <= 1e-12 || value == 0.0 || (moved <= ROUNDING && moved >= 0.5 * moved_before) {
             break;
         }
+        moved_before = moved;
         let side = usize::from((value < 0.0) != (values[0] < 0.0));
         (ends[side], values[side]) = (place, value);
         values[1 - side] *= 0.5;

@@ -10,6 +10,7 @@ use super::event::{events, is_turn_explained};
 use super::member::{Member, Setting};
 use super::model::{End, FamilyError, FamilyOptions, Held, OrbitEvent, Stretch, number};
 use crate::flow::{Phase, Space};
+use crate::orbit::{About, PeriodicOrbit};
 use crate::reversor::{Reversor, reversors};
 use crate::shooting::Keep;
 use crate::walk::walk;
@@ -35,6 +36,14 @@ struct Places {
     curves: Vec<Option<String>>,
     /// It is one of a circle of them.
     on_circle: Vec<bool>,
+}
+
+/// A member that belongs to the family.
+struct Accepted {
+    member: Member,
+    orbit: PeriodicOrbit,
+    /// How near it comes to the equilibria.
+    nearest: Vec<f64>,
 }
 
 /// Steps along a family: γ, l in their unit and the logarithm of the period count.
@@ -101,7 +110,7 @@ impl<'a> Course<'a> {
     }
 
     pub fn setting(&self) -> Setting<'_> {
-        Setting { space: &self.space, held: self.held, reversors: &self.reversors, places: &self.places.points }
+        Setting { space: &self.space, held: self.held }
     }
 
     /// The equilibria at an l in the units of the top as given; none where l is not a number.
@@ -121,22 +130,22 @@ impl<'a> Course<'a> {
 
     /// Follows a family from its first member on; the branches of a branch are not followed: there may be no end of them.
     pub fn follow(&self, first: Member, mut step: f64, is_branch: bool) -> Result<Stretch, FamilyError> {
-        let period = first.orbit.period;
+        let setting = self.setting();
+        let mut last = self.accept(first);
+        let period = last.orbit.period;
         let mut found = Stretch {
-            members: vec![first.orbit.clone()],
+            members: vec![last.orbit.clone()],
             events: Vec::new(),
             end: End { kind: FamilyEnd::Members, curves: Vec::new() },
         };
-        let mut last = first;
         while found.members.len() < self.options.members && !self.options.monitor.is_stopped() {
-            let setting = self.setting();
-            let next = setting.ahead(&last, step).ok();
+            let before = &last.member;
             let is_fine = |next: &Member| {
-                let seen = turn(&last, next) < TURN && nearing(&last, next) < NEARING;
-                let explained = is_turn_explained(&setting, &last, next) || step < FINEST;
-                next.straight > STRAIGHT && !next.is_beyond_an_end(&last) && (seen || step < FINE) && explained
+                let seen = turn(before, next) < TURN && nearing(before, next) < NEARING;
+                let explained = is_turn_explained(&setting, before, next) || step < FINEST;
+                next.straight > STRAIGHT && !next.is_beyond_an_end(before) && (seen || step < FINE) && explained
             };
-            let Some(next) = next.filter(is_fine) else {
+            let Some(next) = setting.ahead(before, step).ok().filter(is_fine) else {
                 step *= 0.5;
                 if step < SHORTEST {
                     found.end.kind = FamilyEnd::Lost;
@@ -145,65 +154,72 @@ impl<'a> Course<'a> {
                 continue;
             };
             let mut joins = false;
-            for located in events(&setting, &last, &next, step) {
+            for located in events(&setting, before, &next, step) {
+                let Accepted { member, orbit, .. } = self.accept(located.member);
                 // Beyond it come the mirror images of the orbits before it.
-                joins |=
-                    located.kind == OrbitEventKind::Branch && located.member.orbit.symmetric && !last.orbit.symmetric;
-                let mut event = OrbitEvent {
-                    kind: located.kind,
-                    after: found.members.len() - 1,
-                    orbit: located.member.orbit.clone(),
-                    error: located.error,
-                    branches: Vec::new(),
-                };
+                joins |= located.kind == OrbitEventKind::Branch && orbit.symmetric && !last.orbit.symmetric;
+                let mut branches = Vec::new();
                 if self.options.branches && !is_branch {
-                    event.branches.extend(self.beside(&located.member, located.kind)?);
+                    branches = self.beside(&member, orbit.symmetric, located.kind)?;
                 }
-                found.events.push(event);
+                let (kind, after, error) = (located.kind, found.members.len() - 1, located.error);
+                found.events.push(OrbitEvent { kind, after, orbit, error, branches });
             }
             if joins {
                 found.end.kind = FamilyEnd::Joined;
                 break;
             }
+            let next = self.accept(next);
             found.members.push(next.orbit.clone());
             self.options.monitor.orbits.fetch_add(1, Ordering::Relaxed);
             if let Some(end) = self.end(&last, &next, period)? {
                 found.end = end;
                 break;
             }
-            let pace = pace(next.corrections).min(0.7 * TURN / turn(&last, &next)).min(towards_two(&last, &next));
-            step = (step * pace).min(LONGEST).min(longest_step(&last, &next));
+            let (from, to) = (&last.member, &next.member);
+            let pace = pace(to.corrections).min(0.7 * TURN / turn(from, to)).min(towards_two(from, to));
+            step = (step * pace).min(LONGEST).min(longest_step(from, to));
             last = next;
         }
         Ok(found)
     }
 
+    /// What there is to say of a member, and how near it comes to the equilibria.
+    pub fn describe(&self, member: &Member) -> (PeriodicOrbit, Vec<f64>) {
+        About { space: &self.space, reversors: &self.reversors, places: &self.places.points }.describe(&member.shot)
+    }
+
+    fn accept(&self, member: Member) -> Accepted {
+        let (orbit, nearest) = self.describe(&member);
+        Accepted { member, orbit, nearest }
+    }
+
     /// The equilibria at the momentum of a member, and how near it comes to each.
-    fn nearest(&self, member: &Member) -> Result<(Places, Vec<f64>), FamilyError> {
+    fn nearest(&self, accepted: &Accepted) -> Result<(Places, Vec<f64>), FamilyError> {
         if self.options.held == Held::Momentum {
-            return Ok((self.places.clone(), member.nearest.clone()));
+            return Ok((self.places.clone(), accepted.nearest.clone()));
         }
-        let places = self.places_at(self.units.restore(member.orbit.l, Dimension::MOMENTUM))?;
-        let nearest = walk(&self.space, &member.shot, &[], &places.points).nearest;
+        let places = self.places_at(self.units.restore(accepted.orbit.l, Dimension::MOMENTUM))?;
+        let nearest = walk(&self.space, &accepted.member.shot, &[], &places.points).nearest;
         Ok((places, nearest))
     }
 
     /// The end that a member has reached.
-    fn end(&self, before: &Member, member: &Member, period: f64) -> Result<Option<End>, FamilyError> {
-        let shrinks = member.size() < SHRUNK && member.size() < before.size();
-        let [was, is] = [before, member].map(Member::distance_from_half);
+    fn end(&self, before: &Accepted, last: &Accepted, period: f64) -> Result<Option<End>, FamilyError> {
+        let shrinks = last.member.size() < SHRUNK && last.member.size() < before.member.size();
+        let [was, is] = [before, last].map(|accepted| accepted.member.distance_from_half());
         if !shrinks && is < SHRUNK && is < was {
             return Ok(Some(End { kind: FamilyEnd::Joined, curves: Vec::new() }));
         }
-        if !shrinks && member.orbit.period < GROWN * period && member.orbit.trace.abs() < STEEP {
+        if !shrinks && last.orbit.period < GROWN * period && last.orbit.trace.abs() < STEEP {
             return Ok(None);
         }
-        let (places, nearest) = self.nearest(member)?;
+        let (places, nearest) = self.nearest(last)?;
         if let Some(circle) = (0..nearest.len()).find(|&k| places.on_circle[k] && nearest[k] < BESIDE) {
             let (others, earlier) = self.nearest(before)?;
             let same = (0..earlier.len()).find(|&k| others.on_circle[k] && others.curves[k] == places.curves[circle]);
             let shrunk = same.map_or(0.0, |k| libm::log(earlier[k] / nearest[circle]));
-            let grown = libm::log(member.orbit.period / before.orbit.period);
+            let grown = libm::log(last.orbit.period / before.orbit.period);
             if shrunk > 0.0 && (shrunk / grown - 1.0).abs() < ALIKE {
                 let curves = places.curves[circle].clone().into_iter().collect();
                 return Ok(Some(End { kind: FamilyEnd::Circle, curves }));
@@ -228,12 +244,12 @@ fn turn(before: &Member, member: &Member) -> f64 {
         let beyond = libm::log(trace.abs().max(3.0) / 3.0) / libm::log(4.0);
         trace.clamp(-3.0, 3.0) + beyond.min(3.0).copysign(trace)
     };
-    (place(member.orbit.trace) - place(before.orbit.trace)).abs()
+    (place(member.trace) - place(before.trace)).abs()
 }
 
 /// How far the trace is from 2.
 fn from_two(member: &Member) -> f64 {
-    (member.orbit.trace - 2.0).abs().clamp(MEET, 3.0)
+    (member.trace - 2.0).abs().clamp(MEET, 3.0)
 }
 
 /// By which factor the trace has come nearer to 2, or gone away.

@@ -96,7 +96,7 @@ mod tests {
         direction /= direction.norm();
         let frequency = (turn * direction).norm() / direction.norm();
         let frequency = ((turn * turn * direction).norm() / (turn * direction).norm() * frequency).sqrt();
-        let setting = Setting { space: &space, held: Keep::Momentum(0.0), reversors: &[], places: &[] };
+        let setting = Setting { space: &space, held: Keep::Momentum(0.0) };
         let nodes = vec![rest + direction * 1e-3, rest - direction * 1e-3];
         let ring = Ring { nodes, period: std::f64::consts::TAU / frequency };
         let mut member = setting.close(ring, &direction.push(0.0)).unwrap();

@@ -1,9 +1,10 @@
 //! A member while its family is followed.
 
+use bifdiag_dynamics::field::dot;
+
 use super::guess::{Past, Place, guess};
-use crate::flow::{Phase, Space};
-use crate::orbit::{About, PeriodicOrbit, spread};
-use crate::reversor::Reversor;
+use crate::flow::Space;
+use crate::orbit::spread;
 use crate::shooting::{Direction, Keep, Ring, ShootingError, Shot, Slopes};
 
 /// A closed orbit, with the direction in which its family goes on.
@@ -17,22 +18,19 @@ pub(super) struct Member {
     pub(super) past: Option<Past>,
     /// Its nodes are those of the guess, corrected.
     same_nodes: bool,
-    pub orbit: PeriodicOrbit,
-    /// How near it comes to the places of equilibria.
-    pub nearest: Vec<f64>,
+    /// The sum of its multipliers.
+    pub trace: f64,
     /// Corrections that closed it.
     pub corrections: u32,
     /// The cosine of the angle between its direction and that in which it was looked for.
     pub straight: f64,
 }
 
-/// What a member is closed and described with.
+/// What a member is closed with.
 #[derive(Clone, Copy)]
 pub(super) struct Setting<'a> {
     pub space: &'a Space,
     pub held: Keep,
-    pub reversors: &'a [Reversor],
-    pub places: &'a [Phase],
 }
 
 /// Nodes may move so much more slowly than the fastest one before the ring is begun there.
@@ -52,8 +50,6 @@ impl Setting<'_> {
         }
         let mut direction = shot.direction(self.space, self.held, before).ok_or(ShootingError::Singular)?;
         let straight = direction.dot(before) / before.norm();
-        let about = About { space: self.space, reversors: self.reversors, places: self.places };
-        let (orbit, nearest) = about.describe(&shot);
         let speed = |k: usize| shot.frames[k].speed;
         let fastest = (0..shot.frames.len()).max_by(|&i, &j| speed(i).total_cmp(&speed(j))).unwrap_or(0);
         if speed(0) < SLOW * speed(fastest) {
@@ -61,7 +57,8 @@ impl Setting<'_> {
             (shot, direction) = shot.turned(self.space, fastest, &direction);
         }
         let slopes = shot.slopes(self.space, &direction);
-        Ok(Member { shot, direction, slopes, past: None, same_nodes, orbit, nearest, corrections, straight })
+        let trace = shot.reduced().trace();
+        Ok(Member { shot, direction, slopes, past: None, same_nodes, trace, corrections, straight })
     }
 
     /// The member at a distance from another one.
@@ -111,7 +108,13 @@ impl Member {
         self.past.is_some() && apart(self).dot(&apart(before)) < 0.0
     }
 
-    /// How fast what is not held changes along the family.
+    /// What is not held.
+    pub fn parameter(&self, space: &Space, held: Keep) -> f64 {
+        let state = space.state(&self.shot.ring.nodes[0]);
+        if matches!(held, Keep::Energy(_)) { dot(state.gamma, state.l) } else { space.top.energy(&state) }
+    }
+
+    /// How fast it changes along the family.
     pub fn rate(&self, space: &Space, held: Keep) -> f64 {
         let [_, of_l, of_h] = space.gradients(&self.shot.ring.nodes[0]);
         let gradient = if matches!(held, Keep::Energy(_)) { of_l } else { of_h };
