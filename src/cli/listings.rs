@@ -92,9 +92,9 @@ pub enum Name {
     Body,
     /// The answer of `bifdiag state --json`
     State,
-    /// The answer of `bifdiag critical-spin --axis … --json`
+    /// The answer of `bifdiag critical-spin --json` about one axis, or with a tolerance
     CriticalSpin,
-    /// The answer of `bifdiag critical-spin --json` without an axis
+    /// The answer of `bifdiag critical-spin --json` without an axis or a tolerance
     SteadySpins,
     /// The answer of `bifdiag spin-down --json`
     SpinDown,

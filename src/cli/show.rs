@@ -24,7 +24,7 @@ Examples:
 
 The ids are those of `bifdiag atlas`: regions R1, R2, …, curves such as G0.1 or P+, events E1, E2, … by rising l. The name of a \
 branch such as G0 shows each of its curves, that of a surface or of a type such as M2, S2+T2 or k2n1 each region that has it. \
-Without a body, the word is explained.";
+Without a body, a surface or a type is explained.";
 
 /// `bifdiag show`.
 #[derive(Debug, Args)]

@@ -305,6 +305,22 @@ fn a_turned_tensor_is_printed_in_decimals() {
     told.printing("0.0304800");
 }
 
+/// An inertial block is in metres, and the pivot in the units that are asked for, or in its own.
+#[test]
+fn the_pivot_of_an_inertial_block_is_in_the_units_of_the_part() {
+    let directory = tempfile::tempdir().unwrap();
+    let inertial = "<origin xyz='0 0.02 0.15'/><mass value='2.5'/>\
+                    <inertia ixx='0.024' iyy='0.022' izz='0.0045' ixy='0' ixz='0' iyz='0'/>";
+    let arm = format!("<robot name='a'><link name='upper'><inertial>{inertial}</inertial></link></robot>");
+    fs::write(directory.path().join("arm.urdf"), arm).unwrap();
+    for (pivot, units) in [("0,0,10", "g,mm,s"), ("0,0,10mm", "g,mm,s"), ("0,0,0.01m", "g,mm,s")] {
+        let line = format!("body --part arm.urdf --g 9.81 --units {units} --pivot {pivot}");
+        bifdiag(&line).inside(directory.path()).succeeds().printing("(0, 20, 140) mm");
+    }
+    let metres = bifdiag("body --part arm.urdf --g 9.81 --pivot 0,0,10mm").inside(directory.path()).succeeds();
+    metres.printing("(0, 0.02, 0.14) m");
+}
+
 /// A motion is printed in the units of the part, and says in which; a body in numbers has none.
 #[test]
 fn motions_of_parts_say_their_units() {

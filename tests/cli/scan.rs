@@ -441,6 +441,33 @@ fn without_parquet_the_feature_is_named() {
     bifdiag(&format!("{GENERAL} --out a.parquet")).refused().telling("feature `parquet`").telling(".csv");
 }
 
+/// A body that is looked at lies on a border, J_r = A2 or A3 = 4: those beyond it show their events all the same.
+#[test]
+fn bodies_on_borders_hide_no_others() {
+    let document = |line: &str| bifdiag(&format!("scan events {line} --json")).succeeds().json();
+    let ats = |document: &Value| {
+        let mut ats: Vec<f64> = Vec::new();
+        for event in document["events"].as_array().unwrap() {
+            ats.extend(event["at"].as_array().unwrap().iter().map(|at| at.as_f64().unwrap()));
+        }
+        ats.sort_by(f64::total_cmp);
+        ats.dedup();
+        ats
+    };
+    let found = document("--A 3,3,4 --r 0,0,1 --vary A3=3.1:5.5:25");
+    assert_eq!(found["passed"], 1, "{found}");
+    // Every body but A3 = 4.
+    assert_eq!(ats(&found).len(), 24, "{found}");
+    let found = document("--A 2,1.1,1 --r 0.94868,0,0.61623 --vary A2=0.9:1.2:7");
+    let [bodies, passed] = ["bodies", "passed"].map(|name| found[name].as_u64().unwrap());
+    assert_eq!(ats(&found).len() as u64, bodies - passed, "{found}");
+    for line in ["--A 5,3,4 --r 1,2,-0.5 --vary A1=3.5:7:36", "--A 1,1.6,0.7 --r 1,0,0 --vary A2=0.6:1.6:11"] {
+        let found = document(line);
+        assert!(found["passed"].as_u64().unwrap() < found["bodies"].as_u64().unwrap(), "{line}: {found}");
+    }
+    bifdiag("scan events --A 5,3,4 --r 1,2,1 --vary A3=3.2:3.6:5").succeeds().printing("A3 = 3.4: J_r passes A3");
+}
+
 /// The events of A = (2, A2, 1), r = (1, 0, 0): each momentum is that of the atlas of the body, and each stretch has one class.
 #[test]
 fn events_are_followed_from_border_to_border() {

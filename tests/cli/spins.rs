@@ -57,6 +57,11 @@ fn a_body_at_rest_on_its_axis_is_steady() {
 fn a_free_body_rests_in_every_orientation() {
     let at_rest = bifdiag("state --A 1,2,3 --r 0,0,0 --axis 1,1,1 --spin").and("0 rpm").succeeds();
     at_rest.printing("at rest every orientation is an equilibrium");
+    // About the middle axis it is unstable as soon as it turns.
+    let middle = bifdiag("state --A 5,3,4 --r 0,0,0 --axis z --spin").and("0 rpm").succeeds();
+    let middle =
+        middle.printing("once the body turns about this axis, however slowly, the rotation is judged by itself");
+    assert!(!middle.stdout().contains("no change at any"), "{}", middle.stdout());
     bifdiag("critical --A 1,2,3 --r 0,0,0 --l 0").succeeds().printing("at rest every orientation is an equilibrium");
     bifdiag("critical --A 2,2,2 --r 0,0,0 --l 1").succeeds().printing("rotation about every axis is a relative equil");
     let turning = bifdiag("state --A 2,2,2 --r 0,0,0 --axis 1,1,1 --spin").and("1 rpm").succeeds();

@@ -165,6 +165,7 @@ fn every_name_of_an_atlas_is_explained() {
             }
         }
     }
+    bifdiag("explain R1").succeeds().printing("region").printing("centre of mass");
     for word in &words {
         bifdiag("explain").and(word).succeeds().telling_nothing();
     }

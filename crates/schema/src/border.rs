@@ -124,7 +124,7 @@ pub struct EventTracksDocument {
     pub vary: RangeDocument,
     /// Bodies that were looked at.
     pub bodies: u32,
-    /// Those that were left out: special bodies, and undecided ones.
+    /// Those that were left out: special bodies, those on a border, and undecided ones.
     pub passed: u32,
     /// The class before the first border, between any two, and behind the last; null where it is not known.
     pub classes: Vec<Option<String>>,

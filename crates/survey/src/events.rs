@@ -52,7 +52,7 @@ pub struct EventTracks {
     pub tracks: Vec<EventTrack>,
     /// Bodies that were looked at.
     pub bodies: usize,
-    /// Those of them that are special, undecided, or of another class than their stretch.
+    /// Those of them that are special, on a border, undecided, or of another class than their stretch.
     pub passed: usize,
 }
 
@@ -81,11 +81,23 @@ pub fn follow(segment: &BodySegment, bodies: usize, options: &BorderOptions) -> 
         seen.into_iter().flatten().collect()
     };
     let mut seen = look(&places);
-    let pairs: Vec<&[Seen]> = seen.windows(2).collect();
-    let borders: Vec<Border> = each(&pairs, |pair| between(segment, pair, options)).into_iter().flatten().collect();
+    let borders = loop {
+        let pairs: Vec<&[Seen]> = seen.windows(2).collect();
+        let borders: Vec<Border> = each(&pairs, |pair| between(segment, pair, options)).into_iter().flatten().collect();
+        // A body on a border belongs to neither side: the border is sought anew between its neighbours.
+        let before = seen.len();
+        seen.retain(|body| !borders.iter().any(|border| is_at(border, body.t)));
+        if seen.len() == before {
+            break borders;
+        }
+    };
     let ends: Vec<f64> = [0.0].into_iter().chain(borders.iter().map(|border| border.t)).chain([1.0]).collect();
+    let is_inside = |t: &[f64], body: &Seen| {
+        let is_end = (body.t == 0.0 && t[0] == 0.0) || (body.t == 1.0 && t[1] == 1.0);
+        (t[0] < body.t && body.t < t[1]) || is_end
+    };
     // Every stretch shows its events, however short it is.
-    let is_empty = |t: &&[f64]| !seen.iter().any(|body| t[0] <= body.t && body.t <= t[1]);
+    let is_empty = |t: &&[f64]| t[0] < t[1] && !seen.iter().any(|body| is_inside(t, body));
     let middles: Vec<f64> = ends.windows(2).filter(is_empty).map(|t| 0.5 * (t[0] + t[1])).collect();
     seen.extend(look(&middles));
     seen.sort_by(|p, q| p.t.total_cmp(&q.t));
@@ -94,7 +106,7 @@ pub fn follow(segment: &BodySegment, bodies: usize, options: &BorderOptions) -> 
     let mut shown = 0;
     for (number, pair) in ends.windows(2).enumerate() {
         let t = [pair[0], pair[1]];
-        let inside: Vec<&Seen> = seen.iter().filter(|body| t[0] <= body.t && body.t <= t[1]).collect();
+        let inside: Vec<&Seen> = seen.iter().filter(|body| is_inside(pair, body)).collect();
         // Where the body in the middle is undecided, the border below knows.
         let below = number.checked_sub(1).and_then(|below| found.borders.get(below)).map(|border| &border.classes[1]);
         let class = inside.first().map(|body| &body.class).or(below).cloned();
@@ -142,6 +154,11 @@ fn between(segment: &BodySegment, pair: &[Seen], options: &BorderOptions) -> Vec
         borders.insert(at, border);
     }
     borders
+}
+
+/// Whether a place is that of a border, as far as this is known.
+fn is_at(border: &Border, t: f64) -> bool {
+    (border.t - t).abs() <= border.error + f64::EPSILON
 }
 
 /// Whether no event goes on: where moments are equal the axes change their order and events go to infinity, and without weight
@@ -275,6 +292,23 @@ mod tests {
         assert_eq!((pitchfork.between, pitchfork.points.len()), ([None, None], 3));
         let [crossing] = of(&found, "crossing of S2 and S3")[..] else { panic!("{:?}", found.tracks) };
         assert_eq!(crossing.between, [None, Some(0)]);
+    }
+
+    /// A body that is looked at lies on a border: it belongs to neither side, and those beyond it are seen.
+    #[test]
+    fn a_body_on_a_border_is_left_out() {
+        let end = |a2: &'static str| ["2", a2, "1", "1", "0", "0"];
+        // The cusp of S2 is at its pitchfork at 10/9 and 3/2.
+        let segment = way(end("1"), end("2"));
+        let found = follow(&segment, 19, &options());
+        let on_border = |body: &f64| found.borders.iter().any(|border| (border.t - body).abs() < 1e-9);
+        let bodies: Vec<f64> = (0..19).map(|k| f64::from(k) / 18.0).collect();
+        let left_out = bodies.iter().filter(|body| on_border(body)).count();
+        assert!(found.borders.windows(2).all(|pair| pair[0].t < pair[1].t), "{:?}", found.borders);
+        // Both ends have equal moments.
+        assert_eq!(found.passed, left_out + 2);
+        let [pitchfork] = of(&found, "pitchfork of L- and S2")[..] else { panic!("{:?}", found.tracks) };
+        assert_eq!(pitchfork.points.len(), found.bodies - found.passed);
     }
 
     /// The border r2 = 0.03654 of the paper's body and its mirror image, with r2 = 0 between them.

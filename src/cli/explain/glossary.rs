@@ -49,9 +49,12 @@ impl Glossary {
     /// such as R5 or M7, that of its kind; and those of which it is a part, such as Krein.
     pub fn find(&self, word: &str) -> Vec<&Entry> {
         let number = word.strip_suffix(['s', 'S']).filter(|one| one.len() > 1);
+        let is_kind = |entry: &Entry| kind(word).is_some_and(|term| entry.terms.contains(&term));
+        // R1 to R3 are regions, and r1 to r3 the components of r: whoever types R1 may mean either.
+        let may_be_both = |entry: &Entry| is_kind(entry) && word.starts_with('R');
         let ways: [&dyn Fn(&Entry) -> bool; 4] = [
-            &|entry| entry.is_called(word),
-            &|entry| kind(word).is_some_and(|term| entry.terms.contains(&term)),
+            &|entry| entry.is_called(word) || may_be_both(entry),
+            &is_kind,
             &|entry| number.is_some_and(|one| entry.is_called(one)),
             &|entry| entry.has_part(word),
         ];

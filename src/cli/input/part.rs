@@ -322,7 +322,8 @@ impl PartArguments {
             };
             let [tensor, integral] = [Products::Tensor, Products::Integral].map(|products| moments(list, products));
             let product_count = list[3..].iter().filter(|product| !product.value.is_zero()).count();
-            if product_count == 1 {
+            // Other signs of them all are a mirror image unless all three matter.
+            if product_count < 3 {
                 return Err(Failure::input(format!(
                     "--products is missing: a product of inertia in {option} is not 0, and programs differ in its sign. The \
                      principal moments are {tensor} with either sign, the principal axes are not; look the convention up: \

@@ -53,6 +53,10 @@ fn frequencies(steady: &SteadyDocument) -> Option<String> {
 /// The change at this spin and those at the next smaller and larger ones, which are known for a permanent axis; without an
 /// atlas those of stability.
 pub fn changes(report: &mut Report, steady: &SteadyDocument, atlas: bool) {
+    if steady.one_of == Some(Multiplicity::Sphere) && steady.l == 0.0 {
+        report.line("once the body turns about this axis, however slowly, the rotation is judged by itself");
+        return;
+    }
     let of_regions = |change: &SpinChangeDocument| change.kind == "region";
     let change = |name: &str, change: &Option<SpinChangeDocument>| match change {
         Some(change) => {

@@ -93,14 +93,14 @@ pub enum FileError {
 
 impl FilePart {
     /// The mass properties relative to a point of the file's frame, and their units: a mesh is in the units that are given
-    /// for it, an inertial block is brought to them.
+    /// for it, an inertial block is brought to them, in which the point is, too.
     #[must_use]
     pub fn seen_from(self, pivot: &[RBig; 3], units: Option<Units>) -> (MassProperties, Units) {
-        let properties = self.properties.seen_from(pivot);
-        match (units, self.units) {
-            (Some(units), Some(own)) => (properties.in_units(&own, &units), units),
-            (units, own) => (properties, units.or(own).unwrap_or_default()),
-        }
+        let (properties, units) = match (units, self.units) {
+            (Some(units), Some(own)) => (self.properties.in_units(&own, &units), units),
+            (units, own) => (self.properties, units.or(own).unwrap_or_default()),
+        };
+        (properties.seen_from(pivot), units)
     }
 }
 

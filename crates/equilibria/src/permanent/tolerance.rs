@@ -52,12 +52,21 @@ pub fn spin_ranges(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> Vec<SpinR
     let whole = AxisBox::new(&ends, -lighter.hull(&heavier));
     let mut found = ranges_over(rotation, &[whole]);
     let nominal = rotation.changes();
-    let sampled: Vec<Vec<SpinChange>> =
-        (0..SAMPLES).map(|number| varied(rotation, steps(number), tolerances).changes()).collect();
+    let parts: Vec<AxisRotation> = (0..SAMPLES).map(|number| varied(rotation, steps(number), tolerances)).collect();
+    let sampled: Vec<Vec<SpinChange>> = parts.iter().map(AxisRotation::changes).collect();
     for range in &mut found {
+        let [low, high] = range.omega.map(|omega| omega * omega);
+        // A part that does not change inside has one type there.
+        let unchanged =
+            inside(low, high).into_iter().flat_map(|at| parts.iter().filter_map(move |part| part.type_at_spin(&at)));
         let within = |change: &&SpinChange| range.omega[0] <= change.omega && change.omega <= range.omega[1];
-        let mut between: Vec<SpinType> =
-            sampled.iter().flatten().filter(within).flat_map(|change| [change.from, change.to]).collect();
+        let mut between: Vec<SpinType> = sampled
+            .iter()
+            .flatten()
+            .filter(within)
+            .flat_map(|change| [change.from, change.to])
+            .chain(unchanged)
+            .collect();
         between.sort_by_key(|kind| *kind as u8);
         between.dedup();
         between.retain(|found| Some(*found) != range.from && Some(*found) != range.to);
@@ -74,12 +83,7 @@ pub fn spin_ranges(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> Vec<SpinR
 /// hold the nominal one.
 pub(super) fn ranges_over(rotation: &AxisRotation, boxes: &[AxisBox]) -> Vec<SpinRange> {
     let ranges = joined(boxes.iter().flat_map(root_ranges).collect());
-    let gap = |low: f64, high: f64| {
-        let middle = if high.is_finite() { 0.5 * (low + high) } else { 2.0 * low.max(1.0) };
-        // A gap of a few doubles has no middle.
-        let is_between = low < middle && middle < high;
-        is_between.then(|| RBig::try_from(middle.sqrt()).ok()).flatten().and_then(|at| rotation.type_at_spin(&at))
-    };
+    let gap = |low: f64, high: f64| inside(low, high).and_then(|at| rotation.type_at_spin(&at));
     let range = |(number, &[low, high]): (usize, &[f64; 2])| {
         let before = number.checked_sub(1).map_or(0.0, |k| ranges[k][1]);
         let after = ranges.get(number + 1).map_or(f64::INFINITY, |next| next[0]);
@@ -87,6 +91,13 @@ pub(super) fn ranges_over(rotation: &AxisRotation, boxes: &[AxisBox]) -> Vec<Spi
         SpinRange { from: gap(before, low), to: gap(high, after), omega, between: Vec::new(), most: None }
     };
     ranges.iter().enumerate().map(range).collect()
+}
+
+/// A spin between those with these squares; a gap of a few doubles has none.
+fn inside(low: f64, high: f64) -> Option<RBig> {
+    let middle = if high.is_finite() { 0.5 * (low + high) } else { 2.0 * low.max(1.0) };
+    let is_between = low < middle && middle < high;
+    is_between.then(|| RBig::try_from(middle.sqrt()).ok()).flatten()
 }
 
 /// The bodies of the sampled parts; `None` where one is no body.
