@@ -34,7 +34,7 @@ const ORDER: [(&str, &str); 15] = [
     ),
     (
         "crates/documents/src",
-        "layout codes body integrals subject chaos periodic orbit_list manifolds orbit_catalogue proved spin_change stability classification critical steady tolerance spin state spin_down grid atlas certified scan reading border comparison classes find witnesses \
+        "layout codes body integrals subject chaos periodic orbit_list orbit_catalogue proved spin_change stability classification critical manifolds steady tolerance spin state spin_down grid atlas certified scan reading border comparison classes find witnesses \
          section words",
     ),
     ("crates/verify/src", "refused numbers equilibria order topology stability document"),

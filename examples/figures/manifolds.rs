@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use bifdiag::pictures;
+use bifdiag::pictures::{self, ManifoldBackground};
 use bifdiag_body::Preset;
 use bifdiag_dynamics::poincare::SectionSetting;
 use bifdiag_dynamics::section::Monitor;
@@ -27,5 +27,5 @@ fn draw() -> Result<Picture, Box<dyn Error>> {
     let monitor = Monitor::default();
     let listed = list(&setting, &ListOptions::default(), &monitor)?;
     let found = manifolds(&setting, &listed, &ManifoldOptions { length: LENGTH }, &monitor)?;
-    Ok(pictures::manifolds(&setting, &listed, &found, THEME)?)
+    Ok(pictures::manifolds(&ManifoldBackground::of_orbits(&setting, &listed)?, &found, THEME)?)
 }

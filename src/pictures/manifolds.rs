@@ -1,8 +1,13 @@
-//! Manifolds of periodic orbits over the portrait of a section.
+//! Manifolds of periodic orbits or equilibria over the portrait of a section.
 
-use bifdiag_dynamics::field::State;
+use bifdiag_body::Body;
+use bifdiag_dynamics::field::{HeavyTop, State};
 use bifdiag_dynamics::poincare::{PoincareError, SectionSetting};
-use bifdiag_dynamics::section::{Monitor, OrbitSection, Portrait, PortraitOptions, SectionError, SweepOptions, sweep};
+use bifdiag_dynamics::section::{
+    Monitor, OrbitSection, Portrait, PortraitOptions, PpTorus, SectionError, StartOptions, SweepOptions, spread_starts,
+    sweep,
+};
+use bifdiag_equilibria::critical::Equilibrium;
 use bifdiag_periodic::list::OrbitList;
 use bifdiag_periodic::manifold::Manifolds;
 use bifdiag_plot::{
@@ -17,9 +22,6 @@ pub enum ManifoldPictureError {
     /// The portrait.
     #[error(transparent)]
     Section(#[from] SectionError),
-    /// The starts of the orbits behind the curves.
-    #[error(transparent)]
-    Poincare(#[from] PoincareError),
     /// The drawing.
     #[error(transparent)]
     Plot(#[from] PlotError),
@@ -31,35 +33,89 @@ const CROSSINGS: usize = 600;
 /// Their colour is that of orbits of which no verdict is known.
 const GREY: usize = 2;
 
+/// What lies behind manifolds in a picture.
+#[derive(Clone, Debug)]
+pub struct ManifoldBackground {
+    /// The body's PP-torus.
+    pub torus: PpTorus,
+    body: Body,
+    h: f64,
+    l: f64,
+    /// Where orbits start that are spread over the section.
+    starts: Vec<State>,
+    /// Points of the unstable orbits, or the equilibria.
+    orbits: Vec<State>,
+    rests: Vec<State>,
+}
+
+impl ManifoldBackground {
+    /// Of the orbits of a list.
+    ///
+    /// # Errors
+    /// Those of [`SectionSetting::spread`].
+    pub fn of_orbits(setting: &SectionSetting, list: &OrbitList) -> Result<Self, PoincareError> {
+        let unstable = list.orbits.iter().filter(|listed| listed.orbit.stability.is_unstable());
+        let mut starts = Vec::with_capacity(ORBITS);
+        for start in setting.spread(ORBITS, 0)? {
+            starts.push(setting.state(start)?);
+        }
+        Ok(Self {
+            torus: setting.torus().clone(),
+            body: setting.body().clone(),
+            h: setting.h(),
+            l: setting.l(),
+            starts,
+            orbits: unstable.map(|listed| listed.orbit.start).collect(),
+            rests: Vec::new(),
+        })
+    }
+
+    /// Of equilibria of one energy.
+    ///
+    /// # Errors
+    /// Those of [`spread_starts`].
+    pub fn of_equilibria(body: &Body, equilibria: &[Equilibrium]) -> Result<Self, SectionError> {
+        let top = HeavyTop::new(body);
+        let torus = PpTorus::new(&top)?;
+        let [h, l] = equilibria.first().map_or([0.0; 2], |found| [found.h, found.l]);
+        let mut starts = Vec::with_capacity(ORBITS);
+        for start in spread_starts(&torus, h, l, &StartOptions { count: ORBITS, ..StartOptions::default() })? {
+            starts.push(torus.state(start, h, l)?);
+        }
+        let state = |found: &Equilibrium| {
+            let l = top.inertia(found.gamma.map(|x| found.omega * x));
+            State { gamma: found.gamma, l }
+        };
+        let rests = equilibria.iter().map(state).collect();
+        Ok(Self { torus, body: body.clone(), h, l, starts, orbits: Vec::new(), rests })
+    }
+}
+
 /// Draws manifolds, over orbits that are spread over the section.
 ///
 /// # Errors
 /// [`ManifoldPictureError`].
 pub fn manifolds(
-    setting: &SectionSetting,
-    list: &OrbitList,
+    background: &ManifoldBackground,
     found: &Manifolds,
     theme: Theme,
 ) -> Result<Picture, ManifoldPictureError> {
-    let torus = setting.torus();
-    let portrait = Portrait::new(setting.body(), setting.h(), setting.l(), &PortraitOptions::default())?;
-    let mut starts = Vec::with_capacity(ORBITS);
-    for start in setting.spread(ORBITS, 0)? {
-        starts.push(setting.state(start)?);
-    }
+    let ManifoldBackground { torus, body, h, l, starts, .. } = background;
+    let portrait = Portrait::new(body, *h, *l, &PortraitOptions::default())?;
     let options = SweepOptions { crossings: CROSSINGS, ..SweepOptions::default() };
-    let orbits: Vec<OrbitSection> = sweep(torus, &starts, &options, &Monitor::default())?;
+    let orbits: Vec<OrbitSection> = sweep(torus, starts, &options, &Monitor::default())?;
     let place = |state: &State| (state.gamma, torus.point(state).sheet);
     let lines = |kind| {
         let own = found.manifolds.iter().filter(move |manifold| manifold.kind == kind);
         let pieces = own.flat_map(|manifold| &manifold.curves).flat_map(|curve| &curve.pieces);
-        pieces.map(|piece| piece.iter().map(|vertex| place(&found.state(setting, vertex))).collect()).collect()
+        pieces.map(|piece| piece.iter().map(|vertex| place(&found.state(vertex))).collect()).collect()
     };
-    let unstable = list.orbits.iter().filter(|listed| listed.orbit.stability.is_unstable());
     let curves = SectionCurves {
         unstable: lines(ManifoldKind::Unstable),
         stable: lines(ManifoldKind::Stable),
-        orbits: unstable.map(|listed| place(&listed.orbit.start)).collect(),
+        orbits: background.orbits.iter().map(place).collect(),
+        // On the boundary, where the sheets meet.
+        rests: background.rests.iter().flat_map(|state| [1, -1].map(|sheet| (state.gamma, sheet))).collect(),
         connections: found.connections.iter().map(|connection| place(&connection.state)).collect(),
     };
     let of = vec![GREY; orbits.len()];

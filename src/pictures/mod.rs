@@ -18,7 +18,7 @@ use bifdiag_schema::RelativeEquilibriumDocument;
 
 #[cfg(feature = "parallel")]
 pub use events::{EventScene, events, momenta};
-pub use manifolds::{ManifoldPictureError, manifolds};
+pub use manifolds::{ManifoldBackground, ManifoldPictureError, manifolds};
 #[cfg(feature = "parallel")]
 pub use map::map;
 #[cfg(feature = "parallel")]

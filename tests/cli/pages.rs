@@ -153,8 +153,8 @@ const PERIODIC_LIST: usize = 26;
 /// `periodic` (issue 43): its own two, the point and those of every body.
 const SHORT_ORBITS: usize = 19;
 
-/// `periodic manifolds` (issue 43): its own five, four of its picture, the point and those of every body.
-const MANIFOLDS: usize = 26;
+/// `periodic manifolds` (issue 43): its own six, four of its picture, the point and those of every body.
+const MANIFOLDS: usize = 27;
 
 /// Options of `chaos` (issue 41): its own nine, two of its point and those of every body; `--out` of `chaos merge`; that of
 /// `chaos map` with four of its picture.

@@ -76,3 +76,32 @@ fn points_without_a_section_and_odd_crossings_are_refused() {
     bifdiag("periodic --body paper --h 0.1 --l 3.25").refused().telling("1.63");
     bifdiag("periodic --body euler --h 2.6 --l 1").refused().telling("r = 0");
 }
+
+/// The manifolds of an equilibrium are asked for by its curve and l; its energy is its own.
+#[test]
+fn manifolds_of_an_equilibrium_are_asked_for_by_its_curve() {
+    let asked = "periodic manifolds --A 2,1.5,1.2 --r 0.3,0.5,0.8 --from g0.1 --l 0.5 --length 3 --json";
+    let found = bifdiag(asked).succeeds().json();
+    let critical = bifdiag("critical --A 2,1.5,1.2 --r 0.3,0.5,0.8 --l 0.5 --json").succeeds().json();
+    let upright = critical["critical"].as_array().unwrap().last().unwrap();
+    assert_eq!(found["equilibria"][0], *upright);
+    assert_eq!(found["h"], format!("{:?}", upright["h"].as_f64().unwrap()));
+    assert_eq!((&found["orbits"], &found["crossings"]), (&serde_json::json!([]), &0.into()));
+    let kinds: Vec<&str> = found["manifolds"].as_array().unwrap().iter().map(|m| m["kind"].as_str().unwrap()).collect();
+    assert_eq!(kinds, ["unstable", "stable"]);
+    // The command that stands in it gives the same.
+    let command = found["command"].as_str().unwrap().strip_prefix("bifdiag ").unwrap();
+    assert_eq!(bifdiag(&format!("{command} --json")).succeeds().json(), found);
+}
+
+#[test]
+fn manifolds_of_other_equilibria_are_refused() {
+    let of = |rest: &str| bifdiag(&format!("periodic manifolds {rest}")).refused();
+    of("--body paper --from G2.1 --l 2").telling("type elliptic");
+    of("--body paper --from G0.1 --l 100").telling("has no equilibrium there");
+    of("--body paper --from G9.1 --l 1").telling("no such curve");
+    of("--body paper --from G0.1").telling("--l is missing");
+    of("--body paper --from G0.1 --l 1 --h 2").telling("--h");
+    of("--body lagrange --from S23.2 --l 4").telling("not isolated");
+    of("--body euler --from S2.1 --l 1").telling("r = 0");
+}

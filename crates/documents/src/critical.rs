@@ -63,7 +63,7 @@ pub fn equilibria(found: &Equilibria) -> Vec<RelativeEquilibriumDocument> {
     found.list.iter().map(equilibrium).collect()
 }
 
-fn equilibrium(found: &Equilibrium) -> RelativeEquilibriumDocument {
+pub(crate) fn equilibrium(found: &Equilibrium) -> RelativeEquilibriumDocument {
     let (nonlinear, stability) = (nonlinear(&found.nonlinear), found.stability.term());
     RelativeEquilibriumDocument {
         h: found.h,

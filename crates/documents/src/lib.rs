@@ -46,7 +46,7 @@ pub use critical::{critical, equilibria, steady_axes};
 pub use find::{find, witness};
 pub use grid::{GridAxis, grid};
 pub use integrals::{further_integrals, integrable, integrable_words};
-pub use manifolds::manifolds;
+pub use manifolds::{equilibrium_manifolds, manifolds};
 pub use orbit_catalogue::{Asked, families_listed, periodic_list};
 pub use orbit_list::periodic;
 pub use periodic::{periodic_families, periodic_orbit};

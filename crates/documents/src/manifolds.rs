@@ -1,15 +1,19 @@
-//! Manifolds of unstable periodic orbits, and the orbits that connect them, as a document.
+//! Manifolds of unstable periodic orbits or equilibria, and the orbits that connect them, as a document.
 
 use bifdiag_body::Number;
 use bifdiag_dynamics::field::HeavyTop;
+use bifdiag_equilibria::critical::Equilibrium;
+use bifdiag_equilibria::stability::LinearType;
 use bifdiag_numbers::decimal::counted;
 use bifdiag_periodic::list::OrbitList;
 use bifdiag_periodic::manifold::{Curve, Manifolds};
 use bifdiag_schema::{
-    ConnectionDocument, ContactDocument, ManifoldCurveDocument, ManifoldDocument, ManifoldEnd, ManifoldsDocument,
+    CommandLine, ConnectionDocument, ContactDocument, ManifoldCurveDocument, ManifoldDocument, ManifoldEnd,
+    ManifoldsDocument,
 };
 
 use crate::body::{given, head};
+use crate::critical::equilibrium;
 use crate::orbit_list::{listed_orbits, why};
 use crate::subject::Subject;
 
@@ -24,18 +28,73 @@ pub fn manifolds(
 ) -> ManifoldsDocument {
     let body = &subject.body;
     let command = subject.command("periodic manifolds").option("h", h.text()).option("l", l.text());
-    let command = command.option("crossings", crossings).option("length", length);
-    let top = HeavyTop::new(body);
-    let missing = missing(list, found);
+    let mut missing = missing(found);
+    if !found.left_out.is_empty() {
+        let orbits = counted(found.left_out.len(), "orbit", "orbits");
+        let sizes = found.left_out.iter().filter_map(|place| list.orbits.get(*place));
+        let sizes: Vec<String> = sizes.map(|listed| format!("{:.6}", listed.orbit.multipliers[0][0])).collect();
+        missing.push(format!("the manifolds of {orbits} were not followed, of multiplier {}", sizes.join(", ")));
+    }
     let of_list = why(body, list);
     ManifoldsDocument {
-        head: head(command.json()),
-        body: given(body),
         h: h.text().to_owned(),
         l: l.text().to_owned(),
         crossings,
-        length,
         orbits: listed_orbits(body, list),
+        complete: missing.is_empty() && list.gaps.is_empty(),
+        why: if missing.is_empty() {
+            format!(
+                "computed in doubles, not proved: crossings of these curves outside 10⁻³ of the periodic orbits, but for pairs \
+                 between neighbouring points, which are 0.02 apart at most; longer curves have more. Of the orbits: {of_list}"
+            )
+        } else {
+            format!("{}. Of the orbits: {of_list}", missing.join("; "))
+        },
+        ..document(subject, command.option("crossings", crossings), length, found)
+    }
+}
+
+/// The manifolds of the equilibria of a curve at an l.
+#[must_use]
+pub fn equilibrium_manifolds(
+    subject: &Subject,
+    (curve, l): (&str, &Number),
+    length: f64,
+    equilibria: &[Equilibrium],
+    found: &Manifolds,
+) -> ManifoldsDocument {
+    let command = subject.command("periodic manifolds").option("from", curve).option("l", l.text());
+    let missing = missing(found);
+    let are_motions = equilibria.iter().all(|found| found.stability == LinearType::SaddleCentre);
+    let what = if are_motions {
+        "motions that leave an equilibrium and those that come to it are the same in exceptional cases only; told are those of \
+         which all points agree to 10⁻¹⁰"
+    } else {
+        "crossings of these curves outside 10⁻³ of the equilibria, but for pairs between neighbouring points, which are 0.02 apart \
+         at most; longer curves have more"
+    };
+    ManifoldsDocument {
+        h: equilibria.first().map_or_else(String::new, |found| format!("{:?}", found.h)),
+        l: l.text().to_owned(),
+        equilibria: equilibria.iter().map(equilibrium).collect(),
+        complete: missing.is_empty(),
+        why: if missing.is_empty() { format!("computed in doubles, not proved: {what}") } else { missing.join("; ") },
+        ..document(subject, command, length, found)
+    }
+}
+
+/// What both have in common.
+fn document(subject: &Subject, command: CommandLine, length: f64, found: &Manifolds) -> ManifoldsDocument {
+    let top = HeavyTop::new(&subject.body);
+    ManifoldsDocument {
+        head: head(command.option("length", length).json()),
+        body: given(&subject.body),
+        h: String::new(),
+        l: String::new(),
+        crossings: 0,
+        length,
+        equilibria: Vec::new(),
+        orbits: Vec::new(),
         manifolds: found
             .manifolds
             .iter()
@@ -60,15 +119,8 @@ pub fn manifolds(
             })
             .collect(),
         contacts: found.contacts.iter().map(|contact| ContactDocument { from: contact.from, to: contact.to }).collect(),
-        complete: missing.is_empty() && list.gaps.is_empty(),
-        why: if missing.is_empty() {
-            format!(
-                "computed in doubles, not proved: crossings of these curves outside 10⁻³ of the periodic orbits, but for pairs \
-                 between neighbouring points, which are 0.02 apart at most; longer curves have more. Of the orbits: {of_list}"
-            )
-        } else {
-            format!("{}. Of the orbits: {of_list}", missing.join("; "))
-        },
+        complete: false,
+        why: String::new(),
         part: subject.part.clone(),
     }
 }
@@ -80,19 +132,26 @@ fn curve(curve: &Curve) -> ManifoldCurveDocument {
         length: curve.length,
         points: curve.pieces.iter().map(Vec::len).sum(),
         tangencies: curve.tangencies,
+        rests: curve.rests,
         gaps: curve.gaps,
+        nearest: curve.nearest,
         end: curve.end.unwrap_or(ManifoldEnd::Work),
     }
 }
 
 /// What was not found of what was asked for.
-fn missing(list: &OrbitList, found: &Manifolds) -> Vec<String> {
+fn missing(found: &Manifolds) -> Vec<String> {
     let curves = || found.manifolds.iter().flat_map(|manifold| &manifold.curves);
-    let short = curves().filter(|curve| curve.end == Some(ManifoldEnd::Work)).count();
+    let of = |end: ManifoldEnd| curves().filter(|curve| curve.end == Some(end)).count();
+    let (short, inaccurate) = (of(ManifoldEnd::Work), of(ManifoldEnd::Accuracy));
     let torn: usize = curves().map(|curve| curve.gaps).sum();
     let mut missing = Vec::new();
     if short > 0 {
         missing.push(format!("{} not followed for the whole length", counted(short, "curve was", "curves were")));
+    }
+    if inaccurate > 0 {
+        let motions = counted(inaccurate, "motion was", "motions were");
+        missing.push(format!("{motions} followed no further than they can be computed to 10⁻⁸"));
     }
     if torn > 0 {
         missing.push(format!("{} in curves could not be closed", counted(torn, "gap", "gaps")));
@@ -100,12 +159,6 @@ fn missing(list: &OrbitList, found: &Manifolds) -> Vec<String> {
     if found.unresolved > 0 {
         let crossings = counted(found.unresolved, "crossing", "crossings");
         missing.push(format!("{crossings} of the polylines could not be refined"));
-    }
-    if !found.left_out.is_empty() {
-        let orbits = counted(found.left_out.len(), "orbit", "orbits");
-        let sizes = found.left_out.iter().filter_map(|place| list.orbits.get(*place));
-        let sizes: Vec<String> = sizes.map(|listed| format!("{:.6}", listed.orbit.multipliers[0][0])).collect();
-        missing.push(format!("the manifolds of {orbits} were not followed, of multiplier {}", sizes.join(", ")));
     }
     missing
 }

@@ -40,6 +40,19 @@ impl Surface {
         &self.top
     }
 
+    /// Its points and their flow.
+    #[must_use]
+    pub fn space(&self) -> &Space {
+        &self.space
+    }
+
+    /// S and Ṡ, in the units of the reduced top.
+    #[must_use]
+    pub fn height(&self, y: &Point) -> [f64; 2] {
+        let (state, top) = (self.space.state(y), &self.space.top);
+        [SectionCondition::Height.value(top, &state), SectionCondition::Height.rate(top, &state)]
+    }
+
     /// A state as a point.
     #[must_use]
     pub fn point(&self, state: &State) -> Point {

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::term::term;
-use super::{Ends, GivenBody, Head, PartDocument};
+use super::{Ends, GivenBody, Head, PartDocument, RelativeEquilibriumDocument};
 
 term! {
     /// What the multipliers of a periodic orbit say of its stability.
@@ -296,7 +296,7 @@ pub struct PeriodicListDocument {
 term! {
     /// Which motions run along a manifold.
     pub enum ManifoldKind {
-        /// Those that leave the orbit.
+        /// Those that leave the orbit or the equilibrium.
         Unstable = "unstable",
         /// Those that come to it.
         Stable = "stable",
@@ -309,19 +309,23 @@ term! {
         /// It has the length that was asked for.
         Length = "length",
         /// What a return adds lies within 10⁻⁴ of a periodic orbit: a saddle connection, or curves that cross at so small an angle
-        /// that they cannot be told apart there.
+        /// that they cannot be told apart there. Of an equilibrium: all motions of the curve come to within 10⁻⁵ of one.
         Orbit = "orbit",
         /// It would take more returns than are computed for a curve.
         Work = "work",
+        /// Further points of the motion cannot be computed to 10⁻⁸. The list is open.
+        Accuracy = "accuracy",
     }
 }
 
-/// A curve of a manifold in P, from the orbit on.
+/// A curve of a manifold in P, from the orbit or equilibrium on; of an equilibrium with one real and one imaginary pair, the points of
+/// one motion, which no curve joins.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ManifoldCurveDocument {
-    /// The point of the orbit from which it comes: of p, Rp, R²p, … the number, p where the orbit starts and R the return.
+    /// The point of the orbit from which it comes: of p, Rp, R²p, … the number, p where the orbit starts and R the return. Of an
+    /// equilibrium: of the lines that leave it in P, in the order in which R takes one to the next; else 0.
     pub point: usize,
-    /// 1 or −1: the two curves at one point. Which is which has no meaning.
+    /// 1 or −1: the two curves at one point, or the two motions. Which is which has no meaning. 1 where there is one.
     pub side: i8,
     /// Its length in (γ, l/L), L = √(2A_max(|h| + |r|)).
     pub length: f64,
@@ -329,26 +333,37 @@ pub struct ManifoldCurveDocument {
     pub points: usize,
     /// Breaks at which a motion touches P, so that a pair of crossings is born.
     pub tangencies: usize,
+    /// Of an equilibrium: breaks at motions that come to it, or to one of the same curve.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub rests: usize,
     /// Other breaks: neighbouring points could not be brought near each other.
     pub gaps: usize,
+    /// Of one motion: the smallest distance of its points from those of the motions of the other kind.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub nearest: Option<f64>,
     /// Why it ends.
     pub end: ManifoldEnd,
 }
 
-/// The curves of one kind of one orbit.
+fn is_zero(count: &usize) -> bool {
+    *count == 0
+}
+
+/// The curves of one kind of one orbit or equilibrium.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ManifoldDocument {
-    /// The place of the orbit in `orbits`.
+    /// The place of the orbit in `orbits`; where there are `equilibria`, that of one of them, as in the connections and contacts.
     pub orbit: usize,
     /// Stable or unstable.
     pub kind: ManifoldKind,
-    /// The multiplier that is larger than 1, or below −1.
-    pub multiplier: f64,
-    /// Two at each point of the orbit where ⟨γ,r⟩ is largest.
+    /// Of an orbit: the multiplier that is larger than 1, or below −1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub multiplier: Option<f64>,
+    /// Two at each point of the orbit where ⟨γ,r⟩ is largest; of an equilibrium, all.
     pub curves: Vec<ManifoldCurveDocument>,
 }
 
-/// An orbit that leaves a periodic orbit and comes to one, found where their manifolds cross.
+/// An orbit that leaves a periodic orbit or an equilibrium and comes to one, found where their manifolds cross.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ConnectionDocument {
     /// The place in `orbits` of the orbit that it leaves.
@@ -359,7 +374,7 @@ pub struct ConnectionDocument {
     pub gamma: [f64; 3],
     /// ω there.
     pub omega: [f64; 3],
-    /// The angle of the two curves there, in radians, in (γ, l/L).
+    /// The angle of the two curves there, in radians, in (γ, l/L); 0 where they are motions.
     pub angle: f64,
     /// The distance of the points of both curves after Newton's method.
     pub residual: f64,
@@ -385,17 +400,20 @@ pub struct ManifoldsDocument {
     /// The body.
     #[serde(flatten)]
     pub body: GivenBody,
-    /// Energy, as given.
+    /// Energy, as given; that of the equilibria, where there are any.
     pub h: String,
     /// Vertical angular momentum, as given.
     pub l: String,
-    /// The most crossings of P in a period that were asked for, inward and outward.
+    /// The most crossings of P in a period that were asked for, inward and outward; 0 where equilibria were.
     pub crossings: u32,
     /// The length of each curve that was asked for.
     pub length: f64,
+    /// The equilibria whose manifolds were asked for, as in `critical`; of a symmetric pair both. Then there are no `orbits`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub equilibria: Vec<RelativeEquilibriumDocument>,
     /// All isolated orbits, as in `periodic`.
     pub orbits: Vec<PeriodicOrbitDocument>,
-    /// The manifolds of the unstable ones, by orbit, the unstable one first.
+    /// The manifolds of the unstable ones, by orbit or equilibrium, the unstable one first.
     pub manifolds: Vec<ManifoldDocument>,
     /// Homoclinic and heteroclinic orbits, each once as far as its points could be matched, by the orbits that they connect.
     pub connections: Vec<ConnectionDocument>,

@@ -1,34 +1,38 @@
-//! `bifdiag periodic manifolds`: stable and unstable manifolds of periodic orbits in the section, and where they cross.
+//! `bifdiag periodic manifolds`: stable and unstable manifolds of periodic orbits and equilibria in the section, and where they cross.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use bifdiag_documents::Subject;
-use bifdiag_dynamics::field::State;
 use bifdiag_dynamics::poincare::SectionSetting;
-use bifdiag_dynamics::section::{Monitor, SectionError, TorusPoint};
-use bifdiag_periodic::manifold::{Curve, ManifoldError, ManifoldOptions, Manifolds, manifolds};
-use bifdiag_schema::{ManifoldEnd, ManifoldKind, ManifoldsDocument};
+use bifdiag_dynamics::section::{Monitor, SectionError};
+use bifdiag_periodic::catalogue::Catalogue;
+use bifdiag_periodic::family::Held;
+use bifdiag_periodic::manifold::{ManifoldError, ManifoldOptions, Manifolds, manifolds, manifolds_of_equilibria};
+use bifdiag_schema::ManifoldsDocument;
 use clap::Args;
 
-use super::short::{listed, point_and_crossings, yes};
-use crate::cli::export::{Columns, DataTarget, FileSet, PictureArguments, Values, answer};
+use super::family::{NOT_FOUND, curve_id, starts};
+use super::manifolds_output::{columns, text};
+use super::short::{listed, point_and_crossings};
+use crate::cli::export::{DataFormat, DataTarget, FileSet, PictureArguments, answer};
 use crate::cli::failure::{Failure, failed};
-use crate::cli::input::{BodyArguments, PointArguments, head, motion_units, values};
+use crate::cli::input::{BodyArguments, PointArguments, values};
 use crate::cli::section::poincare_failure;
 use crate::cli::terminal::interrupt::stoppable;
-use crate::cli::terminal::{Progress, Report, Table, Timings, counted, print, significant, wrapped};
-use crate::pictures;
+use crate::cli::terminal::{Progress, Timings, print};
+use crate::pictures::{self, ManifoldBackground};
 
 pub const MANIFOLDS_EXAMPLES: &str = "\
 Examples:
   bifdiag periodic manifolds --body paper --h 6.5 --l 3.25
   bifdiag periodic manifolds --body paper --h 6.5 --l 3.25 --length 5 --out dir
   bifdiag periodic manifolds --body paper --h 6.5 --l 3.25 --data curves.csv
+  bifdiag periodic manifolds --body paper --from G0.1 --l 0.5
 
 The curves of motions that leave the unstable periodic orbits at (h, l), and of those that come to them, in the part of P where \
-<gamma,r> is largest; and the orbits that connect them (homoclinic, heteroclinic), refined to 1e-10. --data writes a row for each \
+<gamma,r> is largest; or of an unstable equilibrium, at its energy (--from); and the orbits that connect them (homoclinic, heteroclinic), refined to 1e-10. --data writes a row for each \
 point of a curve, with theta, psi, sheet as in `bifdiag section`.";
 
 /// `bifdiag periodic manifolds`.
@@ -38,6 +42,9 @@ pub struct ManifoldsArguments {
     pub body: BodyArguments,
     #[command(flatten)]
     pub point: PointArguments,
+    /// Of the equilibria of this curve at l instead, by its id in `bifdiag atlas`
+    #[arg(long, value_name = "CURVE", conflicts_with_all = ["energy", "crossings"], help_heading = "Orbits")]
+    pub from: Option<String>,
     /// Of the orbits with at most N crossings of P in a period, inward and outward
     #[arg(long, value_name = "N", default_value_t = 2, help_heading = "Orbits")]
     pub crossings: u32,
@@ -69,42 +76,41 @@ fn length(text: &str) -> Result<f64, Failure> {
     }
 }
 
+/// What the manifolds were made of, what was found, and where.
+struct Found {
+    document: ManifoldsDocument,
+    manifolds: Manifolds,
+    background: ManifoldBackground,
+}
+
 pub fn run(arguments: &ManifoldsArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     if arguments.json && arguments.data == Some(DataTarget::Stdout) {
         return Err(Failure::input("--json and --data - both write to stdout; give --data a file"));
     }
     let subject = arguments.body.subject()?;
-    let (h, l) = point_and_crossings(&arguments.point, arguments.crossings)?;
-    let setting = SectionSetting::new(&subject.body, h, l).map_err(poincare_failure)?;
     let monitor = Arc::new(Monitor::default());
     let stop = Arc::clone(&monitor);
     let interruptible = stoppable(move || stop.stop.store(true, Ordering::Relaxed));
-    let listed = listed(&setting, arguments.crossings, &monitor, timings, quiet)?;
-    let options = ManifoldOptions { length: arguments.length };
-    let progress = Progress::open("motions followed", quiet);
-    let work = || progress.watching(&monitor.orbits, || manifolds(&setting, &listed, &options, &monitor));
-    let found = timings.stage("manifolds", work);
+    let found = match &arguments.from {
+        Some(id) => of_equilibria(arguments, &subject, &curve_id(id), &monitor, timings, quiet),
+        None => of_orbits(arguments, &subject, &monitor, timings, quiet),
+    };
     drop(interruptible);
-    let found = found.map_err(|error| match error {
-        ManifoldError::Section(SectionError::Interrupted) => Failure::work("interrupted"),
-        error => failed("the manifolds could not be followed")(error),
-    })?;
-    let asked = (arguments.crossings, arguments.length);
-    let document = bifdiag_documents::manifolds(&subject, [h, l], asked, &listed, &found);
+    let Found { document, manifolds, background } = found?;
     let mut files = FileSet::new(arguments.out.as_deref().unwrap_or(Path::new(".")));
     if arguments.out.is_some() {
-        let draw = || pictures::manifolds(&setting, &listed, &found, arguments.picture.theme);
+        let draw = || pictures::manifolds(&background, &manifolds, arguments.picture.theme);
         let picture = timings.stage("picture", draw).map_err(failed("the picture could not be drawn"))?;
         files.remove_pictures("manifolds");
         files.pictures("manifolds", &picture, &arguments.picture, timings)?;
     }
     match &arguments.data {
         Some(DataTarget::File { path, format }) => {
-            files.add_at(path, format.bytes(&columns(&setting, &found, &document)?)?);
+            files.add_at(path, format.bytes(&columns(&background.torus, &manifolds, &document)?)?);
         }
         Some(DataTarget::Stdout) => {
             files.write()?;
-            return print(crate::cli::export::DataFormat::Csv.bytes(&columns(&setting, &found, &document)?)?);
+            return print(DataFormat::Csv.bytes(&columns(&background.torus, &manifolds, &document)?)?);
         }
         None => {}
     }
@@ -112,157 +118,62 @@ pub fn run(arguments: &ManifoldsArguments, timings: &Timings, quiet: bool) -> Re
     answer(arguments.json, &document, || text(&subject, &document, &written))
 }
 
-/// A row for each point of each curve.
-fn columns(setting: &SectionSetting, found: &Manifolds, document: &ManifoldsDocument) -> Result<Columns, Failure> {
-    struct Row {
-        orbit: usize,
-        kind: ManifoldKind,
-        point: usize,
-        side: i8,
-        piece: usize,
-        state: State,
-        place: TorusPoint,
-    }
-    let mut rows: Vec<Row> = Vec::new();
-    for manifold in &found.manifolds {
-        for Curve { point, side, pieces, .. } in &manifold.curves {
-            for (piece, vertices) in pieces.iter().enumerate() {
-                rows.extend(vertices.iter().map(|vertex| {
-                    let state = found.state(setting, vertex);
-                    let place = setting.torus().point(&state);
-                    Row { orbit: manifold.orbit, kind: manifold.kind, point: *point, side: *side, piece, state, place }
-                }));
-            }
-        }
-    }
-    let count = |value: fn(&Row) -> usize| {
-        Values::Int32(rows.iter().map(|row| i32::try_from(value(row)).unwrap_or(i32::MAX)).collect())
+fn of_orbits(
+    arguments: &ManifoldsArguments,
+    subject: &Subject,
+    monitor: &Monitor,
+    timings: &Timings,
+    quiet: bool,
+) -> Result<Found, Failure> {
+    let (h, l) = point_and_crossings(&arguments.point, arguments.crossings)?;
+    let setting = SectionSetting::new(&subject.body, h, l).map_err(poincare_failure)?;
+    let listed = listed(&setting, arguments.crossings, monitor, timings, quiet)?;
+    let options = ManifoldOptions { length: arguments.length };
+    let progress = Progress::open("motions followed", quiet);
+    let work = || progress.watching(&monitor.orbits, || manifolds(&setting, &listed, &options, monitor));
+    let found = timings.stage("manifolds", work).map_err(not_followed)?;
+    let asked = (arguments.crossings, arguments.length);
+    let document = bifdiag_documents::manifolds(subject, [h, l], asked, &listed, &found);
+    let background = ManifoldBackground::of_orbits(&setting, &listed).map_err(poincare_failure)?;
+    Ok(Found { document, manifolds: found, background })
+}
+
+fn of_equilibria(
+    arguments: &ManifoldsArguments,
+    subject: &Subject,
+    id: &str,
+    monitor: &Monitor,
+    timings: &Timings,
+    quiet: bool,
+) -> Result<Found, Failure> {
+    let Some(l) = &arguments.point.momentum else {
+        return Err(Failure::input("--l is missing: --from also needs it, such as --l 1.5"));
     };
-    let kinds = ManifoldKind::ALL.iter().map(|kind| kind.word()).collect::<Vec<_>>();
-    let code = |kind: ManifoldKind| ManifoldKind::ALL.iter().position(|word| *word == kind).unwrap_or_default();
-    let top = setting.torus().top();
-    let columns = [
-        ("orbit", count(|row| row.orbit)),
-        (
-            "kind",
-            Values::words(
-                &kinds,
-                Values::Int32(rows.iter().map(|row| i32::try_from(code(row.kind)).unwrap_or_default()).collect()),
-            )?,
-        ),
-        ("point", count(|row| row.point)),
-        ("side", Values::Int8(rows.iter().map(|row| row.side).collect())),
-        ("piece", count(|row| row.piece)),
-        ("gamma", Values::vectors(rows.iter().map(|row| row.state.gamma))),
-        ("omega", Values::vectors(rows.iter().map(|row| top.inverse_inertia(row.state.l)))),
-        ("theta", Values::floats(rows.iter().map(|row| row.place.theta))),
-        ("psi", Values::floats(rows.iter().map(|row| row.place.psi))),
-        ("sheet", Values::Int8(rows.iter().map(|row| row.place.sheet).collect())),
-    ];
-    Ok(Columns::new(columns, document)?)
+    let body = &subject.body;
+    let catalogue = Catalogue::new(body).map_err(failed(NOT_FOUND))?;
+    let equilibria = starts(&catalogue, Held::Momentum, l, Some(id))?;
+    let options = ManifoldOptions { length: arguments.length };
+    let progress = Progress::open("motions followed", quiet);
+    let follow = || manifolds_of_equilibria(body, &equilibria, &options, monitor);
+    let found =
+        timings.stage("manifolds", || progress.watching(&monitor.orbits, follow)).map_err(|error| match error {
+            ManifoldError::Section(SectionError::WeightlessBody)
+            | ManifoldError::Type(_)
+            | ManifoldError::NotIsolated
+            | ManifoldError::Series => Failure::input(format!("--from {id} --l {}: {error}", l.text())),
+            error => not_followed(error),
+        })?;
+    let document = bifdiag_documents::equilibrium_manifolds(subject, (id, l), arguments.length, &equilibria, &found);
+    let background = ManifoldBackground::of_equilibria(body, &equilibria).map_err(failed(NO_BACKGROUND))?;
+    Ok(Found { document, manifolds: found, background })
 }
 
-/// Significant digits.
-const DIGITS: usize = 6;
-/// Connections that are told one by one.
-const TOLD: usize = 20;
+/// What is said where nothing can be drawn.
+const NO_BACKGROUND: &str = "the orbits behind the curves could not be begun";
 
-fn text(subject: &Subject, document: &ManifoldsDocument, written: &[PathBuf]) -> String {
-    let mut report = Report::default();
-    head(subject, &mut report);
-    report.line(format!(
-        "unstable periodic orbits at h = {}, l = {} that cross P, at most {} times in a period:",
-        document.h, document.l, document.crossings
-    ));
-    report.line("");
-    if document.orbits.iter().all(|orbit| !orbit.stability.is_unstable()) {
-        report.line("none that is isolated");
-    } else {
-        report.line(of_orbits(document).text());
+fn not_followed(error: ManifoldError) -> Failure {
+    match error {
+        ManifoldError::Section(SectionError::Interrupted) => Failure::work("interrupted"),
+        error => failed("the manifolds could not be followed")(error),
     }
-    if !document.manifolds.is_empty() {
-        report.line("");
-        report.line("their curves:");
-        report.line(of_curves(document).text());
-        report.line("");
-        let colon = if document.connections.is_empty() { "" } else { ":" };
-        let connections = counted(document.connections.len(), "orbit connects them", "orbits connect them");
-        report.line(format!("{connections}{colon}"));
-        if !document.connections.is_empty() {
-            report.line(of_connections(document).text());
-        }
-        if document.connections.len() > TOLD {
-            report.line(format!("  and {} more; --json lists each", document.connections.len() - TOLD));
-        }
-        for contact in &document.contacts {
-            report.line(format!(
-                "unstable curves of orbit {} run along stable ones of orbit {}: as far as they do, they are not told apart",
-                contact.from, contact.to
-            ));
-        }
-    }
-    motion_units(subject, &mut report);
-    report.line("");
-    report.line(if document.complete { "complete:" } else { "not complete:" });
-    report.line(wrapped(&document.why));
-    report.written(written);
-    report.text()
-}
-
-fn vector(v: [f64; 3]) -> String {
-    v.map(|x| significant(if x.abs() < 1e-9 { 0.0 } else { x }, DIGITS)).join(" ")
-}
-
-fn of_orbits(document: &ManifoldsDocument) -> Table {
-    let mut table = Table::new(&["orbit", "crossings", "T", "multiplier", "symmetric", "proved", "gamma"]);
-    for (number, orbit) in document.orbits.iter().enumerate().filter(|(_, orbit)| orbit.stability.is_unstable()) {
-        table.row([
-            number.to_string(),
-            orbit.crossings.to_string(),
-            significant(orbit.period, DIGITS),
-            significant(orbit.multipliers[0][0], DIGITS),
-            yes(orbit.symmetric),
-            yes(orbit.proved),
-            vector(orbit.gamma),
-        ]);
-    }
-    table
-}
-
-fn of_curves(document: &ManifoldsDocument) -> Table {
-    let mut table = Table::new(&["orbit", "manifold", "point", "side", "length", "breaks", "end"]);
-    for manifold in &document.manifolds {
-        for curve in &manifold.curves {
-            let end = match curve.end {
-                ManifoldEnd::Length => "length reached",
-                ManifoldEnd::Orbit => "within 0.0001 of a periodic orbit",
-                ManifoldEnd::Work => "followed no further",
-            };
-            table.row([
-                manifold.orbit.to_string(),
-                manifold.kind.word().to_owned(),
-                curve.point.to_string(),
-                if curve.side > 0 { "+" } else { "-" }.to_owned(),
-                significant(curve.length, 4),
-                (curve.tangencies + curve.gaps).to_string(),
-                end.to_owned(),
-            ]);
-        }
-    }
-    table
-}
-
-fn of_connections(document: &ManifoldsDocument) -> Table {
-    let mut table = Table::new(&["from", "to", "points", "angle", "gamma", "omega"]);
-    for connection in document.connections.iter().take(TOLD) {
-        table.row([
-            connection.from.to_string(),
-            connection.to.to_string(),
-            connection.points.to_string(),
-            significant(connection.angle, 3),
-            vector(connection.gamma),
-            vector(connection.omega),
-        ]);
-    }
-    table
 }

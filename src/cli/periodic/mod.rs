@@ -4,6 +4,7 @@ mod family;
 mod list;
 mod list_output;
 mod manifolds;
+mod manifolds_output;
 mod short;
 
 use clap::{Args, Subcommand};
@@ -44,7 +45,7 @@ pub enum PeriodicCommand {
     /// List the orbits of all families of a body
     #[command(after_help = LIST_EXAMPLES)]
     List(Box<ListArguments>),
-    /// Follow the stable and unstable manifolds of periodic orbits in the section
+    /// Follow the stable and unstable manifolds of periodic orbits or equilibria in the section
     #[command(after_help = MANIFOLDS_EXAMPLES)]
     Manifolds(Box<ManifoldsArguments>),
 }

@@ -125,7 +125,7 @@ pub fn list(setting: &SectionSetting, options: &ListOptions, monitor: &Monitor) 
         seeds.push(surface.point(&setting.state(start)?));
     }
     let cover = cover(&surface, &seeds, CHARTS);
-    let longest = SWINGS * swing(top);
+    let longest = longest(top);
     let map = SectionMap::new(&surface, setting.torus(), longest, monitor);
     let turns = (options.crossings.min(MOST_CROSSINGS) / 2) as usize;
     let search_options = SearchOptions { turns, levels: LEVELS, cells: options.cells };
@@ -160,10 +160,10 @@ pub fn list(setting: &SectionSetting, options: &ListOptions, monitor: &Monitor) 
     })
 }
 
-/// 2π√(A_max/|r|).
-fn swing(top: &HeavyTop) -> f64 {
+/// A time after which nobody waits for a return: many times 2π√(A_max/|r|).
+pub(crate) fn longest(top: &HeavyTop) -> f64 {
     let largest = top.moments().into_iter().fold(0.0, f64::max);
-    std::f64::consts::TAU * (largest / top.center_norm()).sqrt()
+    SWINGS * std::f64::consts::TAU * (largest / top.center_norm()).sqrt()
 }
 
 fn gaps(cover: &Cover, found: &Found) -> Vec<Gap> {

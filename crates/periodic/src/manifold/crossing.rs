@@ -183,7 +183,7 @@ impl Finder<'_> {
             let asked: Vec<(usize, f64)> = own.iter().map(|k| (places[*k].1, places[*k].2)).collect();
             let world = &self.worlds[usize::from(branch.is_stable)];
             for (k, point) in own.into_iter().zip(branch.at(world, &asked)?) {
-                points[k] = point.map(|y| world.seen(&y));
+                points[k] = point.point().map(|y| world.seen(&y));
             }
         }
         Ok(points)

@@ -3,33 +3,71 @@
 use bifdiag_dynamics::section::SectionError;
 use bifdiag_schema::ManifoldEnd;
 
-use super::world::World;
+use super::ring::Ring;
+use super::world::{Course, World};
 use crate::chart::{Chart, RADIUS, Surface};
 use crate::flow::Phase;
 
 /// How far from the orbit a manifold is taken for its tangent: what it is off there, some 10⁻⁸, shrinks by the multiplier with each return.
 const BEGIN: f64 = 1e-4;
 
-/// One of the two ways out of an orbit along its unstable direction.
+/// One of the two ways out of an orbit along its unstable direction, or all ways out of an equilibrium.
 pub struct Branch {
-    /// The orbit's place in the list.
+    /// The orbit's place in the list, or the equilibrium's.
     pub orbit: usize,
     /// In the reversed world.
     pub is_stable: bool,
     /// That of a period.
-    pub multiplier: f64,
+    pub multiplier: Option<f64>,
     /// Returns after which the branch comes to itself, and how many of them are a period.
     pub returns: usize,
     /// See `returns`.
     pub turns: usize,
-    /// The point of the orbit.
+    /// The point of the orbit, or the equilibrium.
     pub start: Phase,
-    side: f64,
-    chart: Chart,
-    /// Of length 1, in the chart.
-    direction: [f64; 2],
-    /// ln of the factor by which it is stretched in its `returns`.
-    growth: f64,
+    begin: Begin,
+}
+
+enum Begin {
+    /// A line out of a point of P⁻.
+    Line {
+        side: f64,
+        chart: Box<Chart>,
+        /// Of length 1, in the chart.
+        direction: [f64; 2],
+        /// ln of the factor by which it is stretched in its `returns`.
+        growth: f64,
+    },
+    Ring(Box<Ring>),
+}
+
+/// Where a seed is taken.
+#[derive(Clone, Copy, Debug)]
+pub enum Place {
+    /// To a point.
+    On(Phase),
+    /// Nowhere: the motion has not begun there.
+    Before,
+    /// To an equilibrium, before.
+    Rest,
+    /// The motion does not come back in the time that is waited for.
+    Lost,
+}
+
+impl Place {
+    /// The point.
+    pub fn point(self) -> Option<Phase> {
+        if let Self::On(point) = self { Some(point) } else { None }
+    }
+
+    /// Where a motion is at a return.
+    pub fn of(course: &Course, number: usize) -> Self {
+        match course.images.get(number - 1) {
+            Some(image) => Self::On(image.point),
+            None if course.came => Self::Rest,
+            None => Self::Lost,
+        }
+    }
 }
 
 impl Branch {
@@ -54,45 +92,77 @@ impl Branch {
         let with = |side: &f64| Self {
             orbit,
             is_stable,
-            multiplier,
+            multiplier: Some(multiplier),
             returns,
             turns,
             start,
-            side: *side,
-            chart: chart.clone(),
-            direction,
-            growth,
+            begin: Begin::Line { side: *side, chart: Box::new(chart.clone()), direction, growth },
         };
         sides.iter().map(with).collect()
     }
 
-    /// The beginning of the branch at s: from s = 0 to s = 1 it is what one return of the branch to itself adds.
-    pub fn seed(&self, surface: &Surface, s: f64) -> Option<Phase> {
-        let distance = self.side * BEGIN * libm::exp(self.growth * (s - 1.0));
-        self.chart.place(surface, self.direction.map(|x| x * distance))
+    /// All ways out of an equilibrium.
+    pub fn of_rest(world: &World<'_>, place: usize, ring: Ring) -> Self {
+        let returns = ring.winding.max(1);
+        let (start, begin) = (ring.center(), Begin::Ring(Box::new(ring)));
+        Self { orbit: place, is_stable: world.is_reversed, multiplier: None, returns, turns: returns, start, begin }
     }
 
-    /// Where Rᵏ takes seeds: (k, s) for each.
-    pub fn at(&self, world: &World<'_>, places: &[(usize, f64)]) -> Result<Vec<Option<Phase>>, SectionError> {
-        let seeds: Vec<Option<Phase>> = places.iter().map(|(_, s)| self.seed(world.surface(), *s)).collect();
-        let starts: Vec<Phase> = seeds.iter().copied().flatten().collect();
-        let most = places.iter().map(|(k, _)| *k).max().unwrap_or(0);
-        if most == 0 {
-            return Ok(seeds);
+    /// What a return adds is a curve of its own, which is closed but for breaks.
+    pub fn is_closed(&self) -> bool {
+        matches!(&self.begin, Begin::Ring(ring) if ring.winding == 0)
+    }
+
+    /// It begins at an equilibrium.
+    pub fn is_of_rest(&self) -> bool {
+        matches!(&self.begin, Begin::Ring(_))
+    }
+
+    /// Seeds at which curves begin.
+    pub fn places(&self) -> Vec<f64> {
+        if let Begin::Ring(ring) = &self.begin { ring.places().collect() } else { Vec::new() }
+    }
+
+    /// The beginning of the branch at s: from s = 0 to s = 1 it is what one return of the branch to itself adds.
+    pub fn seed(&self, surface: &Surface, s: f64) -> Option<Phase> {
+        match &self.begin {
+            Begin::Line { side, chart, direction, growth } => {
+                let distance = side * BEGIN * libm::exp(growth * (s - 1.0));
+                chart.place(surface, direction.map(|x| x * distance))
+            }
+            Begin::Ring(ring) => Some(ring.start(s)),
         }
-        let images = world.map.distant_images(&starts, most)?;
-        let mut images = images.iter();
-        let place = |((k, _), seed): (&(usize, f64), Option<Phase>)| {
-            let seed = seed?;
-            let images = images.next()?;
-            if *k == 0 { Some(seed) } else { images.get(k - 1).map(|image| image.point) }
+    }
+
+    /// How often a seed has to return to come to the curve of a level.
+    pub fn returns_to(&self, level: usize, s: f64) -> Option<usize> {
+        if let Begin::Ring(ring) = &self.begin { ring.number(level, s) } else { Some(level) }
+    }
+
+    /// Where seeds are at levels: (k, s) for each.
+    pub fn at(&self, world: &World<'_>, places: &[(usize, f64)]) -> Result<Vec<Place>, SectionError> {
+        let seeds: Vec<Option<Phase>> = places.iter().map(|(_, s)| self.seed(world.surface(), *s)).collect();
+        let numbers: Vec<Option<usize>> = places.iter().map(|(k, s)| self.returns_to(*k, *s)).collect();
+        let starts: Vec<Phase> = seeds.iter().copied().flatten().collect();
+        let most = numbers.iter().copied().flatten().max().unwrap_or(0);
+        let courses = if most == 0 { Vec::new() } else { world.courses(&starts, most)? };
+        let mut courses = courses.iter();
+        let place = |(number, seed): (Option<usize>, Option<Phase>)| {
+            let Some(seed) = seed else { return Place::Lost };
+            let course = courses.next();
+            match (number, course) {
+                (None, _) => Place::Before,
+                (Some(0), _) => Place::On(seed),
+                (Some(number), Some(course)) => Place::of(course, number),
+                (Some(_), None) => Place::Lost,
+            }
         };
-        Ok(places.iter().zip(seeds).map(place).collect())
+        Ok(numbers.into_iter().zip(seeds).map(place).collect())
     }
 
     /// Which of the ways out at its point the curve of the k-th returns is.
     pub fn side_of(&self, k: usize) -> i8 {
-        let side = if self.side > 0.0 { 1 } else { -1 };
+        let side = if matches!(&self.begin, Begin::Line { side, .. } if *side < 0.0) { -1 } else { 1 };
         if k % self.returns < self.turns { side } else { -side }
     }
 }
@@ -108,12 +178,13 @@ pub struct Vertex {
     pub(super) s: f64,
 }
 
-/// One of the two curves of a manifold at a point of an orbit.
+/// One of the two curves of a manifold at a point of an orbit; or a curve of the manifold of an equilibrium, or the points of the
+/// motion on one side of it.
 #[derive(Clone, Debug)]
 pub struct Curve {
     /// The point: of orbit points p, Rp, R²p, … the number.
     pub point: usize,
-    /// 1 or −1: the two curves at one point.
+    /// 1 or −1: the two curves at one point, or the two motions.
     pub side: i8,
     /// Polylines; between two of them the curve is broken.
     pub pieces: Vec<Vec<Vertex>>,
@@ -121,8 +192,12 @@ pub struct Curve {
     pub length: f64,
     /// Breaks where a motion touches the line of tangency.
     pub tangencies: usize,
+    /// Breaks at a motion that comes to an equilibrium.
+    pub rests: usize,
     /// Other breaks.
     pub gaps: usize,
+    /// Of a motion: the smallest distance of its points from those of the motions of the other kind.
+    pub nearest: Option<f64>,
     /// Why it ends.
     pub end: Option<ManifoldEnd>,
     /// The branch whose curve it is.

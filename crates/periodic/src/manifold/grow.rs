@@ -2,9 +2,10 @@
 //! finer where it was stretched or bent.
 
 use bifdiag_dynamics::section::SectionError;
-use bifdiag_schema::ManifoldEnd;
+use bifdiag_schema::{ManifoldEnd, ManifoldKind};
 
-use super::curve::{Branch, Curve, Vertex};
+use super::curve::{Branch, Curve, Place, Vertex};
+use super::model::{Manifold, Manifolds};
 use super::refine::{Break, Node, breaks, refine};
 use super::world::World;
 use crate::flow::Phase;
@@ -16,8 +17,28 @@ const CAME: f64 = 1e-4;
 /// Seeds of the first piece.
 const FIRST: u32 = 16;
 
+/// The curves of all branches.
+pub fn grow_all(
+    worlds: &[World<'_>; 2],
+    branches: &[Branch],
+    targets: &[Phase],
+    length: f64,
+    found: &mut Manifolds,
+) -> Result<(), SectionError> {
+    for (place, branch) in branches.iter().enumerate() {
+        let world = &worlds[usize::from(branch.is_stable)];
+        let curves = grow(world, (place, branch), targets, length)?;
+        let kind = if branch.is_stable { ManifoldKind::Stable } else { ManifoldKind::Unstable };
+        match found.manifolds.last_mut().filter(|last| last.orbit == branch.orbit && last.kind == kind) {
+            Some(last) => last.curves.extend(curves),
+            None => found.manifolds.push(Manifold { orbit: branch.orbit, kind, multiplier: branch.multiplier, curves }),
+        }
+    }
+    Ok(())
+}
+
 /// The curves of a branch, one for each of its returns, until each has its length.
-pub fn grow(
+fn grow(
     world: &World<'_>,
     (place, branch): (usize, &Branch),
     targets: &[Phase],
@@ -25,9 +46,10 @@ pub fn grow(
 ) -> Result<Vec<Curve>, SectionError> {
     let targets: Vec<Phase> = targets.iter().map(|y| world.seen(y)).collect();
     let mut curves = begin(world, (place, branch))?;
-    let seeds: Vec<f64> = (0..=FIRST).map(|k| f64::from(k) / f64::from(FIRST)).collect();
+    let mut seeds: Vec<f64> = (0..=FIRST).map(|k| f64::from(k) / f64::from(FIRST)).chain(branch.places()).collect();
+    seeds.sort_by(f64::total_cmp);
     let first = branch.at(world, &seeds.iter().map(|s| (0, *s)).collect::<Vec<_>>())?;
-    let mut nodes: Vec<Node> = seeds.iter().zip(first).map(|(s, point)| Node { s: *s, point }).collect();
+    let mut nodes: Vec<Node> = seeds.iter().zip(first).map(|(s, place)| Node { s: *s, place }).collect();
     let mut left = WORK;
     for level in 0.. {
         let curve = &mut curves[level % branch.returns];
@@ -35,14 +57,18 @@ pub fn grow(
             let whole = refine(world, branch, level, &mut nodes, length - curve.length, &mut left)?;
             let broken = breaks(world, branch, level, &nodes)?;
             let came = came_to(&targets, &nodes);
-            let joined = level >= branch.returns;
+            let is_over = nodes.iter().all(|node| matches!(node.place, Place::Rest | Place::Lost));
+            if branch.is_closed() {
+                curve.pieces.push(Vec::new());
+            }
+            let joined = level >= branch.returns && !branch.is_closed();
             curve.extend(world, (level, joined), &nodes, &broken, length);
             curve.end = if curve.length >= length {
                 Some(ManifoldEnd::Length)
-            } else if came && curve.length > 100.0 * CAME {
+            } else if came && (is_over || curve.length > 100.0 * CAME) {
                 Some(ManifoldEnd::Orbit)
             } else {
-                (!whole).then_some(ManifoldEnd::Work)
+                (is_over || !whole).then_some(ManifoldEnd::Work)
             };
         }
         let is_spent = left < nodes.len();
@@ -51,10 +77,15 @@ pub fn grow(
             break;
         }
         let (own, points): (Vec<usize>, Vec<Phase>) =
-            nodes.iter().enumerate().filter_map(|(k, node)| node.point.map(|y| (k, y))).unzip();
-        let images = world.map.images(&points, 1)?;
-        for (k, image) in own.into_iter().zip(images) {
-            nodes[k].point = image.first().map(|image| image.point);
+            nodes.iter().enumerate().filter_map(|(k, node)| node.place.point().map(|y| (k, y))).unzip();
+        let begun = |(_, node): &(usize, &Node)| matches!(node.place, Place::Before);
+        let (late, seeds): (Vec<usize>, Vec<(usize, f64)>) =
+            nodes.iter().enumerate().filter(begun).map(|(k, node)| (k, (level + 1, node.s))).unzip();
+        let courses = world.courses(&points, 1)?;
+        let added = branch.at(world, &seeds)?;
+        let places = courses.iter().map(|course| Place::of(course, 1)).chain(added);
+        for (k, place) in own.into_iter().chain(late).zip(places) {
+            nodes[k].place = place;
         }
     }
     for curve in &mut curves {
@@ -65,8 +96,16 @@ pub fn grow(
 
 /// Curves that consist of the points of the orbit.
 fn begin(world: &World<'_>, (place, branch): (usize, &Branch)) -> Result<Vec<Curve>, SectionError> {
-    let images = world.map.images(&[branch.start], branch.turns.saturating_sub(1).max(1))?;
-    let point = |k: usize| if k == 0 { Some(branch.start) } else { images[0].get(k - 1).map(|image| image.point) };
+    let images = if branch.is_of_rest() {
+        vec![Vec::new()]
+    } else {
+        world.map.images(&[branch.start], branch.turns.saturating_sub(1).max(1))?
+    };
+    let point = |k: usize| match k {
+        _ if branch.is_closed() => None,
+        _ if k == 0 || branch.is_of_rest() => Some(branch.start),
+        _ => images[0].get(k - 1).map(|image| image.point),
+    };
     let curve = |k: usize| {
         let number = k % branch.turns;
         let vertex = point(number).map(|point| Vertex { point: world.seen(&point), level: k, s: f64::NEG_INFINITY });
@@ -76,7 +115,9 @@ fn begin(world: &World<'_>, (place, branch): (usize, &Branch)) -> Result<Vec<Cur
             pieces: vec![vertex.into_iter().collect()],
             length: 0.0,
             tangencies: 0,
+            rests: 0,
             gaps: 0,
+            nearest: None,
             end: None,
             branch: place,
         }
@@ -84,9 +125,14 @@ fn begin(world: &World<'_>, (place, branch): (usize, &Branch)) -> Result<Vec<Cur
     Ok((0..branch.returns).map(curve).collect())
 }
 
-/// The whole piece has come to a periodic orbit.
+/// The whole piece has come to a periodic orbit, or to equilibria.
 fn came_to(targets: &[Phase], nodes: &[Node]) -> bool {
-    targets.iter().any(|target| nodes.iter().all(|node| node.point.is_some_and(|y| (y - target).norm() < CAME)))
+    let is_at = |target: &Phase, place: &Place| match place {
+        Place::On(y) => (y - target).norm() < CAME,
+        Place::Rest => true,
+        Place::Before | Place::Lost => false,
+    };
+    targets.iter().any(|target| nodes.iter().all(|node| is_at(target, &node.place)))
 }
 
 impl Curve {
@@ -104,12 +150,17 @@ impl Curve {
             let before = k.checked_sub(1).and_then(|k| broken[k]);
             if let Some(kind) = before {
                 match kind {
+                    Break::Begin => {}
                     Break::Tangency => self.tangencies += 1,
+                    Break::Rest => self.rests += 1,
                     Break::Gap => self.gaps += 1,
                 }
-                self.pieces.push(Vec::new());
+                // The equilibrium itself is joined to where its curve begins.
+                if kind != Break::Begin || self.pieces.last().is_some_and(|piece| piece.len() > 1) {
+                    self.pieces.push(Vec::new());
+                }
             }
-            let Some(point) = node.point.map(|y| world.seen(&y)) else { continue };
+            let Some(point) = node.place.point().map(|y| world.seen(&y)) else { continue };
             let Some(piece) = self.pieces.last_mut() else { continue };
             if let Some(last) = piece.last() {
                 self.length += (point - last.point).norm();

@@ -1,4 +1,4 @@
-//! The stable and unstable manifolds of unstable periodic orbits in the section, and where they cross.
+//! The stable and unstable manifolds of unstable periodic orbits and of equilibria in the section, and where they cross.
 //!
 //! The unstable manifold of an orbit is a curve through each of its points of P⁻, the maxima of ⟨γ,r⟩, and R takes these curves to
 //! each other. The reversal (γ,l) ↦ (γ,−l) takes motions at l to motions at −l run backwards, and P⁻ to P⁻: stable manifolds are
@@ -6,18 +6,22 @@
 
 mod crossing;
 mod curve;
+mod equilibrium;
 mod grow;
 mod model;
 mod refine;
+mod ring;
+mod series;
+mod strand;
 mod world;
 
 use bifdiag_dynamics::poincare::SectionSetting;
 use bifdiag_dynamics::section::{Monitor, SectionError};
-use bifdiag_schema::ManifoldKind;
 use thiserror::Error;
 
 pub use crossing::Crossing;
 pub use curve::{Curve, Vertex};
+pub use equilibrium::manifolds_of_equilibria;
 pub use model::{Connection, Contact, Manifold, Manifolds};
 
 use crate::chart::Surface;
@@ -25,6 +29,7 @@ use crate::flow::Phase;
 use crate::list::OrbitList;
 use crate::orbit::{OrbitError, unstable_direction};
 use crate::section_map::SectionMap;
+use bifdiag_schema::Stability;
 use curve::Branch;
 use world::World;
 
@@ -50,6 +55,24 @@ pub enum ManifoldError {
     /// The directions of an orbit could not be found.
     #[error("the directions of an orbit cannot be found")]
     Orbit(#[from] OrbitError),
+    /// Of a stable equilibrium, or one that is degenerate.
+    #[error(
+        "the equilibrium is of type {}: manifolds are followed of the types saddle-centre, saddle and complex, where its eigenvalues \
+         alone say which motions leave it",
+        .0.word()
+    )]
+    Type(Stability),
+    /// Of one of a circle or sphere of equilibria, or where a curve ends.
+    #[error(
+        "the equilibrium is not isolated, or two of them meet there: manifolds are followed of isolated equilibria"
+    )]
+    NotIsolated,
+    /// The series has no coefficients, or they grow too fast.
+    #[error(
+        "the motions that leave the equilibrium cannot be expanded about it: an eigenvalue is nearly a multiple of another, or \
+         eigenvectors are nearly parallel"
+    )]
+    Series,
 }
 
 /// Multipliers between which manifolds are followed: the curve begins 10⁻⁴ from the orbit, and its first piece ends at that
@@ -71,9 +94,11 @@ pub fn manifolds(
     let world = |is_reversed: bool| World {
         map: SectionMap::new(&surfaces[usize::from(is_reversed)], setting.torus(), list.longest, monitor),
         is_reversed,
+        rests: Vec::new(),
+        long: f64::INFINITY,
     };
     let worlds = [world(false), world(true)];
-    let mut found = Manifolds::default();
+    let mut found = Manifolds::none(surfaces[0]);
     let mut targets: Vec<Phase> = Vec::new();
     let mut branches: Vec<Branch> = Vec::new();
     for (place, listed) in list.orbits.iter().enumerate() {
@@ -102,15 +127,7 @@ pub fn manifolds(
             branches.extend(made);
         }
     }
-    for (place, branch) in branches.iter().enumerate() {
-        let world = &worlds[usize::from(branch.is_stable)];
-        let curves = grow::grow(world, (place, branch), &targets, options.length)?;
-        let kind = if branch.is_stable { ManifoldKind::Stable } else { ManifoldKind::Unstable };
-        match found.manifolds.last_mut().filter(|last| last.orbit == branch.orbit && last.kind == kind) {
-            Some(last) => last.curves.extend(curves),
-            None => found.manifolds.push(Manifold { orbit: branch.orbit, kind, multiplier: branch.multiplier, curves }),
-        }
-    }
+    grow::grow_all(&worlds, &branches, &targets, options.length, &mut found)?;
     crossing::connect(&worlds, &branches, &targets, &mut found)?;
     Ok(found)
 }

@@ -1,7 +1,6 @@
 //! What is found of manifolds.
 
 use bifdiag_dynamics::field::State;
-use bifdiag_dynamics::poincare::SectionSetting;
 use bifdiag_schema::ManifoldKind;
 
 use super::curve::{Curve, Vertex};
@@ -10,19 +9,20 @@ use crate::chart::Surface;
 /// The curves of one kind of one orbit.
 #[derive(Clone, Debug)]
 pub struct Manifold {
-    /// The orbit's place in the list.
+    /// The place of the orbit in the list, or of the equilibrium among those that were given.
     pub orbit: usize,
     /// Stable or unstable.
     pub kind: ManifoldKind,
-    /// The multiplier that is larger than 1, or below −1.
-    pub multiplier: f64,
-    /// Two at each point of the orbit in P⁻.
+    /// Of an orbit: the multiplier that is larger than 1, or below −1.
+    pub multiplier: Option<f64>,
+    /// Two at each point of the orbit in P⁻; of an equilibrium, all.
     pub curves: Vec<Curve>,
 }
 
 /// What was found.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Manifolds {
+    surface: Surface,
     /// By orbit, the unstable ones first.
     pub manifolds: Vec<Manifold>,
     /// Orbits that run from one unstable orbit to one, the same or another: each once.
@@ -64,9 +64,21 @@ pub struct Contact {
 }
 
 impl Manifolds {
+    /// None, over a section.
+    pub(super) fn none(surface: Surface) -> Self {
+        Self {
+            surface,
+            manifolds: Vec::new(),
+            connections: Vec::new(),
+            contacts: Vec::new(),
+            unresolved: 0,
+            left_out: Vec::new(),
+        }
+    }
+
     /// The state at a point of a curve.
     #[must_use]
-    pub fn state(&self, setting: &SectionSetting, vertex: &Vertex) -> State {
-        Surface::new(setting.torus().top(), setting.h(), setting.l()).state(&vertex.point)
+    pub fn state(&self, vertex: &Vertex) -> State {
+        self.surface.state(&vertex.point)
     }
 }

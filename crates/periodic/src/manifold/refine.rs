@@ -2,9 +2,10 @@
 
 use bifdiag_dynamics::section::SectionError;
 
-use super::curve::Branch;
+use super::curve::{Branch, Place};
 use super::world::World;
 use crate::flow::Phase;
+use crate::section_map::Image;
 
 /// The largest distance of neighbours.
 pub const GAP: f64 = 0.02;
@@ -17,26 +18,37 @@ const CLOSEST: f64 = 1e-9;
 /// A crossing that was just born is so near to the one with which it was born.
 const BORN: f64 = 1e-2;
 
-/// The image of a seed; none where the motion does not come back.
+/// A motion that passes an equilibrium so near is torn from its neighbours by it.
+const TORN: f64 = 1e-2;
+
+/// A seed and its image.
 #[derive(Clone, Copy, Debug)]
 pub struct Node {
     /// The seed.
     pub s: f64,
     /// Its image.
-    pub point: Option<Phase>,
+    pub place: Place,
 }
 
 /// Why two neighbours are not joined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Break {
+    /// The curve begins between them, anew behind a motion that comes to an equilibrium, or ends where it began before.
+    Begin,
     /// Between them lies a motion that touches P.
     Tangency,
+    /// Between them lies a motion that comes to an equilibrium.
+    Rest,
     /// They could not be brought nearer to each other.
     Gap,
 }
 
 fn distance(a: &Node, b: &Node) -> f64 {
-    a.point.zip(b.point).map_or(f64::INFINITY, |(a, b)| (b - a).norm())
+    match (a.place, b.place) {
+        (Place::On(a), Place::On(b)) => (b - a).norm(),
+        (Place::Before | Place::Rest, Place::Before | Place::Rest) => 0.0,
+        _ => f64::INFINITY,
+    }
 }
 
 fn is_broken(pair: &[Node]) -> bool {
@@ -65,7 +77,7 @@ pub fn refine(
         *left -= work;
         let places: Vec<(usize, f64)> = added.iter().map(|s| (level, *s)).collect();
         let points = branch.at(world, &places)?;
-        nodes.extend(added.into_iter().zip(points).map(|(s, point)| Node { s, point }));
+        nodes.extend(added.into_iter().zip(points).map(|(s, place)| Node { s, place }));
         nodes.sort_by(|a, b| a.s.total_cmp(&b.s));
     }
 }
@@ -88,7 +100,7 @@ fn coarse(nodes: &[Node], length: f64) -> Vec<usize> {
         if gap > GAP {
             marked[k] = true;
         }
-        let chord = pair[0].point.zip(pair[1].point).map(|(a, b)| b - a);
+        let chord = pair[0].place.point().zip(pair[1].place.point()).map(|(a, b)| b - a);
         if let Some((a, b)) = before.zip(chord) {
             let turned = (b / b.norm() - a / a.norm()).norm();
             if turned > BEND && a.norm().max(b.norm()) > SHORT {
@@ -111,22 +123,46 @@ pub fn breaks(
     level: usize,
     nodes: &[Node],
 ) -> Result<Vec<Option<Break>>, SectionError> {
-    let is_apart = |pair: &[Node]| (distance(&pair[0], &pair[1]) > GAP).then_some(Break::Gap);
+    let is_apart = |pair: &[Node]| {
+        let kind = match (pair[0].place, pair[1].place) {
+            (Place::Before, _) | (_, Place::Before) => Break::Begin,
+            (Place::On(_), Place::Rest) => Break::Rest,
+            (Place::Rest, Place::On(_)) => Break::Begin,
+            _ => Break::Gap,
+        };
+        (distance(&pair[0], &pair[1]) > GAP).then_some(kind)
+    };
     let mut broken: Vec<Option<Break>> = nodes.windows(2).map(is_apart).collect();
     let seed = |k: usize| branch.seed(world.surface(), nodes[k].s);
-    let jumps = (0..broken.len()).filter(|k| is_broken(&nodes[*k..=k + 1]));
+    let jumps = (0..broken.len()).filter(|k| broken[*k] == Some(Break::Gap) && is_broken(&nodes[*k..=k + 1]));
     let jumps = jumps.filter_map(|k| Some((k, [seed(k)?, seed(k + 1)?])));
     let (places, starts): (Vec<usize>, Vec<[Phase; 2]>) = jumps.unzip();
     if places.is_empty() {
         return Ok(broken);
     }
-    let starts = starts.concat();
-    let images = world.map.distant_images(&starts, level.max(1))?;
-    for (pair, k) in images.chunks(2).zip(places) {
-        // The first return that jumps: one of the two was just born there.
-        let jump = pair[0].iter().zip(&pair[1]).find(|(a, b)| (a.point - b.point).norm() > 0.1 * GAP);
-        let born = jump.is_some_and(|(a, b)| a.pair.min(b.pair) < BORN);
-        broken[k] = Some(if born { Break::Tangency } else { Break::Gap });
+    let most = nodes.iter().filter_map(|node| branch.returns_to(level, node.s)).max().unwrap_or(1);
+    let courses = world.courses(&starts.concat(), most.max(1))?;
+    for (pair, k) in courses.chunks(2).zip(places) {
+        // The same crossing need not have the same number on both.
+        let numbers = [k, k + 1].map(|k| branch.returns_to(level, nodes[k].s).unwrap_or(0).max(1));
+        let least = numbers[0].min(numbers[1]);
+        let [a, b] = [0, 1].map(|end| {
+            let images = &pair[end].images;
+            let last = numbers[end].min(images.len());
+            &images[(numbers[end] - least).min(last)..last]
+        });
+        // The first return that jumps: one of the two was just born there, or an equilibrium lies on the way.
+        let jump = a.iter().zip(b).position(|(a, b)| (a.point - b.point).norm() > 0.1 * GAP);
+        broken[k] = Some(match jump {
+            Some(at) if a[at].pair.min(b[at].pair) < BORN => Break::Tangency,
+            Some(at) if at > 0 && is_torn(world, &a[at - 1..=at]) => Break::Rest,
+            _ => Break::Gap,
+        });
     }
     Ok(broken)
+}
+
+/// Whether an equilibrium lies beside the way from one return to the next.
+fn is_torn(world: &World<'_>, pair: &[Image]) -> bool {
+    world.passes(&pair[0].point, pair[1].time - pair[0].time, TORN)
 }

@@ -1,4 +1,4 @@
-//! Manifolds of periodic orbits over a section.
+//! Manifolds of periodic orbits or equilibria over a section.
 
 use plotters::style::RGBColor;
 
@@ -7,13 +7,15 @@ use super::scene::{SectionCurves, SectionScene};
 use crate::page::{Canvas, INK, Ink, PAPER, Path, Point, Symbol, rgb};
 use bifdiag_dynamics::section::{Portrait, SectionLine};
 
-/// Of motions that leave the periodic orbits.
+/// Of motions that leave.
 const UNSTABLE: Ink = Ink { color: rgb(0xc8_30_00), width: 0.9 };
 /// Of motions that come to them.
 const STABLE: Ink = Ink { color: rgb(0x0b_4f_b0), width: 0.9 };
 /// A connection.
 const RING: Ink = Ink { color: INK, width: 0.8 };
 const CONNECTION: RGBColor = PAPER;
+/// Radius of a point of a motion.
+const DOT: f64 = 1.3;
 
 /// Draws what lies on the sheet of a panel.
 pub(super) fn draw(canvas: &Canvas, portrait: &Portrait, curves: &SectionCurves, panel: &SheetPanel) {
@@ -28,6 +30,10 @@ pub(super) fn draw(canvas: &Canvas, portrait: &Portrait, curves: &SectionCurves,
             }
         }
         canvas.draw(&path, &format!("{} stroke-linejoin=\"round\"", canvas.stroke(ink)));
+        let dots = lines.iter().filter(|line| line.len() == 1).flatten().filter(|(_, sheet)| *sheet == panel.sheet);
+        for (gamma, _) in dots {
+            canvas.disc(panel.position(portrait.position(panel.chart, *gamma)), DOT, ink.color);
+        }
     }
     let places = |points: &[([f64; 3], i8)]| -> Vec<Point> {
         let own = points.iter().filter(|(_, sheet)| *sheet == panel.sheet);
@@ -36,7 +42,7 @@ pub(super) fn draw(canvas: &Canvas, portrait: &Portrait, curves: &SectionCurves,
     for at in places(&curves.connections) {
         connection(canvas, at);
     }
-    for at in places(&curves.orbits) {
+    for at in places(&curves.orbits).into_iter().chain(places(&curves.rests)) {
         orbit(canvas, at);
     }
 }
@@ -60,6 +66,9 @@ pub(super) fn legend(scenes: &[SectionScene<'_>]) -> Vec<(Symbol, String)> {
     }
     if any(|curves| !curves.orbits.is_empty()) {
         entries.push((Symbol::Mark("disc", Box::new(orbit)), "unstable periodic orbits".to_owned()));
+    }
+    if any(|curves| !curves.rests.is_empty()) {
+        entries.push((Symbol::Mark("disc", Box::new(orbit)), "unstable equilibria".to_owned()));
     }
     if any(|curves| !curves.connections.is_empty()) {
         let told = "homoclinic and heteroclinic orbits, one point each";

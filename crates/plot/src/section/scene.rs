@@ -35,15 +35,18 @@ pub struct OrbitFamilies<'a> {
     pub colors: OrbitColors,
 }
 
-/// What is drawn over the orbits of a section: manifolds of periodic orbits, and points on them. A point is γ and its sheet.
+/// What is drawn over the orbits of a section: manifolds of periodic orbits or equilibria, and points on them. A point is γ and its
+/// sheet; a polyline of one point is drawn as a dot.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SectionCurves {
-    /// Polylines of motions that leave the periodic orbits.
+    /// Polylines of motions that leave the periodic orbits or equilibria.
     pub unstable: Vec<Vec<([f64; 3], i8)>>,
     /// Polylines of motions that come to them.
     pub stable: Vec<Vec<([f64; 3], i8)>>,
     /// Points of the periodic orbits.
     pub orbits: Vec<([f64; 3], i8)>,
+    /// Unstable equilibria, on both sheets.
+    pub rests: Vec<([f64; 3], i8)>,
     /// Points of orbits that connect them.
     pub connections: Vec<([f64; 3], i8)>,
 }

@@ -1,0 +1,102 @@
+//! The manifolds of an equilibrium with one real and one imaginary pair: two motions leave it and two come to it.
+
+use bifdiag_dynamics::section::SectionError;
+use bifdiag_schema::{ManifoldEnd, ManifoldKind};
+
+use super::crossing::RESIDUAL;
+use super::curve::{Curve, Vertex};
+use super::model::{Connection, Manifold, Manifolds};
+use super::series::Series;
+use super::world::{Course, World};
+use crate::flow::Phase;
+use crate::section_map::Image;
+
+/// Returns that are looked for.
+const RETURNS: usize = 100;
+/// The same motion is followed from two places; where the two are so far apart it ends.
+const ACCURACY: f64 = 1e-8;
+/// How long before the first place the second one is, in times of growth.
+const BEFORE: f64 = 1.0;
+
+/// The two motions that leave an equilibrium in a world.
+pub fn manifold(world: &World<'_>, place: usize, series: &Series) -> Result<Manifold, SectionError> {
+    let time = BEFORE / series.rates[0].re;
+    let angles = [0.0, std::f64::consts::PI];
+    let starts: Vec<Phase> =
+        angles.iter().flat_map(|angle| [0.0, -time].map(|t| series.at(series.coordinates(*angle, t)))).collect();
+    let courses = world.courses(&starts, RETURNS)?;
+    let curves = courses.chunks(2).zip([1, -1]).map(|(pair, side)| curve(world, &pair[0], &pair[1], side)).collect();
+    let kind = if world.is_reversed { ManifoldKind::Stable } else { ManifoldKind::Unstable };
+    Ok(Manifold { orbit: place, kind, multiplier: None, curves })
+}
+
+/// The crossings on which both ways to them agree.
+fn curve(world: &World<'_>, course: &Course, other: &Course, side: i8) -> Curve {
+    let agree = |pair: &(&Image, &Image)| (pair.0.point - pair.1.point).norm() <= ACCURACY;
+    let pairs = course.images.iter().zip(&other.images).take_while(agree);
+    let pieces: Vec<Vec<Vertex>> = pairs
+        .enumerate()
+        .map(|(level, (image, _))| vec![Vertex { point: world.seen(&image.point), level, s: f64::NEG_INFINITY }])
+        .collect();
+    let is_whole = pieces.len() == course.images.len() && pieces.len() == other.images.len();
+    let end = if is_whole && course.came && other.came {
+        ManifoldEnd::Orbit
+    } else if pieces.len() == RETURNS {
+        ManifoldEnd::Length
+    } else {
+        ManifoldEnd::Accuracy
+    };
+    Curve {
+        point: 0,
+        side,
+        pieces,
+        length: 0.0,
+        tangencies: 0,
+        rests: 0,
+        gaps: 0,
+        nearest: None,
+        end: Some(end),
+        branch: 0,
+    }
+}
+
+/// How near the motions that leave come to those that arrive; and which are the same, from the first crossing to the last.
+pub fn connect(worlds: &[World<'_>; 2], targets: &[Phase], found: &mut Manifolds) {
+    let strands = |manifold: &Manifold| manifold.curves.iter().all(|curve| curve.length == 0.0);
+    let of = |kind: ManifoldKind| {
+        let own = found.manifolds.iter().filter(move |manifold| manifold.kind == kind && strands(manifold));
+        own.flat_map(|manifold| manifold.curves.iter().map(move |curve| (manifold.orbit, points(curve), curve.end)))
+    };
+    let mut connections = Vec::new();
+    for (from, leaving, end) in of(ManifoldKind::Unstable) {
+        for (to, coming, other) in of(ManifoldKind::Stable) {
+            if leaving.is_empty() || leaving.len() != coming.len() || [end, other] != [Some(ManifoldEnd::Orbit); 2] {
+                continue;
+            }
+            let apart = leaving.iter().zip(coming.iter().rev()).map(|(a, b)| (a - b).norm());
+            let residual = apart.fold(0.0, f64::max);
+            if residual > RESIDUAL {
+                continue;
+            }
+            let away = |y: &&Phase| targets.iter().map(|target| (*y - target).norm()).fold(f64::INFINITY, f64::min);
+            if let Some(farthest) = leaving.iter().max_by(|a, b| away(a).total_cmp(&away(b))) {
+                let state = worlds[0].surface().state(farthest);
+                connections.push(Connection { from, to, state, angle: 0.0, residual, points: leaving.len() });
+            }
+        }
+    }
+    let all = [ManifoldKind::Unstable, ManifoldKind::Stable]
+        .map(|kind| of(kind).flat_map(|(_, points, _)| points).collect::<Vec<Phase>>());
+    found.connections.extend(connections);
+    for manifold in found.manifolds.iter_mut().filter(|manifold| strands(manifold)) {
+        let others = &all[usize::from(manifold.kind == ManifoldKind::Unstable)];
+        for curve in &mut manifold.curves {
+            let apart = points(curve).into_iter().flat_map(|a| others.iter().map(move |b| (a - b).norm()));
+            curve.nearest = apart.min_by(f64::total_cmp);
+        }
+    }
+}
+
+fn points(curve: &Curve) -> Vec<Phase> {
+    curve.pieces.iter().flatten().map(|vertex| vertex.point).collect()
+}
