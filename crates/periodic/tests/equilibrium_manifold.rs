@@ -2,12 +2,13 @@
 
 use bifdiag_body::Body;
 use bifdiag_dynamics::field::{HeavyTop, State};
-use bifdiag_dynamics::section::{Monitor, SectionCondition};
+use bifdiag_dynamics::section::{Monitor, PpTorus, SectionCondition};
 use bifdiag_equilibria::critical::{Equilibrium, critical};
 use bifdiag_periodic::chart::Surface;
 use bifdiag_periodic::flow::Phase;
 use bifdiag_periodic::manifold::{Curve, ManifoldError, ManifoldOptions, Manifolds, manifolds_of_equilibria};
 use bifdiag_periodic::reversor::reversors;
+use bifdiag_periodic::section_map::SectionMap;
 use bifdiag_schema::{ManifoldEnd, ManifoldKind};
 use support::peers::Method;
 
@@ -86,12 +87,35 @@ fn points_of_the_curves_come_from_the_equilibrium() {
     }
 }
 
+/// Beside an equilibrium of complex eigenvalues R multiplies the distance from it along the curve by e^(2π Re λ/Im λ), with λ as
+/// `critical` prints it.
+#[test]
+fn the_return_stretches_the_curve_by_the_eigenvalue() {
+    let [moments, center] = GENERIC;
+    let body = Body::parse(&moments, &center).unwrap();
+    let [re, im] = chosen(&body, "2").eigenvalues.pairs[0];
+    let factor = libm::exp(std::f64::consts::TAU * re / im);
+    let all = found(moments, center, "2", 2.0);
+    let (torus, monitor) = (PpTorus::new(&all.top).unwrap(), Monitor::default());
+    let map = SectionMap::new(&all.surface, &torus, 1e3, &monitor);
+    let rest = all.surface.point(&all.rest);
+    let away = |y: &Phase| (y - rest).norm();
+    let mut tried = 0;
+    for piece in all.curves(ManifoldKind::Unstable).iter().flat_map(|curve| &curve.pieces) {
+        for y in piece.iter().map(|vertex| vertex.point).filter(|y| (5e-4..2e-3).contains(&away(y))) {
+            let image = map.images(&[y], 1).unwrap()[0][0].point;
+            assert!((away(&image) / away(&y) / factor - 1.0).abs() < 0.05, "{} {factor}", away(&image) / away(&y));
+            tried += 1;
+        }
+    }
+    assert!(tried >= 1, "{tried}");
+}
+
 /// Homoclinic orbits are followed both ways by the method of Dormand and Prince and come to the equilibrium.
 #[test]
 fn homoclinic_orbits_come_to_the_equilibrium_at_both_ends() {
-    let [moments, center] = GENERIC;
     let mut told = 0;
-    for l in ["0", "0.5"] {
+    for ([moments, center], l) in [(GENERIC, "0"), (GENERIC, "0.5"), ([["2", "2", "1"], ["1", "0", "0"]], "0.5")] {
         let all = found(moments, center, l, 12.0);
         assert!(!all.manifolds.connections.is_empty(), "{l}");
         for connection in all.manifolds.connections.iter().take(6) {
@@ -110,8 +134,9 @@ fn homoclinic_orbits_come_to_the_equilibrium_at_both_ends() {
 #[test]
 fn a_mirror_takes_unstable_curves_to_stable_ones() {
     let all = found(["2", "1.1", "1"], ["0.94868", "0", "0.61623"], "1.5", 4.0);
-    let l = SectionCondition::Height.value(&all.top, &all.rest);
-    assert!(l.abs() < 1e-15);
+    // It lies in P itself, on the line of tangency.
+    let height = SectionCondition::Height;
+    assert!(height.value(&all.top, &all.rest).abs().max(height.rate(&all.top, &all.rest).abs()) < 1e-15);
     let mirror = reversors(&all.top, 1.5)[0];
     let stable: Vec<Phase> =
         all.curves(ManifoldKind::Stable).iter().flat_map(|c| &c.pieces).flatten().map(|v| v.point).collect();

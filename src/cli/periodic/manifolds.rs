@@ -160,7 +160,8 @@ fn of_equilibria(
             ManifoldError::Section(SectionError::WeightlessBody)
             | ManifoldError::Type(_)
             | ManifoldError::NotIsolated
-            | ManifoldError::Series => Failure::input(format!("--from {id} --l {}: {error}", l.text())),
+            | ManifoldError::Series
+            | ManifoldError::Ring => Failure::input(format!("--from {id} --l {}: {error}", l.text())),
             error => not_followed(error),
         })?;
     let document = bifdiag_documents::equilibrium_manifolds(subject, (id, l), arguments.length, &equilibria, &found);

@@ -64,7 +64,7 @@ pub fn manifolds_of_equilibria(
             if let Rates::One(_) = rates {
                 found.manifolds.push(strand::manifold(world, place, &series)?);
             } else {
-                let ring = Ring::new(surface, series).ok_or(ManifoldError::Series)?;
+                let ring = Ring::new(surface, series).ok_or(ManifoldError::Ring)?;
                 branches.push(Branch::of_rest(world, place, ring));
             }
         }

@@ -73,6 +73,9 @@ pub enum ManifoldError {
          eigenvectors are nearly parallel"
     )]
     Series,
+    /// The closed curve on which motions begin touches P⁻.
+    #[error("the motions that leave the equilibrium cannot be told apart where their crossings of the section begin")]
+    Ring,
 }
 
 /// Multipliers between which manifolds are followed: the curve begins 10⁻⁴ from the orbit, and its first piece ends at that
