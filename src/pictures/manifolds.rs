@@ -1,7 +1,7 @@
 //! Manifolds of periodic orbits or equilibria over the portrait of a section.
 
 use bifdiag_body::Body;
-use bifdiag_dynamics::field::{HeavyTop, State};
+use bifdiag_dynamics::field::{HeavyTop, State, dot};
 use bifdiag_dynamics::poincare::{PoincareError, SectionSetting};
 use bifdiag_dynamics::section::{
     Monitor, OrbitSection, Portrait, PortraitOptions, PpTorus, SectionError, StartOptions, SweepOptions, spread_starts,
@@ -32,6 +32,11 @@ const ORBITS: usize = 24;
 const CROSSINGS: usize = 600;
 /// Their colour is that of orbits of which no verdict is known.
 const GREY: usize = 2;
+
+/// How far beside the energy of an equilibrium the section is drawn, in parts of |h| + |r|: nobody sees it.
+const BESIDE: f64 = 1e-9;
+/// 1 − |cos ϑ'| at a pole.
+const POLE: f64 = 1e-12;
 
 /// What lies behind manifolds in a picture.
 #[derive(Clone, Debug)]
@@ -101,21 +106,28 @@ pub fn manifolds(
     theme: Theme,
 ) -> Result<Picture, ManifoldPictureError> {
     let ManifoldBackground { torus, body, h, l, starts, .. } = background;
-    let portrait = Portrait::new(body, *h, *l, &PortraitOptions::default())?;
+    // At the energy of an equilibrium the boundary and the line of tangency are singular there.
+    let beside = if background.rests.is_empty() { 0.0 } else { BESIDE * (h.abs() + torus.top().center_norm()) };
+    let portrait = Portrait::new(body, h + beside, *l, &PortraitOptions::default())?;
     let options = SweepOptions { crossings: CROSSINGS, ..SweepOptions::default() };
     let orbits: Vec<OrbitSection> = sweep(torus, starts, &options, &Monitor::default())?;
     let place = |state: &State| (state.gamma, torus.point(state).sheet);
     let lines = |kind| {
         let own = found.manifolds.iter().filter(move |manifold| manifold.kind == kind);
-        let pieces = own.flat_map(|manifold| &manifold.curves).flat_map(|curve| &curve.pieces);
+        // A point alone is one of a motion, or nothing to see of a curve.
+        let pieces = own
+            .flat_map(|manifold| &manifold.curves)
+            .flat_map(|curve| curve.pieces.iter().filter(move |piece| piece.len() > 1 || curve.length == 0.0));
         pieces.map(|piece| piece.iter().map(|vertex| place(&found.state(vertex))).collect()).collect()
     };
+    let at_pole = |state: &State| torus.top().r_hat().is_some_and(|r| dot(r, state.gamma).abs() > 1.0 - POLE);
+    let seen = background.rests.iter().filter(|state| !at_pole(state));
     let curves = SectionCurves {
         unstable: lines(ManifoldKind::Unstable),
         stable: lines(ManifoldKind::Stable),
         orbits: background.orbits.iter().map(place).collect(),
-        // On the boundary, where the sheets meet.
-        rests: background.rests.iter().flat_map(|state| [1, -1].map(|sheet| (state.gamma, sheet))).collect(),
+        // On the boundary, where the sheets meet. A pole is no point of the picture but an edge.
+        rests: seen.flat_map(|state| [1, -1].map(|sheet| (state.gamma, sheet))).collect(),
         connections: found.connections.iter().map(|connection| place(&connection.state)).collect(),
     };
     let of = vec![GREY; orbits.len()];

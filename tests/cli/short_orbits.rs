@@ -91,14 +91,14 @@ fn manifolds_of_an_equilibrium_are_asked_for_by_its_curve() {
     assert_eq!(kinds, ["unstable", "stable"]);
     // The command that stands in it gives the same.
     let command = found["command"].as_str().unwrap().strip_prefix("bifdiag ").unwrap();
-    assert_eq!(bifdiag(&format!("{command} --json")).succeeds().json(), found);
+    assert_eq!(bifdiag(command).succeeds().json(), found);
 }
 
 #[test]
 fn manifolds_of_other_equilibria_are_refused() {
     let of = |rest: &str| bifdiag(&format!("periodic manifolds {rest}")).refused();
     of("--body paper --from G2.1 --l 2").telling("type elliptic");
-    of("--body paper --from G0.1 --l 100").telling("has no equilibrium there");
+    of("--body paper --from G1.2 --l 0.5").telling("has no equilibrium there");
     of("--body paper --from G9.1 --l 1").telling("no such curve");
     of("--body paper --from G0.1").telling("--l is missing");
     of("--body paper --from G0.1 --l 1 --h 2").telling("--h");
