@@ -41,8 +41,7 @@ const POLE: f64 = 1e-12;
 /// What lies behind manifolds in a picture.
 #[derive(Clone, Debug)]
 pub struct ManifoldBackground {
-    /// The body's PP-torus.
-    pub torus: PpTorus,
+    torus: PpTorus,
     body: Body,
     h: f64,
     l: f64,

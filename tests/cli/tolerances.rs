@@ -70,8 +70,6 @@ fn sentences_about_all_parts_are_true() {
     );
 }
 
-/// Where moments of all parts are exactly equal, no range comes from their rounding: C = A = B, C = A and A = B, with a weight,
-/// a distance and a mass that are not exact.
 /// Where nothing is known of all parts, those that were tried and never change are told all the same: A2 = 3.6, A3 = 3.2.
 #[test]
 fn types_of_parts_without_a_change_are_inside_too() {
@@ -79,6 +77,8 @@ fn types_of_parts_without_a_change_are_inside_too() {
     text.printing("+axis  0 .. inf  -      -      elliptic, saddle-centre");
 }
 
+/// Where moments of all parts are exactly equal, no range comes from their rounding: C = A = B, C = A and A = B, with a weight,
+/// a distance and a mass that are not exact.
 #[test]
 fn equal_moments_of_a_part_make_no_ranges() {
     let part = |rest: &str| {

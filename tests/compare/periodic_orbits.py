@@ -73,8 +73,8 @@ class Top:
                 # -1: the first event ended it.
                 if flow.propagate_until(LONGEST)[0].value != -1:
                     return None
-                # At the start itself.
-                if flow.time > 1e-9 or k > 0:
+                # At the start itself, which is on the section but for rounding: near its tangency the zero lies further off in time.
+                if flow.time > 1e-6 or k > 0:
                     break
         return flow.state.copy(), flow.time
 

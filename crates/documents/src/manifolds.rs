@@ -67,8 +67,8 @@ pub fn equilibrium_manifolds(
     let missing = missing(found);
     let are_motions = equilibria.iter().all(|found| found.stability == LinearType::SaddleCentre);
     let what = if are_motions {
-        "motions that leave an equilibrium and those that come to it are the same in exceptional cases only; told are those of \
-         which all points agree to 10⁻¹⁰"
+        "motions that agree in all points to 10⁻¹⁰ are the same, or part by less, as they may where the body is not integrable and \
+         turns many times while it leaves"
     } else {
         "crossings of these curves outside 10⁻³ of the equilibria, but for pairs between neighbouring points, which are 0.02 apart \
          at most; longer curves have more"
@@ -142,12 +142,17 @@ fn curve(curve: &Curve) -> ManifoldCurveDocument {
 /// What was not found of what was asked for.
 fn missing(found: &Manifolds) -> Vec<String> {
     let curves = || found.manifolds.iter().flat_map(|manifold| &manifold.curves);
-    let of = |end: ManifoldEnd| curves().filter(|curve| curve.end == Some(end)).count();
-    let (short, inaccurate) = (of(ManifoldEnd::Work), of(ManifoldEnd::Accuracy));
+    let of = |end: ManifoldEnd| curves().filter(move |curve| curve.end == Some(end));
+    let (long, short): (Vec<&Curve>, Vec<&Curve>) = of(ManifoldEnd::Work).partition(|curve| curve.length == 0.0);
+    let (short, inaccurate) = (short.len(), of(ManifoldEnd::Accuracy).count());
     let torn: usize = curves().map(|curve| curve.gaps).sum();
     let mut missing = Vec::new();
     if short > 0 {
         missing.push(format!("{} not followed for the whole length", counted(short, "curve was", "curves were")));
+    }
+    if let Some(motion) = long.first() {
+        let points: usize = motion.pieces.iter().map(Vec::len).sum();
+        missing.push(format!("{} followed for {points} points", counted(long.len(), "motion was", "motions were")));
     }
     if inaccurate > 0 {
         let motions = counted(inaccurate, "motion was", "motions were");

@@ -169,17 +169,31 @@ fn all_motions_of_lagranges_top_come_back() {
     }
 }
 
-/// Kovalevskaya's top with one real and one imaginary pair: both motions that leave come back, and are told to be homoclinic.
+/// Kovalevskaya's top with one real and one imaginary pair: both motions that leave come back, as the other kind says, too.
 #[test]
-fn motions_of_kovalevskayas_top_are_homoclinic() {
+fn motions_of_kovalevskayas_top_come_back() {
     let all = found(["2", "2", "1"], ["1", "0", "0"], "2.5", 1.0);
-    assert_eq!(all.manifolds.connections.len(), 2, "{:?}", all.manifolds.connections);
-    for connection in &all.manifolds.connections {
-        assert!(connection.residual < 1e-10, "{connection:?}");
+    let [contact] = all.manifolds.contacts[..] else { panic!("{:?}", all.manifolds.contacts) };
+    assert_eq!((contact.from, contact.to, contact.places), (0, 0, 2));
+    for curve in all.manifolds.manifolds.iter().flat_map(|manifold| &manifold.curves) {
+        assert_eq!(curve.end, Some(ManifoldEnd::Orbit));
+        assert!(curve.nearest.is_some_and(|nearest| nearest < 1e-10), "{curve:?}");
+        let state = all.manifolds.state(&curve.pieces[curve.pieces.len() / 2][0]);
         for backward in [false, true] {
-            assert!(all.nearest(&connection.state, backward, 40.0) < 1e-4);
+            assert!(all.nearest(&state, backward, 40.0) < 1e-4);
         }
     }
+}
+
+/// A body without symmetry whose manifolds part by some e^(−πω/λ) = 10⁻²⁰: that they agree to 10⁻¹⁰ is no homoclinic orbit.
+#[test]
+fn motions_that_part_by_little_are_not_called_homoclinic() {
+    let body = Body::parse(&["1.33", "2.01", "1.53"], &["0.1", "0.2", "0.9"]).unwrap();
+    let list = critical(&body, &"3.7".parse().unwrap()).unwrap().list;
+    let [saddle] = list.into_iter().filter(|found| found.index == 1).collect::<Vec<_>>().try_into().unwrap();
+    let found = manifolds_of_equilibria(&body, &[saddle], &ManifoldOptions::default(), &Monitor::default()).unwrap();
+    assert!(found.connections.is_empty(), "{:?}", found.connections);
+    assert!(!found.contacts.is_empty());
 }
 
 /// Another body with such an equilibrium is not integrable, and its motions do not come back.

@@ -309,11 +309,12 @@ term! {
         /// It has the length that was asked for.
         Length = "length",
         /// What a return adds lies within 10⁻⁴ of a periodic orbit: a saddle connection, or curves that cross at so small an angle
-        /// that they cannot be told apart there. Of an equilibrium: all motions of the curve come to within 10⁻⁵ of one.
+        /// that they cannot be told apart there. Of an equilibrium likewise; a motion comes to within 10⁻⁵ of one, and all its
+        /// points are those of a motion of the other kind, to 10⁻¹⁰.
         Orbit = "orbit",
-        /// It would take more returns than are computed for a curve.
+        /// It would take more returns than are computed.
         Work = "work",
-        /// Further points of the motion cannot be computed to 10⁻⁸. The list is open.
+        /// Further points of the motion cannot be computed to 10⁻⁸.
         Accuracy = "accuracy",
     }
 }
@@ -374,7 +375,7 @@ pub struct ConnectionDocument {
     pub gamma: [f64; 3],
     /// ω there.
     pub omega: [f64; 3],
-    /// The angle of the two curves there, in radians, in (γ, l/L); 0 where they are motions.
+    /// The angle of the two curves there, in radians, in (γ, l/L).
     pub angle: f64,
     /// The distance of the points of both curves after Newton's method.
     pub residual: f64,
@@ -382,7 +383,7 @@ pub struct ConnectionDocument {
     pub points: usize,
 }
 
-/// Curves that run along each other, at angles below 10⁻⁴.
+/// Curves that run along each other, at angles below 10⁻⁴; or motions that agree in all points, to 10⁻¹⁰.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ContactDocument {
     /// The place in `orbits` of the orbit whose unstable curve it is.

@@ -63,12 +63,16 @@ struct Seen {
     events: Vec<NamedEvent>,
 }
 
+/// How far beside a border the bodies are that are looked at in place of one on it, in steps.
+const BESIDE: f64 = 1e-3;
+
 /// Follows the events over so many bodies, in equal steps from one end of the way to the other. Borders are sought between
 /// neighbours of different classes: two within one step, back to the same class, are not seen.
 #[must_use]
 pub fn follow(segment: &BodySegment, bodies: usize, options: &BorderOptions) -> EventTracks {
     let last = bodies.max(2) - 1;
     let places: Vec<f64> = (0..=last).map(|k| k as f64 / last as f64).collect();
+    let mut bodies = places.len();
     let look = |places: &[f64]| -> Vec<Seen> {
         let seen = each(places, |&t| {
             // More special than its neighbours, a body has a class of its own.
@@ -80,17 +84,24 @@ pub fn follow(segment: &BodySegment, bodies: usize, options: &BorderOptions) -> 
         });
         seen.into_iter().flatten().collect()
     };
-    let mut seen = look(&places);
-    let borders = loop {
+    let seek = |seen: &[Seen]| -> Vec<Border> {
         let pairs: Vec<&[Seen]> = seen.windows(2).collect();
-        let borders: Vec<Border> = each(&pairs, |pair| between(segment, pair, options)).into_iter().flatten().collect();
-        // A body on a border belongs to neither side: the border is sought anew between its neighbours.
-        let before = seen.len();
-        seen.retain(|body| !borders.iter().any(|border| is_at(border, body.t)));
-        if seen.len() == before {
-            break borders;
-        }
+        each(&pairs, |pair| between(segment, pair, options)).into_iter().flatten().collect()
     };
+    let mut seen = look(&places);
+    let mut borders = seek(&seen);
+    // A body on a border belongs to neither side: two beside it are looked at in its place, one at an end of the way.
+    let is_on_border = |body: &Seen| borders.iter().any(|border| is_at(border, body.t));
+    let beside = |body: &Seen| [-1.0, 1.0].map(|side| body.t + side * BESIDE / last as f64);
+    let beside: Vec<f64> = seen.iter().filter(|body| is_on_border(body)).flat_map(beside).collect();
+    if !beside.is_empty() {
+        seen.retain(|body| !is_on_border(body));
+        let beside: Vec<f64> = beside.into_iter().filter(|t| (0.0..=1.0).contains(t)).collect();
+        bodies += beside.len();
+        seen.extend(look(&beside));
+        seen.sort_by(|p, q| p.t.total_cmp(&q.t));
+        borders = seek(&seen);
+    }
     let ends: Vec<f64> = [0.0].into_iter().chain(borders.iter().map(|border| border.t)).chain([1.0]).collect();
     let is_inside = |t: &[f64], body: &Seen| {
         let is_end = (body.t == 0.0 && t[0] == 0.0) || (body.t == 1.0 && t[1] == 1.0);
@@ -101,15 +112,17 @@ pub fn follow(segment: &BodySegment, bodies: usize, options: &BorderOptions) -> 
     let middles: Vec<f64> = ends.windows(2).filter(is_empty).map(|t| 0.5 * (t[0] + t[1])).collect();
     seen.extend(look(&middles));
     seen.sort_by(|p, q| p.t.total_cmp(&q.t));
-    let bodies = places.len() + middles.len();
+    bodies += middles.len();
     let mut found = EventTracks { stretches: Vec::new(), tracks: Vec::new(), bodies, passed: 0, borders };
     let mut shown = 0;
     for (number, pair) in ends.windows(2).enumerate() {
         let t = [pair[0], pair[1]];
         let inside: Vec<&Seen> = seen.iter().filter(|body| is_inside(pair, body)).collect();
-        // Where the body in the middle is undecided, the border below knows.
+        // The body that is farthest from the borders tells the class; where that in the middle is undecided, the border below.
         let below = number.checked_sub(1).and_then(|below| found.borders.get(below)).map(|border| &border.classes[1]);
-        let class = inside.first().map(|body| &body.class).or(below).cloned();
+        let far = |body: &Seen| (body.t - t[0]).min(t[1] - body.t);
+        let inner = inside.iter().max_by(|p, q| far(p).total_cmp(&far(q)));
+        let class = inner.map(|body| &body.class).or(below).cloned();
         let own: Vec<&Seen> = inside
             .into_iter()
             .filter(|body| class.as_ref().is_some_and(|class| class.name() == body.class.name()))
@@ -236,7 +249,8 @@ mod tests {
         let borders: Vec<f64> = found.borders.iter().map(|border| value(border.t)).collect();
         assert_eq!(borders.len(), 2);
         assert!((borders[0] - 10.0 / 9.0).abs() < 1e-9 && (borders[1] - 1.5).abs() < 1e-9, "{borders:?}");
-        assert_eq!((found.stretches.len(), found.passed), (3, 0));
+        // One of the bodies is that at 3/2.
+        assert_eq!((found.stretches.len(), found.bodies, found.passed), (3, 37, 1));
         let [cusp] = of(&found, "cusp of S2")[..] else { panic!("{:?}", found.tracks) };
         assert_eq!(cusp.between, [None, Some(1)]);
         let [pitchfork] = of(&found, "pitchfork of L- and S2")[..] else { panic!("{:?}", found.tracks) };
@@ -304,6 +318,7 @@ mod tests {
         let on_border = |body: &f64| found.borders.iter().any(|border| (border.t - body).abs() < 1e-9);
         let bodies: Vec<f64> = (0..19).map(|k| f64::from(k) / 18.0).collect();
         let left_out = bodies.iter().filter(|body| on_border(body)).count();
+        assert_eq!(left_out, 2);
         assert!(found.borders.windows(2).all(|pair| pair[0].t < pair[1].t), "{:?}", found.borders);
         // Both ends have equal moments.
         assert_eq!(found.passed, left_out + 2);

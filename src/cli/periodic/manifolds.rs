@@ -5,8 +5,9 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use bifdiag_documents::Subject;
+use bifdiag_dynamics::field::HeavyTop;
 use bifdiag_dynamics::poincare::SectionSetting;
-use bifdiag_dynamics::section::{Monitor, SectionError};
+use bifdiag_dynamics::section::{Monitor, PpTorus, SectionError};
 use bifdiag_periodic::catalogue::Catalogue;
 use bifdiag_periodic::family::Held;
 use bifdiag_periodic::manifold::{ManifoldError, ManifoldOptions, Manifolds, manifolds, manifolds_of_equilibria};
@@ -32,8 +33,8 @@ Examples:
   bifdiag periodic manifolds --body paper --from G0.1 --l 0.5
 
 The curves of motions that leave the unstable periodic orbits at (h, l), and of those that come to them, in the part of P where \
-<gamma,r> is largest; or of an unstable equilibrium, at its energy (--from); and the orbits that connect them (homoclinic, heteroclinic), refined to 1e-10. --data writes a row for each \
-point of a curve, with theta, psi, sheet as in `bifdiag section`.";
+<gamma,r> is largest; or of an unstable equilibrium, at its energy (--from); and the orbits that connect them (homoclinic, \
+heteroclinic), refined to 1e-10. --data writes a row for each point of a curve, with theta, psi, sheet as in `bifdiag section`.";
 
 /// `bifdiag periodic manifolds`.
 #[derive(Debug, Args)]
@@ -48,7 +49,8 @@ pub struct ManifoldsArguments {
     /// Of the orbits with at most N crossings of P in a period, inward and outward
     #[arg(long, value_name = "N", default_value_t = 2, help_heading = "Orbits")]
     pub crossings: u32,
-    /// Follow each curve for this length, in units in which |gamma| and a bound of |l| are 1
+    /// Follow each curve for this length, in units in which |gamma| and a bound of |l| are 1; motions of a saddle-centre, which
+    /// are no curves, are followed for 100 points
     #[arg(long, value_name = "L", default_value_t = 10.0, value_parser = length, allow_hyphen_values = true, help_heading = "Orbits")]
     pub length: f64,
     /// Draw the curves over the section, to DIR/manifolds.svg
@@ -80,7 +82,9 @@ fn length(text: &str) -> Result<f64, Failure> {
 struct Found {
     document: ManifoldsDocument,
     manifolds: Manifolds,
-    background: ManifoldBackground,
+    torus: PpTorus,
+    /// Where a picture was asked for.
+    background: Option<ManifoldBackground>,
 }
 
 pub fn run(arguments: &ManifoldsArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
@@ -96,9 +100,9 @@ pub fn run(arguments: &ManifoldsArguments, timings: &Timings, quiet: bool) -> Re
         None => of_orbits(arguments, &subject, &monitor, timings, quiet),
     };
     drop(interruptible);
-    let Found { document, manifolds, background } = found?;
+    let Found { document, manifolds, torus, background } = found?;
     let mut files = FileSet::new(arguments.out.as_deref().unwrap_or(Path::new(".")));
-    if arguments.out.is_some() {
+    if let Some(background) = background {
         let draw = || pictures::manifolds(&background, &manifolds, arguments.picture.theme);
         let picture = timings.stage("picture", draw).map_err(failed("the picture could not be drawn"))?;
         files.remove_pictures("manifolds");
@@ -106,11 +110,11 @@ pub fn run(arguments: &ManifoldsArguments, timings: &Timings, quiet: bool) -> Re
     }
     match &arguments.data {
         Some(DataTarget::File { path, format }) => {
-            files.add_at(path, format.bytes(&columns(&background.torus, &manifolds, &document)?)?);
+            files.add_at(path, format.bytes(&columns(&torus, &manifolds, &document)?)?);
         }
         Some(DataTarget::Stdout) => {
             files.write()?;
-            return print(DataFormat::Csv.bytes(&columns(&background.torus, &manifolds, &document)?)?);
+            return print(DataFormat::Csv.bytes(&columns(&torus, &manifolds, &document)?)?);
         }
         None => {}
     }
@@ -134,8 +138,9 @@ fn of_orbits(
     let found = timings.stage("manifolds", work).map_err(not_followed)?;
     let asked = (arguments.crossings, arguments.length);
     let document = bifdiag_documents::manifolds(subject, [h, l], asked, &listed, &found);
-    let background = ManifoldBackground::of_orbits(&setting, &listed).map_err(poincare_failure)?;
-    Ok(Found { document, manifolds: found, background })
+    let background = || ManifoldBackground::of_orbits(&setting, &listed).map_err(poincare_failure);
+    let background = arguments.out.as_ref().map(|_| background()).transpose()?;
+    Ok(Found { document, manifolds: found, torus: setting.torus().clone(), background })
 }
 
 fn of_equilibria(
@@ -165,8 +170,10 @@ fn of_equilibria(
             error => not_followed(error),
         })?;
     let document = bifdiag_documents::equilibrium_manifolds(subject, (id, l), arguments.length, &equilibria, &found);
-    let background = ManifoldBackground::of_equilibria(body, &equilibria).map_err(failed(NO_BACKGROUND))?;
-    Ok(Found { document, manifolds: found, background })
+    let background = || ManifoldBackground::of_equilibria(body, &equilibria).map_err(failed(NO_BACKGROUND));
+    let background = arguments.out.as_ref().map(|_| background()).transpose()?;
+    let torus = PpTorus::new(&HeavyTop::new(body)).map_err(|error| not_followed(error.into()))?;
+    Ok(Found { document, manifolds: found, torus, background })
 }
 
 /// What is said where nothing can be drawn.

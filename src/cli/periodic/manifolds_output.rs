@@ -6,7 +6,7 @@ use bifdiag_documents::Subject;
 use bifdiag_dynamics::field::State;
 use bifdiag_dynamics::section::{PpTorus, TorusPoint};
 use bifdiag_periodic::manifold::{Curve, Manifolds};
-use bifdiag_schema::{ManifoldEnd, ManifoldKind, ManifoldsDocument, eigenvalues_in_words};
+use bifdiag_schema::{ManifoldCurveDocument, ManifoldEnd, ManifoldKind, ManifoldsDocument, eigenvalues_in_words};
 
 use super::short::yes;
 use crate::cli::export::{Columns, Values};
@@ -104,12 +104,18 @@ pub fn text(subject: &Subject, document: &ManifoldsDocument, written: &[PathBuf]
             report.line(format!("  and {} more; --json lists each", document.connections.len() - TOLD));
         }
         for contact in &document.contacts {
-            report.line(format!(
-                "unstable curves of {0} {1} run along stable ones of {0} {2}: as far as they do, they are not told apart",
-                source(document),
-                contact.from,
-                contact.to
-            ));
+            let (source, from, to) = (source(document), contact.from, contact.to);
+            report.line(if are_motions {
+                format!(
+                    "motions that leave {source} {from} and motions that come to {source} {to} agree in all points to 1e-10: they \
+                     are the same, or part by less"
+                )
+            } else {
+                format!(
+                    "unstable curves of {source} {from} run along stable ones of {source} {to}: as far as they do, they are not told \
+                     apart"
+                )
+            });
         }
     }
     motion_units(subject, &mut report);
@@ -173,7 +179,7 @@ fn of_curves(document: &ManifoldsDocument) -> Table {
                 side(curve.side),
                 significant(curve.length, 4),
                 (curve.tangencies + curve.rests + curve.gaps).to_string(),
-                end(document, curve.end),
+                end(document, curve),
             ]);
         }
     }
@@ -191,7 +197,7 @@ fn of_motions(document: &ManifoldsDocument) -> Table {
                 side(curve.side),
                 curve.points.to_string(),
                 curve.nearest.map_or_else(|| "-".to_owned(), |nearest| significant(nearest, 3)),
-                end(document, curve.end),
+                end(document, curve),
             ]);
         }
     }
@@ -202,10 +208,11 @@ fn side(side: i8) -> String {
     if side > 0 { "+" } else { "-" }.to_owned()
 }
 
-fn end(document: &ManifoldsDocument, end: ManifoldEnd) -> String {
-    match end {
+fn end(document: &ManifoldsDocument, curve: &ManifoldCurveDocument) -> String {
+    match curve.end {
         ManifoldEnd::Length => "length reached",
         ManifoldEnd::Orbit if document.equilibria.is_empty() => "within 0.0001 of a periodic orbit",
+        ManifoldEnd::Orbit if curve.length > 0.0 => "within 0.0001 of an equilibrium",
         ManifoldEnd::Orbit => "within 0.00001 of an equilibrium",
         ManifoldEnd::Work => "followed no further",
         ManifoldEnd::Accuracy => "known to 1e-8 up to here",

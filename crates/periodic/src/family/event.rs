@@ -7,8 +7,8 @@ use super::member::{Member, Setting};
 /// A trace that is so near to one of a special orbit all along is no change of sign, but rounding: in integrable tops whole
 /// families have the trace 2.
 const FLAT: f64 = 1e-7;
-/// Steps of the search; it stops where the place no longer moves, or moves no less than the step before: that is rounding once
-/// the moves are so small.
+/// Steps of the search; it stops where the place no longer moves, or moves no less than half as far as in the step before: that is
+/// rounding once the moves are so small.
 const STEPS: u32 = 60;
 const ROUNDING: f64 = 1e-8;
 

@@ -70,7 +70,7 @@ pub fn manifolds_of_equilibria(
         }
     }
     grow::grow_all(&worlds, &branches, &targets, options.length, &mut found)?;
-    strand::connect(&worlds, &targets, &mut found);
+    strand::connect(&mut found);
     if !branches.is_empty() {
         crossing::connect(&worlds, &branches, &targets, &mut found)?;
     }

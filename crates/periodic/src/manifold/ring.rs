@@ -34,7 +34,7 @@ struct Zero {
     change: i64,
 }
 
-/// How long before, in units of the larger of |re| and |im| of the rates.
+/// How long before, in units of 1 over the larger of |re| and |im| of the rates.
 const BEFORE: f64 = 0.1;
 /// Places of the closed curve at which S is looked at.
 const LOOKS: u32 = 1440;

@@ -33,7 +33,7 @@ pub struct Series {
     /// w of x₁ᵐx₂ⁿ at (m + n)(m + n + 1)/2 + n.
     terms: Vec<Vector>,
     degree: usize,
-    /// Half axes of the closed curve on which motions begin: sizes of x₁ and x₂.
+    /// Half axes of the closed curve on which motions begin: sizes of x₁ and x₂, of a complex pair twice these.
     pub sizes: [f64; 2],
 }
 
@@ -41,7 +41,7 @@ pub struct Series {
 pub const DEGREE: usize = 10;
 /// Terms of the highest degree are no larger than this where motions begin.
 const REMAINDER: f64 = 1e-16;
-/// How far from an equilibrium motions begin at most: with two different real rates, and else.
+/// How far from an equilibrium motions begin at most: with two real rates, and else.
 const BEGIN: [f64; 2] = [1e-2, 1e-3];
 /// The other size where one rate is larger is what the same time makes of it, but not less than this.
 const LEAST: f64 = 1e-4;

@@ -5,7 +5,7 @@ use bifdiag_schema::{ManifoldEnd, ManifoldKind};
 
 use super::crossing::RESIDUAL;
 use super::curve::{Curve, Vertex};
-use super::model::{Connection, Manifold, Manifolds};
+use super::model::{Contact, Manifold, Manifolds};
 use super::series::Series;
 use super::world::{Course, World};
 use crate::flow::Phase;
@@ -42,7 +42,7 @@ fn curve(world: &World<'_>, course: &Course, other: &Course, side: i8) -> Curve 
     let end = if is_whole && course.came && other.came {
         ManifoldEnd::Orbit
     } else if pieces.len() == RETURNS {
-        ManifoldEnd::Length
+        ManifoldEnd::Work
     } else {
         ManifoldEnd::Accuracy
     };
@@ -60,14 +60,16 @@ fn curve(world: &World<'_>, course: &Course, other: &Course, side: i8) -> Curve 
     }
 }
 
-/// How near the motions that leave come to those that arrive; and which are the same, from the first crossing to the last.
-pub fn connect(worlds: &[World<'_>; 2], targets: &[Phase], found: &mut Manifolds) {
+/// How near the motions that leave come to those that arrive; and which cannot be told apart, from the first crossing to the
+/// last. Such a pair is no proof of a homoclinic orbit: manifolds split by some e^(−πω/λ), ±λ and ±iω being the eigenvalues.
+pub fn connect(found: &mut Manifolds) {
     let strands = |manifold: &Manifold| manifold.curves.iter().all(|curve| curve.length == 0.0);
     let of = |kind: ManifoldKind| {
         let own = found.manifolds.iter().filter(move |manifold| manifold.kind == kind && strands(manifold));
         own.flat_map(|manifold| manifold.curves.iter().map(move |curve| (manifold.orbit, points(curve), curve.end)))
     };
-    let mut connections = Vec::new();
+    let mut contacts: Vec<Contact> = Vec::new();
+    let mut alike: Vec<Phase> = Vec::new();
     for (from, leaving, end) in of(ManifoldKind::Unstable) {
         for (to, coming, other) in of(ManifoldKind::Stable) {
             if leaving.is_empty() || leaving.len() != coming.len() || [end, other] != [Some(ManifoldEnd::Orbit); 2] {
@@ -78,21 +80,26 @@ pub fn connect(worlds: &[World<'_>; 2], targets: &[Phase], found: &mut Manifolds
             if residual > RESIDUAL {
                 continue;
             }
-            let away = |y: &&Phase| targets.iter().map(|target| (*y - target).norm()).fold(f64::INFINITY, f64::min);
-            if let Some(farthest) = leaving.iter().max_by(|a, b| away(a).total_cmp(&away(b))) {
-                let state = worlds[0].surface().state(farthest);
-                connections.push(Connection { from, to, state, angle: 0.0, residual, points: leaving.len() });
+            match contacts.iter_mut().find(|known| [known.from, known.to] == [from, to]) {
+                Some(known) => known.places += 1,
+                None => contacts.push(Contact { from, to, places: 1 }),
             }
+            alike.extend([leaving[0], coming[0]]);
         }
     }
     let all = [ManifoldKind::Unstable, ManifoldKind::Stable]
         .map(|kind| of(kind).flat_map(|(_, points, _)| points).collect::<Vec<Phase>>());
-    found.connections.extend(connections);
+    found.contacts.extend(contacts);
     for manifold in found.manifolds.iter_mut().filter(|manifold| strands(manifold)) {
         let others = &all[usize::from(manifold.kind == ManifoldKind::Unstable)];
         for curve in &mut manifold.curves {
             let apart = points(curve).into_iter().flat_map(|a| others.iter().map(move |b| (a - b).norm()));
             curve.nearest = apart.min_by(f64::total_cmp);
+            // What becomes of a motion that comes so near is not known, unless it is one that comes from there.
+            let is_alike = points(curve).first().is_some_and(|first| alike.contains(first));
+            if curve.end == Some(ManifoldEnd::Orbit) && !is_alike {
+                curve.end = Some(ManifoldEnd::Accuracy);
+            }
         }
     }
 }
