@@ -64,7 +64,7 @@ impl ManifoldBackground {
             starts.push(setting.state(start)?);
         }
         Ok(Self {
-            torus: setting.torus().clone(),
+            torus: *setting.torus(),
             body: setting.body().clone(),
             h: setting.h(),
             l: setting.l(),

@@ -34,7 +34,8 @@ Examples:
 
 The curves of motions that leave the unstable periodic orbits at (h, l), and of those that come to them, in the part of P where \
 <gamma,r> is largest; or of an unstable equilibrium, at its energy (--from); and the orbits that connect them (homoclinic, \
-heteroclinic), refined to 1e-10. --data writes a row for each point of a curve, with theta, psi, sheet as in `bifdiag section`.";
+heteroclinic), refined to 1e-10. Motions of a saddle-centre are no curves: 100 points of each are looked for. \
+--data writes a row for each point of a curve, with theta, psi, sheet as in `bifdiag section`.";
 
 /// `bifdiag periodic manifolds`.
 #[derive(Debug, Args)]
@@ -49,8 +50,7 @@ pub struct ManifoldsArguments {
     /// Of the orbits with at most N crossings of P in a period, inward and outward
     #[arg(long, value_name = "N", default_value_t = 2, help_heading = "Orbits")]
     pub crossings: u32,
-    /// Follow each curve for this length, in units in which |gamma| and a bound of |l| are 1; motions of a saddle-centre, which
-    /// are no curves, are followed for 100 points
+    /// Follow each curve for this length, in units in which |gamma| and a bound of |l| are 1
     #[arg(long, value_name = "L", default_value_t = 10.0, value_parser = length, allow_hyphen_values = true, help_heading = "Orbits")]
     pub length: f64,
     /// Draw the curves over the section, to DIR/manifolds.svg
@@ -140,7 +140,7 @@ fn of_orbits(
     let document = bifdiag_documents::manifolds(subject, [h, l], asked, &listed, &found);
     let background = || ManifoldBackground::of_orbits(&setting, &listed).map_err(poincare_failure);
     let background = arguments.out.as_ref().map(|_| background()).transpose()?;
-    Ok(Found { document, manifolds: found, torus: setting.torus().clone(), background })
+    Ok(Found { document, manifolds: found, torus: *setting.torus(), background })
 }
 
 fn of_equilibria(

@@ -125,9 +125,8 @@ pub fn breaks(
 ) -> Result<Vec<Option<Break>>, SectionError> {
     let is_apart = |pair: &[Node]| {
         let kind = match (pair[0].place, pair[1].place) {
-            (Place::Before, _) | (_, Place::Before) => Break::Begin,
+            (Place::Before, _) | (_, Place::Before) | (Place::Rest, Place::On(_)) => Break::Begin,
             (Place::On(_), Place::Rest) => Break::Rest,
-            (Place::Rest, Place::On(_)) => Break::Begin,
             _ => Break::Gap,
         };
         (distance(&pair[0], &pair[1]) > GAP).then_some(kind)

@@ -103,7 +103,11 @@ impl Ring {
         let turns = s.floor();
         let passed = self.zeros[usize::from(self.earlier(s))].iter().filter(|zero| zero.s <= s - turns);
         let changes: i64 = passed.map(|zero| zero.change).sum();
-        #[expect(clippy::cast_possible_truncation, reason = "seeds leave 0..1 by a few spacings at most")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_possible_wrap,
+            reason = "seeds leave 0..1 by a few spacings at most, and numbers of crossings are small"
+        )]
         let number = level as i64 + 1 + changes - self.most + self.winding as i64 * turns as i64;
         usize::try_from(number).ok().filter(|number| *number > 0)
     }
