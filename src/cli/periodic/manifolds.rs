@@ -34,8 +34,7 @@ Examples:
 
 The curves of motions that leave the unstable periodic orbits at (h, l), and of those that come to them, in the part of P where \
 <gamma,r> is largest; or of an unstable equilibrium, at its energy (--from); and the orbits that connect them (homoclinic, \
-heteroclinic), refined to 1e-10. Motions of a saddle-centre are no curves: 100 points of each are looked for. \
---data writes a row for each point of a curve, with theta, psi, sheet as in `bifdiag section`.";
+heteroclinic), refined to 1e-10. --data writes a row for each point of a curve, with theta, psi, sheet as in `bifdiag section`.";
 
 /// `bifdiag periodic manifolds`.
 #[derive(Debug, Args)]
