@@ -11,7 +11,7 @@ use clap::Args;
 use super::atlas::{STRAY, strays};
 use super::explain::explanation;
 use super::failure::{Failure, failed};
-use super::input::{BodyArguments, head};
+use super::input::{BodyArguments, head, values};
 use super::terminal::{Report, bound, print, significant};
 
 pub const EXAMPLES: &str = "\
@@ -52,8 +52,7 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
     let mut report = Report::default();
     head(&subject, &mut report);
     report.line("");
-    // Pictures write L− with the minus sign.
-    let id = arguments.id.to_ascii_uppercase().replace('−', "-");
+    let id = values::id(&arguments.id);
     let branch = |curve: &&CurveDocument| curve.id.rsplit_once('.').is_some_and(|(branch, _)| branch == id);
     let event = id.strip_prefix('E').and_then(|number| number.parse::<usize>().ok()?.checked_sub(1));
     if let Some(region) = document.regions.iter().find(|region| region.id == id) {

@@ -9,7 +9,7 @@ use bifdiag_dynamics::section::{
 };
 use bifdiag_equilibria::critical::Equilibrium;
 use bifdiag_periodic::list::OrbitList;
-use bifdiag_periodic::manifold::Manifolds;
+use bifdiag_periodic::manifold::{Manifolds, rest};
 use bifdiag_plot::{
     OrbitColors, OrbitFamilies, Picture, PlotError, SectionCurves, SectionOptions, SectionScene, Theme, draw_section,
 };
@@ -86,11 +86,7 @@ impl ManifoldBackground {
         for start in spread_starts(&torus, h, l, &StartOptions { count: ORBITS, ..StartOptions::default() })? {
             starts.push(torus.state(start, h, l)?);
         }
-        let state = |found: &Equilibrium| {
-            let l = top.inertia(found.gamma.map(|x| found.omega * x));
-            State { gamma: found.gamma, l }
-        };
-        let rests = equilibria.iter().map(state).collect();
+        let rests = equilibria.iter().map(|found| rest(found, &top)).collect();
         Ok(Self { torus, body: body.clone(), h, l, starts, orbits: Vec::new(), rests })
     }
 }
@@ -114,9 +110,10 @@ pub fn manifolds(
     let lines = |kind| {
         let own = found.manifolds.iter().filter(move |manifold| manifold.kind == kind);
         // A point alone is one of a motion, or nothing to see of a curve.
-        let pieces = own
-            .flat_map(|manifold| &manifold.curves)
-            .flat_map(|curve| curve.pieces.iter().filter(move |piece| piece.len() > 1 || curve.length == 0.0));
+        let pieces = own.flat_map(|manifold| {
+            let pieces = manifold.curves.iter().flat_map(|curve| &curve.pieces);
+            pieces.filter(|piece| piece.len() > 1 || manifold.are_motions)
+        });
         pieces.map(|piece| piece.iter().map(|vertex| place(&found.state(vertex))).collect()).collect()
     };
     let at_pole = |state: &State| torus.top().r_hat().is_some_and(|r| dot(r, state.gamma).abs() > 1.0 - POLE);

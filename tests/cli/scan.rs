@@ -465,7 +465,7 @@ fn bodies_on_borders_hide_no_others() {
         let found = document(line);
         assert!(found["passed"].as_u64().unwrap() <= 8, "{line}: {found}");
     }
-    // Three of five bodies lie on borders, which are found all the same: A1 = A3, A2 = A3, and J_r passes the middle moment.
+    // Of five bodies two lie on borders, where J_r passes the middle moment: these and A2 = A3, A1 = A3 are found all the same.
     let places = |bodies: u32| -> Vec<f64> {
         let found = document(&format!("--A 2,1.5,1 --r 1,1,1 --vary A3=1:4:{bodies}"));
         let place = |border: &Value| border["at"][0]["value"].as_f64().unwrap();

@@ -3,7 +3,6 @@
 use bifdiag_body::Number;
 use bifdiag_dynamics::field::HeavyTop;
 use bifdiag_equilibria::critical::Equilibrium;
-use bifdiag_equilibria::stability::LinearType;
 use bifdiag_numbers::decimal::counted;
 use bifdiag_periodic::list::OrbitList;
 use bifdiag_periodic::manifold::{Curve, Manifolds};
@@ -65,8 +64,7 @@ pub fn equilibrium_manifolds(
 ) -> ManifoldsDocument {
     let command = subject.command("periodic manifolds").option("from", curve).option("l", l.text());
     let missing = missing(found);
-    let are_motions = equilibria.iter().all(|found| found.stability == LinearType::SaddleCentre);
-    let what = if are_motions {
+    let what = if found.manifolds.iter().all(|manifold| manifold.are_motions) {
         "motions that agree in all points to 10⁻¹⁰ are the same, or part by less, as they may where the body is not integrable and \
          turns many times while it leaves"
     } else {
@@ -141,11 +139,14 @@ fn curve(curve: &Curve) -> ManifoldCurveDocument {
 
 /// What was not found of what was asked for.
 fn missing(found: &Manifolds) -> Vec<String> {
-    let curves = || found.manifolds.iter().flat_map(|manifold| &manifold.curves);
-    let of = |end: ManifoldEnd| curves().filter(move |curve| curve.end == Some(end));
-    let (long, short): (Vec<&Curve>, Vec<&Curve>) = of(ManifoldEnd::Work).partition(|curve| curve.length == 0.0);
-    let (short, inaccurate) = (short.len(), of(ManifoldEnd::Accuracy).count());
-    let torn: usize = curves().map(|curve| curve.gaps).sum();
+    let curves = |are_motions: bool, end: ManifoldEnd| {
+        let own = found.manifolds.iter().filter(move |manifold| manifold.are_motions == are_motions);
+        own.flat_map(|manifold| &manifold.curves).filter(move |curve| curve.end == Some(end))
+    };
+    let short = curves(false, ManifoldEnd::Work).count();
+    let long: Vec<&Curve> = curves(true, ManifoldEnd::Work).collect();
+    let inaccurate = curves(true, ManifoldEnd::Accuracy).count();
+    let torn: usize = found.manifolds.iter().flat_map(|manifold| &manifold.curves).map(|curve| curve.gaps).sum();
     let mut missing = Vec::new();
     if short > 0 {
         missing.push(format!("{} not followed for the whole length", counted(short, "curve was", "curves were")));

@@ -6,7 +6,7 @@ use bifdiag_dynamics::section::{Monitor, PpTorus, SectionCondition};
 use bifdiag_equilibria::critical::{Equilibrium, critical};
 use bifdiag_periodic::chart::Surface;
 use bifdiag_periodic::flow::Phase;
-use bifdiag_periodic::manifold::{Curve, ManifoldError, ManifoldOptions, Manifolds, manifolds_of_equilibria};
+use bifdiag_periodic::manifold::{Curve, ManifoldError, ManifoldOptions, Manifolds, manifolds_of_equilibria, rest};
 use bifdiag_periodic::reversor::reversors;
 use bifdiag_periodic::section_map::SectionMap;
 use bifdiag_schema::{ManifoldEnd, ManifoldKind};
@@ -32,7 +32,7 @@ fn found(moments: [&str; 3], center: [&str; 3], l: &str, length: f64) -> Found {
     let top = HeavyTop::new(&body);
     let surface = Surface::new(&top, equilibrium.h, equilibrium.l);
     let options = ManifoldOptions { length };
-    let rest = State { gamma: equilibrium.gamma, l: top.inertia(equilibrium.gamma.map(|x| x * equilibrium.omega)) };
+    let rest = rest(&equilibrium, &top);
     let manifolds = manifolds_of_equilibria(&body, &[equilibrium], &options, &Monitor::default()).unwrap();
     Found { top, surface, rest, manifolds }
 }

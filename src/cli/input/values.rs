@@ -21,6 +21,11 @@ use crate::cli::failure::Failure;
 /// The most threads that can be asked for.
 const MAX_THREADS: usize = 1024;
 
+/// An id as the program writes it; pictures write L− with the minus sign.
+pub fn id(given: &str) -> String {
+    given.to_ascii_uppercase().replace('−', "-")
+}
+
 /// Three numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Triple(pub [Number; 3]);

@@ -64,7 +64,7 @@ pub const NOT_FOUND: &str = "the families could not be followed";
 
 pub fn run(arguments: &FamilyArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
-    let id = arguments.from.as_deref().map(curve_id);
+    let id = arguments.from.as_deref().map(values::id);
     let (held, value) = match (&arguments.momentum, &arguments.energy) {
         (Some(l), _) => (Held::Momentum, l),
         (None, Some(h)) => (Held::Energy, h),
@@ -101,11 +101,6 @@ pub fn run(arguments: &FamilyArguments, timings: &Timings, quiet: bool) -> Resul
         None => Vec::new(),
     };
     answer(arguments.json, &document, || text(&subject, &document, &written))
-}
-
-/// The id of a curve as the program writes it.
-pub fn curve_id(given: &str) -> String {
-    given.to_ascii_uppercase().replace('−', "-")
 }
 
 /// The equilibria at l, or those of energy h, one for each curve that has it; of one curve, if it is named.

@@ -82,7 +82,7 @@ pub struct Only {
 
 impl Only {
     fn parse(text: &str) -> Result<Self, Failure> {
-        let text = text.to_ascii_uppercase().replace('−', "-");
+        let text = values::id(text);
         let (curve, number) = text.split_once('/').map_or((&text[..], None), |(curve, number)| (curve, Some(number)));
         let number = match number.map(str::parse) {
             None => None,

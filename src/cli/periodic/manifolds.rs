@@ -14,7 +14,7 @@ use bifdiag_periodic::manifold::{ManifoldError, ManifoldOptions, Manifolds, mani
 use bifdiag_schema::ManifoldsDocument;
 use clap::Args;
 
-use super::family::{NOT_FOUND, curve_id, starts};
+use super::family::{NOT_FOUND, starts};
 use super::manifolds_output::{columns, text};
 use super::short::{listed, point_and_crossings};
 use crate::cli::export::{DataFormat, DataTarget, FileSet, PictureArguments, answer};
@@ -95,7 +95,7 @@ pub fn run(arguments: &ManifoldsArguments, timings: &Timings, quiet: bool) -> Re
     let stop = Arc::clone(&monitor);
     let interruptible = stoppable(move || stop.stop.store(true, Ordering::Relaxed));
     let found = match &arguments.from {
-        Some(id) => of_equilibria(arguments, &subject, &curve_id(id), &monitor, timings, quiet),
+        Some(id) => of_equilibria(arguments, &subject, &values::id(id), &monitor, timings, quiet),
         None => of_orbits(arguments, &subject, &monitor, timings, quiet),
     };
     drop(interruptible);

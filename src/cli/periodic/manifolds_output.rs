@@ -6,7 +6,7 @@ use bifdiag_documents::Subject;
 use bifdiag_dynamics::field::State;
 use bifdiag_dynamics::section::{PpTorus, TorusPoint};
 use bifdiag_periodic::manifold::{Curve, Manifolds};
-use bifdiag_schema::{ManifoldCurveDocument, ManifoldEnd, ManifoldKind, ManifoldsDocument, eigenvalues_in_words};
+use bifdiag_schema::{ManifoldEnd, ManifoldKind, ManifoldsDocument, Stability, eigenvalues_in_words};
 
 use super::short::yes;
 use crate::cli::export::{Columns, Values};
@@ -88,8 +88,7 @@ pub fn text(subject: &Subject, document: &ManifoldsDocument, written: &[PathBuf]
         report.line(of_orbits(document).text());
     }
     if !document.manifolds.is_empty() {
-        let mut curves = document.manifolds.iter().flat_map(|manifold| &manifold.curves);
-        let are_motions = curves.all(|curve| curve.length == 0.0);
+        let are_motions = are_motions(document);
         report.line("");
         report.line(if are_motions { "the motions of their manifolds:" } else { "their curves:" });
         report.line(if are_motions { of_motions(document) } else { of_curves(document) }.text());
@@ -161,6 +160,12 @@ fn of_equilibria(document: &ManifoldsDocument) -> Table {
     table
 }
 
+/// Whether the manifolds are motions, which no curve joins: of equilibria with one real and one imaginary pair.
+fn are_motions(document: &ManifoldsDocument) -> bool {
+    let equilibria = &document.equilibria;
+    !equilibria.is_empty() && equilibria.iter().all(|found| found.stability == Stability::SaddleCentre)
+}
+
 /// What the manifolds are of.
 fn source(document: &ManifoldsDocument) -> &'static str {
     if document.equilibria.is_empty() { "orbit" } else { "equilibrium" }
@@ -179,7 +184,7 @@ fn of_curves(document: &ManifoldsDocument) -> Table {
                 side(curve.side),
                 significant(curve.length, 4),
                 (curve.tangencies + curve.rests + curve.gaps).to_string(),
-                end(document, curve),
+                end(document, curve.end),
             ]);
         }
     }
@@ -197,7 +202,7 @@ fn of_motions(document: &ManifoldsDocument) -> Table {
                 side(curve.side),
                 curve.points.to_string(),
                 curve.nearest.map_or_else(|| "-".to_owned(), |nearest| significant(nearest, 3)),
-                end(document, curve),
+                end(document, curve.end),
             ]);
         }
     }
@@ -208,12 +213,12 @@ fn side(side: i8) -> String {
     if side > 0 { "+" } else { "-" }.to_owned()
 }
 
-fn end(document: &ManifoldsDocument, curve: &ManifoldCurveDocument) -> String {
-    match curve.end {
+fn end(document: &ManifoldsDocument, end: ManifoldEnd) -> String {
+    match end {
         ManifoldEnd::Length => "length reached",
         ManifoldEnd::Orbit if document.equilibria.is_empty() => "within 0.0001 of a periodic orbit",
-        ManifoldEnd::Orbit if curve.length > 0.0 => "within 0.0001 of an equilibrium",
-        ManifoldEnd::Orbit => "within 0.00001 of an equilibrium",
+        ManifoldEnd::Orbit if are_motions(document) => "within 0.00001 of an equilibrium",
+        ManifoldEnd::Orbit => "within 0.0001 of an equilibrium",
         ManifoldEnd::Work => "followed no further",
         ManifoldEnd::Accuracy => "known to 1e-8 up to here",
     }

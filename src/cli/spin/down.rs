@@ -57,7 +57,7 @@ pub fn run(arguments: &SpinDownArguments, timings: &Timings) -> Result<(), Failu
     let atlas = timings.stage("atlas", || bifdiag_exact::atlas(&subject.body, Accuracy::Exact));
     let atlas = atlas.map_err(failed("the atlas could not be made"))?;
     let set = &atlas.arrangement().set;
-    let id = arguments.from.to_ascii_uppercase().replace('−', "-");
+    let id = values::id(&arguments.from);
     let critical = || set.curves.pairs().filter(|(_, curve)| curve.is_critical());
     let name = |curve| CurveName::of(set, curve).to_string();
     let Some((from, curve)) = critical().find(|(curve, _)| name(*curve) == id) else {

@@ -71,7 +71,6 @@ function directionAt(sheet: Sheet, turn: Turn, event: PointerEvent): Vec | null 
 
 let scratch: Pixels | undefined;
 
-
 function paint(pen: Pen, size: Size, session: Session, turn: Turn, labels: Labels): void {
   const colors = ink();
   const { point, A, r } = session.state;

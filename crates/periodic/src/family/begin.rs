@@ -1,11 +1,11 @@
 //! The first orbits: around an equilibrium, and beside a special orbit.
 
-use bifdiag_dynamics::field::{Dimension, State};
+use bifdiag_dynamics::field::Dimension;
 use bifdiag_equilibria::critical::{Equilibrium, Multiplicity};
 use bifdiag_schema::{FamilyEnd, OrbitEventKind};
 use nalgebra::{Matrix2, Vector2};
 
-use super::follow::Course;
+use super::follow::{Course, steady_state};
 use super::member::Member;
 use super::model::{FamilyError, Stretch};
 use crate::flow::{Phase, Tangent};
@@ -28,7 +28,7 @@ impl Course<'_> {
             return Ok(Stretch::none(FamilyEnd::NotIsolated));
         }
         let units = self.units;
-        let point = self.space.point(&state_of(equilibrium, self.moments).reduced(units));
+        let point = self.space.point(&steady_state(equilibrium, self.moments).reduced(units));
         let others = equilibrium.eigenvalues.pairs.map(|[re, im]| (re, units.reduce(im, Dimension::FREQUENCY)));
         let is_other = |(re, im): &&(f64, f64)| *re != 0.0 || *im != frequency;
         let resonant = match others.iter().find(is_other) {
@@ -113,12 +113,6 @@ impl Course<'_> {
 fn kernel_of(special: &Member, eigenvalue: f64) -> Vec<f64> {
     let kernel = kernel(special.shot.reduced().matrix - eigenvalue * Matrix2::identity());
     kernel.map(|v| libm::atan2(v[1], v[0]) / std::f64::consts::TAU).into_iter().collect()
-}
-
-/// (γ, l) of a steady rotation: l = ΩAγ.
-fn state_of(equilibrium: &Equilibrium, moments: [f64; 3]) -> State {
-    let gamma = equilibrium.gamma;
-    State { gamma, l: std::array::from_fn(|i| equilibrium.omega * moments[i] * gamma[i]) }
 }
 
 /// A direction of length 1 in the plane in which the linearised flow turns with this frequency, where J² + ω² vanishes.

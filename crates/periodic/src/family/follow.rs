@@ -2,7 +2,7 @@
 
 use std::sync::atomic::Ordering;
 
-use bifdiag_dynamics::field::{Dimension, HeavyTop, TopUnits};
+use bifdiag_dynamics::field::{Dimension, HeavyTop, State, TopUnits};
 use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, RelativeEquilibria};
 use bifdiag_schema::{FamilyEnd, OrbitEventKind};
 
@@ -118,9 +118,7 @@ impl<'a> Course<'a> {
         let Some(l) = number(l).filter(|_| l.is_finite()) else { return Ok(Places::default()) };
         let mut places = Places::default();
         for equilibrium in self.known.at(&l)?.list {
-            let gamma = equilibrium.gamma;
-            let l = std::array::from_fn(|i| equilibrium.omega * self.moments[i] * gamma[i]);
-            let state = bifdiag_dynamics::field::State { gamma, l };
+            let state = steady_state(&equilibrium, self.moments);
             places.points.push(self.space.point(&state.reduced(self.units)));
             places.curves.push(equilibrium.curve.map(|curve| curve.to_string()));
             places.on_circle.push(equilibrium.multiplicity == Multiplicity::Circle);
@@ -236,6 +234,12 @@ impl<'a> Course<'a> {
         let kind = if shrinks { FamilyEnd::Equilibrium } else { FamilyEnd::Separatrix };
         Ok(Some(End { kind, curves }))
     }
+}
+
+/// (γ, l) of a steady rotation of a body with these moments, l = (ΩA)γ: as it is rounded where families begin.
+pub(super) fn steady_state(equilibrium: &Equilibrium, moments: [f64; 3]) -> State {
+    let gamma = equilibrium.gamma;
+    State { gamma, l: std::array::from_fn(|i| equilibrium.omega * moments[i] * gamma[i]) }
 }
 
 /// How far the trace moves: beyond ±3 by its logarithm, beyond ±192 not counted.

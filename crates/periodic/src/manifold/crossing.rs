@@ -9,7 +9,7 @@ use bifdiag_dynamics::section::SectionError;
 use bifdiag_numbers::table::Partition;
 
 use super::curve::{Branch, Vertex};
-use super::model::{Connection, Contact, Manifolds};
+use super::model::{Connection, Manifolds};
 use super::refine::GAP;
 use super::world::World;
 use crate::flow::Phase;
@@ -108,12 +108,7 @@ pub fn connect(
                         crossings.push(crossing);
                     }
                 }
-                Outcome::Contact => {
-                    match found.contacts.iter_mut().find(|known| [known.from, known.to] == [from, to]) {
-                        Some(known) => known.places += 1,
-                        None => found.contacts.push(Contact { from, to, places: 1 }),
-                    }
-                }
+                Outcome::Contact => found.touch(from, to),
                 Outcome::Near => {}
                 Outcome::Lost => found.unresolved += 1,
             }

@@ -167,6 +167,14 @@ impl Branch {
     }
 }
 
+impl Curve {
+    /// One that has not been followed.
+    pub(super) fn new((point, side): (usize, i8), pieces: Vec<Vec<Vertex>>, branch: usize) -> Self {
+        let (length, tangencies, rests, gaps) = (0.0, 0, 0, 0);
+        Self { point, side, pieces, length, tangencies, rests, gaps, nearest: None, end: None, branch }
+    }
+}
+
 /// A point of a curve.
 #[derive(Clone, Copy, Debug)]
 pub struct Vertex {

@@ -13,7 +13,7 @@ use bifdiag_equilibria::stability::LinearType;
 use super::curve::Branch;
 use super::model::Manifolds;
 use super::ring::Ring;
-use super::series::{DEGREE, Rates, Series};
+use super::series::{Rates, Series};
 use super::world::{REST, World};
 use super::{ManifoldError, ManifoldOptions, crossing, grow, strand};
 use crate::chart::Surface;
@@ -39,7 +39,8 @@ pub fn manifolds_of_equilibria(
     let torus = PpTorus::new(&top)?;
     let Some(first) = equilibria.first() else { return Err(ManifoldError::NotIsolated) };
     let surfaces = [first.l, -first.l].map(|l| Surface::new(&top, first.h, l));
-    let targets: Vec<Phase> = equilibria.iter().map(|found| surfaces[0].point(&state_of(found, &top))).collect();
+    let point = |found: &Equilibrium| surfaces[0].point(&rest(found, &top));
+    let targets: Vec<Phase> = equilibria.iter().map(point).collect();
     let growths = equilibria.iter().flat_map(|found| found.eigenvalues.pairs).map(|[re, _]| re).filter(|re| *re > 0.0);
     let [least, most] = growths.fold([f64::INFINITY, 0.0], |[a, b]: [f64; 2], re| [a.min(re), b.max(re)]);
     let waiting = longest(&top) - 2.0 * libm::log(REST) / least;
@@ -59,8 +60,7 @@ pub fn manifolds_of_equilibria(
         let rates = rates(equilibrium, &top)?;
         for world in &worlds {
             let surface = world.surface();
-            let series =
-                Series::new(surface.space(), world.rests[place], rates, DEGREE).ok_or(ManifoldError::Series)?;
+            let series = Series::new(surface.space(), world.rests[place], rates).ok_or(ManifoldError::Series)?;
             if let Rates::One(_) = rates {
                 found.manifolds.push(strand::manifold(world, place, &series)?);
             } else {
@@ -77,8 +77,9 @@ pub fn manifolds_of_equilibria(
     Ok(found)
 }
 
-/// (γ, l) of a steady rotation: l = ΩAγ.
-fn state_of(equilibrium: &Equilibrium, top: &HeavyTop) -> State {
+/// (γ, l) of an equilibrium, l = A(Ωγ): as it is rounded where its manifolds begin.
+#[must_use]
+pub fn rest(equilibrium: &Equilibrium, top: &HeavyTop) -> State {
     let gamma = equilibrium.gamma;
     State { gamma, l: top.inertia(gamma.map(|x| equilibrium.omega * x)) }
 }

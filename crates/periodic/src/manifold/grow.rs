@@ -2,7 +2,7 @@
 //! finer where it was stretched or bent.
 
 use bifdiag_dynamics::section::SectionError;
-use bifdiag_schema::{ManifoldEnd, ManifoldKind};
+use bifdiag_schema::ManifoldEnd;
 
 use super::curve::{Branch, Curve, Place, Vertex};
 use super::model::{Manifold, Manifolds};
@@ -28,10 +28,10 @@ pub fn grow_all(
     for (place, branch) in branches.iter().enumerate() {
         let world = &worlds[usize::from(branch.is_stable)];
         let curves = grow(world, (place, branch), targets, length)?;
-        let kind = if branch.is_stable { ManifoldKind::Stable } else { ManifoldKind::Unstable };
-        match found.manifolds.last_mut().filter(|last| last.orbit == branch.orbit && last.kind == kind) {
+        let (orbit, kind, multiplier) = (branch.orbit, world.kind(), branch.multiplier);
+        match found.manifolds.last_mut().filter(|last| last.orbit == orbit && last.kind == kind) {
             Some(last) => last.curves.extend(curves),
-            None => found.manifolds.push(Manifold { orbit: branch.orbit, kind, multiplier: branch.multiplier, curves }),
+            None => found.manifolds.push(Manifold { orbit, kind, multiplier, curves, are_motions: false }),
         }
     }
     Ok(())
@@ -109,18 +109,7 @@ fn begin(world: &World<'_>, (place, branch): (usize, &Branch)) -> Result<Vec<Cur
     let curve = |k: usize| {
         let number = k % branch.turns;
         let vertex = point(number).map(|point| Vertex { point: world.seen(&point), level: k, s: f64::NEG_INFINITY });
-        Curve {
-            point: number,
-            side: branch.side_of(k),
-            pieces: vec![vertex.into_iter().collect()],
-            length: 0.0,
-            tangencies: 0,
-            rests: 0,
-            gaps: 0,
-            nearest: None,
-            end: None,
-            branch: place,
-        }
+        Curve::new((number, branch.side_of(k)), vec![vertex.into_iter().collect()], place)
     };
     Ok((0..branch.returns).map(curve).collect())
 }

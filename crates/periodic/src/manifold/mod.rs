@@ -21,7 +21,7 @@ use thiserror::Error;
 
 pub use crossing::Crossing;
 pub use curve::{Curve, Vertex};
-pub use equilibrium::manifolds_of_equilibria;
+pub use equilibrium::{manifolds_of_equilibria, rest};
 pub use model::{Connection, Contact, Manifold, Manifolds};
 
 use crate::chart::Surface;

@@ -17,6 +17,8 @@ pub struct Manifold {
     pub multiplier: Option<f64>,
     /// Two at each point of the orbit in P⁻; of an equilibrium, all.
     pub curves: Vec<Curve>,
+    /// They are points of two motions, which no curve joins: of an equilibrium with one real and one imaginary pair.
+    pub are_motions: bool,
 }
 
 /// What was found.
@@ -59,7 +61,7 @@ pub struct Contact {
     pub from: usize,
     /// That of the orbit whose stable curve it is.
     pub to: usize,
-    /// At how many crossings of the polylines.
+    /// At how many crossings of the polylines, or along how many motions.
     pub places: usize,
 }
 
@@ -73,6 +75,14 @@ impl Manifolds {
             contacts: Vec::new(),
             unresolved: 0,
             left_out: Vec::new(),
+        }
+    }
+
+    /// Counts one more place where a curve, or motion, of one runs along one of another.
+    pub(super) fn touch(&mut self, from: usize, to: usize) {
+        match self.contacts.iter_mut().find(|known| [known.from, known.to] == [from, to]) {
+            Some(known) => known.places += 1,
+            None => self.contacts.push(Contact { from, to, places: 1 }),
         }
     }
 

@@ -38,7 +38,7 @@ pub struct Series {
 }
 
 /// The degree to which manifolds are expanded.
-pub const DEGREE: usize = 10;
+const DEGREE: usize = 10;
 /// Terms of the highest degree are no larger than this where motions begin.
 const REMAINDER: f64 = 1e-16;
 /// How far from an equilibrium motions begin at most: with two real rates, and else.
@@ -60,7 +60,13 @@ impl Series {
     /// At an equilibrium; `None` where a coefficient does not exist, since an eigenvalue is a sum of multiples of others, where
     /// the eigenvectors are not independent, and where terms do not fall fast enough.
     #[must_use]
-    pub fn new(space: &Space, center: Phase, rates: Rates, degree: usize) -> Option<Self> {
+    pub fn new(space: &Space, center: Phase, rates: Rates) -> Option<Self> {
+        let mut series = Self::expanded(space, center, rates, DEGREE)?;
+        series.begin().then_some(series)
+    }
+
+    /// The coefficients; motions begin nowhere yet.
+    fn expanded(space: &Space, center: Phase, rates: Rates, degree: usize) -> Option<Self> {
         let turn = space.linearised(&center);
         let real = |x: Phase| x.map(|x| C::new(x, 0.0));
         let (rates, first) = match rates {
@@ -93,7 +99,7 @@ impl Series {
                 series.terms[place(d - n, n)] = series.coefficient(&turn, &bilinear, [d - n, n])?;
             }
         }
-        series.begin().then_some(series)
+        Some(series)
     }
 
     fn is_single(&self) -> bool {
@@ -133,7 +139,7 @@ impl Series {
                 let square: f64 = term.iter().map(|x| x.re * x.re + x.im * x.im).sum();
                 square.sqrt() * power(size, m) * power(other, n)
             };
-            if terms(self.degree).map(length).sum::<f64>() <= REMAINDER || self.degree < DEGREE {
+            if terms(self.degree).map(length).sum::<f64>() <= REMAINDER {
                 return true;
             }
             size *= 0.5;
@@ -219,6 +225,7 @@ mod tests {
 
     use super::*;
     use crate::chart::Surface;
+    use crate::manifold::rest;
 
     /// The space, an unstable equilibrium, and the rates with which `critical` says that motions leave it.
     fn unstable(moments: [&str; 3], center: [&str; 3], l: &str) -> (Space, Phase, Rates) {
@@ -227,8 +234,7 @@ mod tests {
         let list = critical(&body, &l.parse().unwrap()).unwrap().list;
         let found = list.into_iter().find(|found| found.stability.is_unstable()).unwrap();
         let surface = Surface::new(&top, found.h, found.l);
-        let spin = top.inertia(found.gamma.map(|x| x * found.omega));
-        let point = surface.point(&bifdiag_dynamics::field::State { gamma: found.gamma, l: spin });
+        let point = surface.point(&rest(&found, &top));
         let unit = top.units().reduce(1.0, bifdiag_dynamics::field::Dimension::FREQUENCY);
         let [first, second] = found.eigenvalues.pairs.map(|pair| pair.map(|x| x * unit));
         let rates = match (first[1] > 0.0, second[1] > 0.0) {
@@ -252,7 +258,7 @@ mod tests {
     fn the_flow_along_the_series_is_linear() {
         let mut kinds = [0; 3];
         for (space, point, rates) in bodies() {
-            let series = Series::new(&space, point, rates, DEGREE).unwrap();
+            let series = Series::new(&space, point, rates).unwrap();
             let (kind, fastest) = match rates {
                 Rates::One(rate) => (0, rate),
                 Rates::Two([_, rate]) => (1, rate),
@@ -274,7 +280,7 @@ mod tests {
     fn the_error_falls_with_the_distance_by_its_order() {
         for (space, point, rates) in bodies() {
             for degree in [1, 2, 3] {
-                let mut series = Series::new(&space, point, rates, degree).unwrap();
+                let mut series = Series::expanded(&space, point, rates, degree).unwrap();
                 let time = 0.5;
                 let mut missed = |size: f64| {
                     series.sizes = [size, size];

@@ -5,7 +5,7 @@ use bifdiag_schema::{ManifoldEnd, ManifoldKind};
 
 use super::crossing::RESIDUAL;
 use super::curve::{Curve, Vertex};
-use super::model::{Contact, Manifold, Manifolds};
+use super::model::{Manifold, Manifolds};
 use super::series::Series;
 use super::world::{Course, World};
 use crate::flow::Phase;
@@ -26,8 +26,7 @@ pub fn manifold(world: &World<'_>, place: usize, series: &Series) -> Result<Mani
         angles.iter().flat_map(|angle| [0.0, -time].map(|t| series.at(series.coordinates(*angle, t)))).collect();
     let courses = world.courses(&starts, RETURNS)?;
     let curves = courses.chunks(2).zip([1, -1]).map(|(pair, side)| curve(world, &pair[0], &pair[1], side)).collect();
-    let kind = if world.is_reversed { ManifoldKind::Stable } else { ManifoldKind::Unstable };
-    Ok(Manifold { orbit: place, kind, multiplier: None, curves })
+    Ok(Manifold { orbit: place, kind: world.kind(), multiplier: None, curves, are_motions: true })
 }
 
 /// The crossings on which both ways to them agree.
@@ -46,29 +45,17 @@ fn curve(world: &World<'_>, course: &Course, other: &Course, side: i8) -> Curve 
     } else {
         ManifoldEnd::Accuracy
     };
-    Curve {
-        point: 0,
-        side,
-        pieces,
-        length: 0.0,
-        tangencies: 0,
-        rests: 0,
-        gaps: 0,
-        nearest: None,
-        end: Some(end),
-        branch: 0,
-    }
+    Curve { end: Some(end), ..Curve::new((0, side), pieces, 0) }
 }
 
 /// How near the motions that leave come to those that arrive; and which cannot be told apart, from the first crossing to the
 /// last. Such a pair is no proof of a homoclinic orbit: manifolds split by some e^(−πω/λ), ±λ and ±iω being the eigenvalues.
 pub fn connect(found: &mut Manifolds) {
-    let strands = |manifold: &Manifold| manifold.curves.iter().all(|curve| curve.length == 0.0);
     let of = |kind: ManifoldKind| {
-        let own = found.manifolds.iter().filter(move |manifold| manifold.kind == kind && strands(manifold));
+        let own = found.manifolds.iter().filter(move |manifold| manifold.kind == kind && manifold.are_motions);
         own.flat_map(|manifold| manifold.curves.iter().map(move |curve| (manifold.orbit, points(curve), curve.end)))
     };
-    let mut contacts: Vec<Contact> = Vec::new();
+    let mut contacts: Vec<[usize; 2]> = Vec::new();
     let mut alike: Vec<Phase> = Vec::new();
     for (from, leaving, end) in of(ManifoldKind::Unstable) {
         for (to, coming, other) in of(ManifoldKind::Stable) {
@@ -80,17 +67,16 @@ pub fn connect(found: &mut Manifolds) {
             if residual > RESIDUAL {
                 continue;
             }
-            match contacts.iter_mut().find(|known| [known.from, known.to] == [from, to]) {
-                Some(known) => known.places += 1,
-                None => contacts.push(Contact { from, to, places: 1 }),
-            }
+            contacts.push([from, to]);
             alike.extend([leaving[0], coming[0]]);
         }
     }
     let all = [ManifoldKind::Unstable, ManifoldKind::Stable]
         .map(|kind| of(kind).flat_map(|(_, points, _)| points).collect::<Vec<Phase>>());
-    found.contacts.extend(contacts);
-    for manifold in found.manifolds.iter_mut().filter(|manifold| strands(manifold)) {
+    for [from, to] in contacts {
+        found.touch(from, to);
+    }
+    for manifold in found.manifolds.iter_mut().filter(|manifold| manifold.are_motions) {
         let others = &all[usize::from(manifold.kind == ManifoldKind::Unstable)];
         for curve in &mut manifold.curves {
             let apart = points(curve).into_iter().flat_map(|a| others.iter().map(move |b| (a - b).norm()));

@@ -2,6 +2,7 @@
 
 use bifdiag_dynamics::integrator::Taylor;
 use bifdiag_dynamics::section::SectionError;
+use bifdiag_schema::ManifoldKind;
 
 use crate::chart::Surface;
 use crate::flow::Phase;
@@ -40,6 +41,11 @@ impl World<'_> {
     /// The section.
     pub fn surface(&self) -> &Surface {
         self.map.surface()
+    }
+
+    /// Which manifolds the motions that leave fill here, at l.
+    pub fn kind(&self) -> ManifoldKind {
+        if self.is_reversed { ManifoldKind::Stable } else { ManifoldKind::Unstable }
     }
 
     /// A point of this world in the other one: the way back is the same.
