@@ -1,14 +1,10 @@
 /** Three lessons for a class: predict first, then see. */
 import type { State } from "../state/state";
+import type { Question } from "../state/task";
 
-export interface Task {
-  question: string;
-  choices: string[];
-  /** The number of the right choice, from 0. */
-  right: number;
-  /** What to look at when the prediction is made, and why it is so. */
+export interface Task extends Question {
+  /** What to look at when the prediction is made. */
   state: Partial<State>;
-  explanation: string;
 }
 
 export interface Lesson {

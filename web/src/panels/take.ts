@@ -40,6 +40,7 @@ export function takePanel(session: Session, sheets: Sheets): HTMLElement {
     event.preventDefault();
     void navigator.clipboard?.writeText(location.href).then(() => (link.textContent = "Copied to the clipboard"));
   });
+  const task = button("Link to a task …", "A link that opens this view with a question or a task of yours", () => void import("../guide/worksheet").then(({ openWorksheet }) => openWorksheet(session)), { testid: "task-open" });
   const shell = make("code", { data: { testid: "command-line" } });
   const python = make("code", { data: { testid: "python-lines" } });
   const refresh = () => {
@@ -73,7 +74,7 @@ export function takePanel(session: Session, sheets: Sheets): HTMLElement {
     "Export",
     "Links, documents, pictures and data",
     make("div", { className: "take" },
-      make("div", {}, make("div", { className: "row" }, link, json), make("h3", {}, "Picture of"), make("div", { className: "row" }, choice, svg, png, video), make("h3", {}, "Section"), make("div", { className: "row" }, csv, npz)),
+      make("div", {}, make("div", { className: "row" }, link, task, json), make("h3", {}, "Picture of"), make("div", { className: "row" }, choice, svg, png, video), make("h3", {}, "Section"), make("div", { className: "row" }, csv, npz)),
       make("div", {}, make("h3", {}, "On the command line"), copied(shell)),
       make("div", {}, make("h3", {}, "In Python"), copied(python)),
     ),

@@ -1,5 +1,6 @@
 /** The state as the part of an address behind `#`, and back. */
 import { FIRST, PANELS, type Coloring, type Embedded, type State, type Theme } from "./state";
+import { TASK_KEYS, taskOf, taskParts } from "./task";
 import type { Triple, Window } from "../bindings/documents";
 
 const EMBEDDED: readonly Embedded[] = ["diagram", "section", "motion"];
@@ -7,7 +8,7 @@ const THEMES: readonly Theme[] = ["dark", "light"];
 const COLORINGS: readonly Coloring[] = ["orbit", "verdict", "lyapunov", "rotation"];
 
 /** Keys of an address. */
-const KEYS = ["A", "r", "h", "l", "body", "view", "orbits", "crossings", "seed", "coloring", "theme", "embed", "present", "tour", "lesson", "beside", "layer", "component"];
+const KEYS: string[] = ["A", "r", "h", "l", "body", "view", "orbits", "crossings", "seed", "coloring", "theme", "embed", "present", "tour", "lesson", "beside", "layer", "component", ...TASK_KEYS];
 
 /** The keys that `parse` passes over: misspelt ones, or those of a later version. */
 export const unknownKeys = (hash: string): string[] => pairs(hash).map(([name]) => name).filter((name) => !KEYS.includes(name));
@@ -25,7 +26,7 @@ export function format(state: State): string {
   for (const name of ["theme", "embed", "present", "tour", "lesson", "beside"] as const) {
     if (state[name] !== null) parts.push(`${name}=${state[name]}`);
   }
-  return parts.join("&");
+  return [...parts, ...(state.task ? taskParts(state.task, parts) : [])].join("&");
 }
 
 /** Reads a hash; `named` finds preset bodies for `body=NAME`. Throws an error that names what is wrong. */
@@ -33,7 +34,10 @@ export function parse(hash: string, named: (name: string) => Pick<State, "A" | "
   const state: State = { ...FIRST };
   let h: string | undefined;
   let l: string | undefined;
-  for (const [name, value] of pairs(hash)) {
+  const all = pairs(hash);
+  state.task = taskOf(all);
+  for (const [name, text] of all) {
+    const value = text.trim().replace(/−/g, "-");
     if (name === "h") h = value;
     else if (name === "l") l = value;
     else if (name === "body") Object.assign(state, found(value, named(value)));
@@ -49,7 +53,11 @@ const pairs = (hash: string): [string, string][] => hash.replace(/^#/, "").split
 function split(part: string): [string, string] {
   const at = part.indexOf("=");
   if (at < 0) throw new Error(`“${part}” has no value; write name=value, such as h=3.8`);
-  return [decodeURIComponent(part.slice(0, at)), decodeURIComponent(part.slice(at + 1)).trim().replace(/−/g, "-")];
+  try {
+    return [decodeURIComponent(part.slice(0, at)), decodeURIComponent(part.slice(at + 1))];
+  } catch {
+    throw new Error(`“${part}” is cut off, or has a % that stands for nothing`);
+  }
 }
 
 function found(name: string, body: Pick<State, "A" | "r"> | undefined): Pick<State, "A" | "r"> {

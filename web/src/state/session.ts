@@ -334,7 +334,7 @@ export class Session extends Emitter {
   /** Where no point is given: one deep inside a region over which U has many components. */
   private choose(): void {
     const { state, drawn } = this;
-    if (state.point || !drawn || !this.choosing || state.embed === "diagram" || (state.lesson !== null && state.lesson !== "list")) return;
+    if (state.point || !drawn || !this.choosing || state.embed === "diagram" || (state.lesson !== null && state.lesson !== "list") || state.task?.then) return;
     const paper = bodyText(state) === bodyText(START) && !state.view;
     const { regions } = drawn.document;
     const worth = (region: number, depth: number) => (depth < CLEAR ? 0 : (regions[region]?.components.length ?? 0) * (regions[region]?.signature ? 10 : 1)) + depth / 1e4;

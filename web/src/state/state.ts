@@ -1,5 +1,6 @@
 /** What the page shows: everything that a permalink carries. */
 import type { Triple, Window } from "../bindings/documents";
+import type { Assignment } from "./task";
 
 /** A point of the diagram, as exact texts. */
 export interface Point {
@@ -35,6 +36,8 @@ export interface State {
   /** The step of the tour that is open, from 1. */
   tour: number | null;
   lesson: string | null;
+  /** A lecturer's task, from a link. */
+  task: Assignment | null;
   /** A1, A2, A3, r1, r2, r3 of a body whose diagram stands beside. */
   beside: string | null;
 }
@@ -57,6 +60,7 @@ export const FIRST: State = {
   present: null,
   tour: null,
   lesson: null,
+  task: null,
   beside: null,
 };
 
