@@ -130,19 +130,21 @@ def test_tolerances_are_the_command_lines(command, tmp_path):
     part = bifdiag.Body.from_inertia(tensor, [0, 0, "80±0.5 mm"], "2±0.01 kg", "9.81", "centre of mass")
     line = ["--inertia-com=0.24±1%,0.25,0.17+-0.002,0.001±0.0005,0,0", "--products=tensor", "--com=0,0,80±0.5 mm"]
     line += ["--mass=2±0.01 kg", "--g=9.81", "--units=kg,m,s"]
-    assert part.measured and part.critical_spin("z") == json.loads(command("critical-spin", "--json", *line, "--axis=z"))
+    assert part.measured and part.critical_spin("z").meta == json.loads(
+        command("critical-spin", "--json", *line, "--axis=z")
+    )
     mesh = tmp_path / "part.obj"
     mesh.write_text(TETRAHEDRON)
     body = bifdiag.Body.from_part(mesh, density="0.5±1%", pivot=[0, 0, "-1±0.01"], g="9.81±0.01", units="g,mm,s")
     line = [f"--part={mesh}", "--density=0.5±1%", "--pivot=0,0,-1±0.01", "--g=9.81±0.01", "--units=g,mm,s"]
-    assert body.critical_spin("x") == json.loads(command("critical-spin", "--json", *line, "--axis=x"))
+    assert body.critical_spin("x").meta == json.loads(command("critical-spin", "--json", *line, "--axis=x"))
     for measured in (part, body):
         again = pickle.loads(pickle.dumps(measured))
         assert again == measured and again.measured and hash(again) == hash(measured)
         assert "±" in repr(measured)
     plain = bifdiag.Body.from_part(mesh, density="0.5", pivot=[0, 0, -1], g="9.81", units="g,mm,s")
     assert plain != body and plain.part == body.part and not plain.measured
-    assert plain.critical_spin("x", tolerance="1%")["tolerance"]
+    assert plain.critical_spin("x", tolerance="1%").meta["tolerance"]
 
 
 def test_a_part_with_tolerances_has_no_single_diagram():

@@ -17,6 +17,7 @@ from .atlas import Atlas
 from .body import Body, bodies
 from .chaos import ChaosMap
 from .critical import Equilibria
+from .critical_spins import CriticalSpins, SpinBounds, SpinRanges
 from .errors import BifdiagError, BodyError, BodyWarning, InputError, RangeError, VerifyError
 from .motion import Motion
 from .periodic import PeriodicFamily, PeriodicOrbits
@@ -62,6 +63,7 @@ __all__ = [
     "Classification",
     "Classifications",
     "Component",
+    "CriticalSpins",
     "Curve",
     "Enclosure",
     "Equilibria",
@@ -81,6 +83,8 @@ __all__ = [
     "Sample",
     "Scan",
     "Section",
+    "SpinBounds",
+    "SpinRanges",
     "StabilityChange",
     "StabilitySpan",
     "Tail",

@@ -10,6 +10,7 @@ from . import exact, pictures
 from .atlas import Atlas
 from .command import command
 from .critical import Equilibria
+from .critical_spins import CriticalSpins
 from .exact import Number
 from .given import Given
 from .records import Classification
@@ -79,7 +80,7 @@ class Diagrams(Given):
         """
         return Equilibria._compute(self._exactly(), l, threads, invalid)
 
-    def critical_spin(self, axis: Axis | None = None, *, tolerance: str | None = None) -> dict[str, Any]:
+    def critical_spin(self, axis: Axis | None = None, *, tolerance: str | None = None) -> CriticalSpins:
         """The spins at which the stability or the region of a steady rotation changes, like ``bifdiag critical-spin``.
 
         It is the question for parts whose numbers are known to within so much only, as ``"1.2±0.01"``: bounds hold for
@@ -94,16 +95,16 @@ class Diagrams(Given):
 
         Returns
         -------
-        dict
-            The document of ``bifdiag critical-spin --json``; the page "Formats" of the program's documentation explains it.
+        CriticalSpins
+            A row for each spin. ``found.ranges`` are the spins between them with stability, ``found.bounds`` what ± does;
+            ``found.meta`` is the document of ``bifdiag critical-spin --json``.
         """
         arguments = ["critical-spin", "--json", *self._options()]
         if axis is not None:
             arguments.append(f"--axis={axis if isinstance(axis, str) else ','.join(exact.triple(axis, 'axis'))}")
         if tolerance is not None:
             arguments.append(f"--tolerance={tolerance}")
-        document: dict[str, Any] = json.loads(command(*arguments))
-        return document
+        return CriticalSpins._of(command(*arguments))
 
     def plot(self, ax: Any = None, **options: Any) -> Any:
         """Draws the body with matplotlib: its ellipsoid of inertia and its centre of mass; see `bifdiag.pictures.body`."""
