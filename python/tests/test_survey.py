@@ -159,7 +159,7 @@ def test_interrupted_scans_of_own_bodies_go_on(tmp_path):
         ([[1, 2, 3]], "shape"),
         ({"A1": [1]}, "A2"),
         ([], "shape"),
-        ([[1, 1, 1, 1, np.nan, 0]], r"bodies\[0\]: r2 = nan"),
+        ([[1, 1, 1, 1, np.nan, 0]], r"bodies\[0\]: r2 = nan is no finite number; no other body"),
         ([["x"] * 6], "could not convert"),
     ],
 )
@@ -251,3 +251,53 @@ def test_a_scan_is_known_as_one(suffix, words, tmp_path):
     bifdiag.scan(samples=2, out=path)
     with pytest.raises(bifdiag.InputError, match=words):
         bifdiag.Atlas.load(path)
+
+
+def test_gaps_leave_the_rest_as_it_is(tmp_path):
+    A, r = rows(6)
+    whole = bifdiag.scan(bodies=(A, r))
+    assert whole.meta["invalid"] == [] and whole.regions.dtype == int and whole.unphysical.dtype == bool
+    gaps = np.ma.masked_array(A, np.zeros(A.shape, dtype=bool))
+    gaps[1, 2] = np.ma.masked
+    other = r.copy()
+    other[3, 1], other[4, 0] = np.nan, np.inf
+    found = bifdiag.scan(bodies=(gaps, other))
+    assert found.index.tolist() == list(range(6)) and found.meta["invalid"] == [1, 3, 4] and found.meta["rows"] == 3
+    assert found.status.tolist() == ["classified", "invalid", "classified", "invalid", "invalid", "classified"]
+    wrong = found[found.status == "invalid"]
+    assert wrong.error.tolist() == [
+        "A3 is masked",
+        "r2 = nan is no finite number",
+        "r1 = inf is no finite number",
+    ]
+    assert np.isnan(wrong.regions).all() and wrong.plane.mask.all() and wrong.signatures.tolist() == [None] * 3
+    # The numbers that there are stay.
+    assert found.r3.tolist() == r[:, 2].tolist() and np.isnan(found.A3[1]) and found.A1[1] == A[1, 0]
+    kept = found[found.status != "invalid"]
+    for name in whole.columns:
+        here, there = kept[name].tolist(), whole[[0, 2, 5]][name].tolist()
+        assert here == there or all(value in (None, there[0]) or np.isnan(there[0]) for value in here), name
+    assert found.counts()["T2"].tolist() == [0 if k in (1, 3, 4) else whole.counts()["T2"][k] for k in range(6)]
+    for options, message in [
+        ({"invalid": "raise"}, r"^bodies\[1\]: A3 is masked; leave it out, or give invalid=\"mark\"$"),
+        ({"out": tmp_path / "x.csv"}, r"^bodies\[1\]: A3 is masked; files and shards have no row for it"),
+        ({"shard": (1, 2)}, r"files and shards"),
+        ({"invalid": "drop"}, "mark"),
+    ]:
+        with pytest.raises(bifdiag.InputError, match=message):
+            bifdiag.scan(bodies=(gaps, other), **options)
+    assert not [*tmp_path.iterdir()]
+
+
+def test_gaps_of_frames_have_rows():
+    pd = pytest.importorskip("pandas")
+    A, r = rows(4)
+    frame = pd.DataFrame(np.hstack([A, r]), columns=["A1", "A2", "A3", "r1", "r2", "r3"], index=list("wxyz"))
+    frame.loc["x", "r2"] = np.nan
+    for kind in ("float64", "Float64"):
+        found = bifdiag.scan(bodies=frame.astype(kind)).to_pandas()
+        assert found.index.tolist() == list("wxyz") and found["status"].tolist()[1] == "invalid"
+        assert found["regions"].isna().tolist() == [False, True, False, False] == found["plane"].isna().tolist()
+    pl = pytest.importorskip("polars")
+    found = bifdiag.scan(bodies=pl.DataFrame(frame.where(frame.notna(), None).to_dict("list")))
+    assert found.meta["invalid"] == [1] and pl.DataFrame(found)["plane"].null_count() == 1

@@ -19,15 +19,13 @@ from .body import Body
 from .command import command
 from .diagrams import Accuracy
 from .errors import InputError
+from .own_bodies import OwnBodies
 from .records import Component, Margin
 from .tables import Table
 from .units import ExactPoint
 
 if TYPE_CHECKING:
     import pandas
-
-COLUMNS = ("A1", "A2", "A3", "r1", "r2", "r3")
-"""The columns of a table of bodies."""
 
 
 class Scan(Table):
@@ -38,8 +36,11 @@ class Scan(Table):
 
     Attributes
     ----------
+    status : array (n,) of str
+        ``"classified"``, ``"undecided"``, ``"failed"``, or ``"invalid"`` where a number of the body is missing; ``error``
+        says why. Counts are NaN where there is no answer, and of an invalid body bools are masked.
     meta : dict
-        The summary of the scan.
+        The summary of the scan; ``invalid``: the places of own bodies that could not be scanned.
     """
 
     A1: npt.NDArray[np.float64]
@@ -98,6 +99,7 @@ def scan(
     vary: "str | Iterable[str]" = (),
     body: Body | None = None,
     overwrite: bool = False,
+    invalid: Literal["mark", "raise"] = "mark",
 ) -> Scan: ...
 @overload
 def scan(
@@ -112,6 +114,7 @@ def scan(
     vary: "str | Iterable[str]" = (),
     body: Body | None = None,
     overwrite: bool = False,
+    invalid: Literal["mark", "raise"] = "mark",
 ) -> Document: ...
 
 
@@ -127,6 +130,7 @@ def scan(
     vary: "str | Iterable[str]" = (),
     body: Body | None = None,
     overwrite: bool = False,
+    invalid: Literal["mark", "raise"] = "mark",
 ) -> Document | Scan:
     """Computes the diagrams of many bodies, into a file with the same bytes as the command line or into arrays.
 
@@ -158,6 +162,9 @@ def scan(
         The body whose parameters are varied, instead of a family.
     overwrite : bool
         Replace a file that another scan has finished; without it, that is refused.
+    invalid : {"mark", "raise"}
+        What becomes of one of `bodies` with a number that is NaN, masked or infinite: its row has the status ``"invalid"``,
+        and ``meta["invalid"]`` its place; or an error names it. A file has no row for it, so `out` always refuses it.
 
     Returns
     -------
@@ -196,13 +203,16 @@ def scan(
         raise InputError(
             'samples is missing; give samples=100000, or ranges with numbers of grid values: vary="A2=1:2:101"'
         )
+    own = None
     with tempfile.TemporaryDirectory(prefix="bifdiag-") as folder:
         path = Path(folder) / "scan.csv" if out is None else Path(out)
         arguments = ["scan", "--json", f"--out={path}", *([] if overwrite else ["--keep"])]
         if bodies is not None:
+            own = OwnBodies(bodies, invalid)
+            if out is not None or shard is not None:
+                own.require("files and shards have no row for it, so leave it out")
             table = Path(folder) / "bodies.csv"
-            with table.open("w", newline="", encoding="utf-8") as file:
-                csv.writer(file).writerows([COLUMNS, *map(_texts, _numbers(bodies))])
+            own.write(table)
             arguments += [f"--bodies={table}"]
         elif body is not None:
             arguments += [f"--A={','.join(body.A)}", f"--r={','.join(body.r)}"]
@@ -216,7 +226,10 @@ def scan(
         with path.open(newline="", encoding="utf-8") as file:
             names, *rows = csv.reader(file)
     columns = {name: _column(values) for name, values in zip(names, zip(*rows, strict=True), strict=True)}
-    return Scan(columns, summary, getattr(bodies, "index", None) if hasattr(bodies, "columns") else None)
+    if own is None:
+        return Scan(columns, summary)
+    summary = json.dumps(json.loads(summary) | {"invalid": np.flatnonzero(~own.valid).tolist()})
+    return Scan(own.spread(columns), summary, getattr(bodies, "index", None) if hasattr(bodies, "columns") else None)
 
 
 def _details(
@@ -239,38 +252,6 @@ def _details(
         arguments += ["--vary", values]
     count = exact.threads(threads)
     return [*arguments, "--threads", str(count or os.cpu_count() or 1)]
-
-
-def _texts(numbers: npt.NDArray[np.float64]) -> list[str]:
-    return [repr(float(number)) for number in numbers]
-
-
-def _numbers(bodies: Any) -> npt.NDArray[np.float64]:
-    """A and r of each body: (n, 6)."""
-    if not hasattr(bodies, "dtype") and not hasattr(bodies, "columns") and not isinstance(bodies, dict):
-        bodies = list(bodies)
-        if bodies and all(isinstance(one, Body) for one in bodies):
-            bodies = [[float(exact.value(text)) for text in (*one.A, *one.r)] for one in bodies]
-    try:
-        if isinstance(bodies, dict) or hasattr(bodies, "columns") or getattr(bodies, "dtype", np.dtype(float)).names:
-            numbers = np.stack([np.asarray(bodies[name], dtype=np.float64) for name in COLUMNS], axis=-1)
-        else:
-            pair = len(bodies) == 2 and all(np.ndim(part) == 2 and np.shape(part)[1] == 3 for part in bodies)
-            if pair and len(bodies[0]) != len(bodies[1]):
-                raise InputError(
-                    f"bodies: {len(bodies[0])} moments A and {len(bodies[1])} centres r; one of each is needed"
-                )
-            joined = np.concatenate([np.asarray(part) for part in bodies], axis=1) if pair else bodies
-            numbers = np.asarray(joined, dtype=np.float64)
-    except (KeyError, TypeError, ValueError) as error:
-        raise InputError(f"bodies: {error}; give a table with the columns {', '.join(COLUMNS)}, or rows of six") from error
-    if numbers.ndim != 2 or numbers.shape[1] != 6 or not len(numbers):
-        raise InputError(f"bodies has the shape {numbers.shape}; rows of A1, A2, A3, r1, r2, r3 are needed")
-    if not np.isfinite(numbers).all():
-        row, column = np.argwhere(~np.isfinite(numbers))[0]
-        raise InputError(f"bodies[{row}]: {COLUMNS[column]} = {numbers[row, column]} is not finite")
-    # Without the sign of 0, which is none of the body's.
-    return numbers + 0.0
 
 
 def _column(values: tuple[str, ...]) -> npt.NDArray[Any]:
