@@ -3,6 +3,7 @@
 import copy
 import pickle
 import pydoc
+import re
 import sys
 from decimal import Decimal
 from fractions import Fraction
@@ -172,3 +173,21 @@ def test_the_first_screen_of_help_names_everything():
     assert len(told) < (340 if sys.version_info < (3, 13) else 430)
     assert max(map(len, told)) < 330
     assert not [line for line in told if line.startswith(" |  _") and not line.startswith(" |  __")]
+
+
+def test_help_has_two_screens_with_a_line_for_each_question():
+    told = pydoc.plain(pydoc.render_doc(bifdiag.Body))
+    # Of fifty lines, or of sixty where signatures have a line for each argument.
+    assert len(told.splitlines()) <= 2 * (50 if sys.version_info < (3, 13) else 60)
+    body = bifdiag.Body.preset("paper")
+    names = [name for name in dir(body) if not name.startswith("_")]
+    assert {"section", "moments", "from_part"} < set(names) and all(re.search(rf"\b{name}\b", told) for name in names)
+    # What the class does not list is there, with its own help.
+    assert "Parameters" in pydoc.plain(pydoc.render_doc(bifdiag.Body.section))
+    assert "from_part" in dir(bifdiag.Body) and "preset" in dir(bifdiag.Body)
+
+    class Mine(bifdiag.Body):
+        def spin(self):
+            """My own question."""
+
+    assert "My own question" in pydoc.plain(pydoc.render_doc(Mine))

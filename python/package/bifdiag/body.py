@@ -21,27 +21,41 @@ UNPHYSICAL = (
 
 
 class Body(RealParts, Diagrams, Motions):
-    """A heavy rigid body with a fixed point, given by exact numbers.
+    """A heavy rigid body with a fixed point, given by exact numbers: ``Body(A=[2, "11/10", 1], r=[1, 0, 0])``.
 
-    ======================  ===========================================================================================
-    ``Body(A, r)``          principal moments about the fixed point; centre of mass in principal axes, times m g
-    made also by            `preset` (a name), `from_inertia` (a tensor), `from_part` (a file)
-    numbers                 `A`, `r`, `exact` (texts); `moments`, `com`, `weight` (floats)
-    real parts              `units`, `part`, `physical`, `measured` (known to ±)
-    the (h, l) plane        `atlas` (all of it), `classify` (a point)
-    steady rotations        `critical` (at one l or many), `critical_spin` (where they change)
-    motion                  `orbit` (in space, also proved), `section` (Poincaré's)
-    chaos, periodic orbits  `chaos` (a share, a map), `periodic_orbits` (all at a point), `periodic_families`
-    pictures                `plot`, `plot_sphere`, ``body.atlas().plot()``
-    ======================  ===========================================================================================
+    A are the principal moments about the fixed point, r the centre of mass in principal axes, times m g.
+    `preset`, `from_inertia` and `from_part` make bodies, too. ``help(body.section)`` explains
+    one question, the page "Examples" has one of each.
 
-    An int, a str, a Fraction and a Decimal are used as they are, a float as its shortest decimal: ``1.1`` and
-    ``"11/10"`` are the same number. h has the unit of r, l that of √(A r): H = ½⟨l, A⁻¹ l⟩ − ⟨γ, r⟩. γ points *down*: the
-    body hangs at γ = +r̂. The page "Conventions" has the equations. Bodies are equal if their numbers are.
+    ====================================  ====================================================
+    **the (h, l) plane**
+    ``atlas(accuracy, certificate)``      all regions, curves and events: `Atlas`
+    ``classify(h, l, accuracy)``          the topology at a point: `Classification`
+    **steady rotations**
+    ``critical(l, threads, invalid)``     at one l or many: `Equilibria`, a table
+    ``critical_spin(axis, tolerance)``    spins where they change: `CriticalSpins`, a table
+    **motion**
+    ``orbit(gamma, l, t, …)``             in space: `Motion`, a table; also proved
+    ``section(h, l, orbits, …)``          Poincaré's section: `Section`, a table
+    ``chaos(h, l, …)``                    the chaotic share: `ChaosPoint`; a map: `ChaosMap`
+    ``periodic_orbits(h, l, crossings)``  all short ones: `PeriodicOrbits`, a table
+    ``periodic_families(l | h, …)``       from steady rotations: tuple of `PeriodicFamily`
+    **pictures**
+    ``plot(ax)``, ``plot_sphere(h, l)``   ellipsoid of inertia; U on the Poisson sphere
+    **numbers**
+    ``A``, ``r``, ``exact``               texts as given: ``body.exact.A``
+    ``moments``, ``com``, ``weight``      floats
+    ``units``, ``part``                   of a real part; else None
+    ``physical``, ``measured``            some mass has these moments; some number has ±
+    ====================================  ====================================================
 
-    What is wrong with a question raises `InputError`, a moment that is not positive `BodyError`; a question without an
-    answer raises `RangeError`. A body that no distribution of mass can have gives a `BodyWarning`. ``threads``: None is
-    one, 0 one per core; no result depends on it. The page "Examples" has one of each question.
+    An int, a str, a Fraction and a Decimal are used as they are, a float as its shortest
+    decimal: ``1.1`` and ``"11/10"`` are the same number. Bodies are equal if their numbers are.
+    h has the unit of r, l that of √(A r): H = ½⟨l, A⁻¹ l⟩ − ⟨γ, r⟩. γ points *down*: the body
+    hangs at γ = +r̂. The page "Conventions" has the equations.
+    Wrong input raises `InputError` or `BodyError`, a question without an answer `RangeError`; a
+    body that no distribution of mass can have gives a `BodyWarning`. ``threads``: None is one,
+    0 one per core, with the same results.
     """
 
     __slots__ = ()
@@ -57,9 +71,8 @@ class Body(RealParts, Diagrams, Motions):
         """A named body.
 
         ``"paper"`` (of 2008, with nine regions), ``"kovalevskaya"``, ``"goryachev-chaplygin"``, ``"lagrange"``,
-        ``"euler"`` (r = 0), ``"katok:1"`` … ``"katok:7"`` (one of each of Katok's classes), ``"projpm"`` and
-        ``"projections12"`` (of figures of the paper), ``"isotropic"`` (equal moments), ``"plate"``, ``"rod"``,
-        ``"ten"`` (with ten relative equilibria at one l).
+        ``"euler"`` (r = 0), ``"katok:1"`` … ``"katok:7"`` (each of Katok's classes), ``"projpm"``, ``"projections12"``
+        (in the paper's figures), ``"isotropic"``, ``"plate"``, ``"rod"``, ``"ten"`` (with ten equilibria at one l).
         """
         return cls._of(_core.Body.preset(name))
 

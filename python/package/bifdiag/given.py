@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import json
 from collections.abc import Iterable
 from typing import Any
@@ -15,7 +16,25 @@ from .errors import InputError
 from .units import Exact, Units
 
 
-class Given:
+class Concise(type):
+    """Keeps ``help(Body)`` to two screens: the text of the class has a line for each question, their own help the rest.
+
+    `help` describes what `dir` of a class lists. As that of an enum, it leaves out what only instances have; `dir` of a
+    body is complete.
+    """
+
+    def __dir__(cls) -> list[str]:
+        return [name for name in super().__dir__() if not cls._is_of_instances(name)]
+
+    def _is_of_instances(cls, name: str) -> bool:
+        if name == "__annotations__":
+            return True
+        found = inspect.getattr_static(cls, name)
+        function = found.fget if isinstance(found, property) else found
+        return inspect.isfunction(function) and function.__module__.startswith(f"{__package__}.")
+
+
+class Given(metaclass=Concise):
     """The numbers of a body; `Body` asks questions of them."""
 
     __slots__ = ("_given", "_inner", "_source")

@@ -44,10 +44,8 @@ class RealParts(Given):
         tensor : 3 × 3 numbers
             The symmetric matrix itself, with Ixy = −∫ x y dm off the diagonal. Products of inertia printed as +∫ x y dm
             must change sign.
-        com : three numbers
-            Centre of mass, from the fixed point, in the axes of the tensor.
-        mass : number
-            Mass.
+        com, mass : three numbers, and one
+            Centre of mass, from the fixed point, in the axes of the tensor; mass.
         g : number
             Acceleration of gravity, always in m/s².
         about : {"fixed point", "centre of mass"}
@@ -96,12 +94,10 @@ class RealParts(Given):
             Which link of a ``.urdf`` or ``.xml``.
         pivot : three numbers
             The fixed point, in the file's frame; ``"10±0.2 mm"`` is understood, too.
-        g : number
-            Acceleration of gravity, always in m/s².
         units : str, optional
             Units of mass, length and time, such as ``"kg,mm,s"``: of a mesh and of all results.
-        unphysical : bool
-            Accept an unphysical part, which no distribution of mass can have.
+        g, unphysical
+            As in `from_inertia`.
         """
         with open(path, "rb"):
             pass
