@@ -50,7 +50,7 @@ const HEAD: &str = r#""""What the documents of the program hold, as records: rea
 Written by ``cargo run --release --example records`` from the JSON Schemas of the documents.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 from . import behaviour
@@ -86,18 +86,16 @@ fn record(model: &Model, of: &Type, fields: &[&Field]) -> String {
         let _ = writeln!(text, "    {}: {}", attribute(field), annotation(field));
     }
     let drawn = DRAWN.contains(&name.as_str());
-    if drawn {
-        text += "    _drawn: Any = field(compare=False)\n";
-    }
     let parameters = if drawn { "document: Document, drawn: Any" } else { "document: Document" };
-    let _ = write!(text, "\n    @classmethod\n    def _of(cls, {parameters}) -> \"{name}\":\n        return cls(\n");
+    let made = if drawn { "made = cls(" } else { "return cls(" };
+    let _ = write!(text, "\n    @classmethod\n    def _of(cls, {parameters}) -> \"{name}\":\n        {made}\n");
     for field in fields {
         let _ = writeln!(text, "            {},", value(field));
     }
-    if drawn {
-        text += "            drawn,\n";
-    }
     text += "        )\n";
+    if drawn {
+        text += "        return made._with(drawn)\n";
+    }
     text
 }
 

@@ -1,5 +1,8 @@
 """Regions, events and curves by their ids, and as tables."""
 
+import copy
+import dataclasses
+import json
 import pickle
 
 import numpy as np
@@ -97,3 +100,21 @@ def test_notebooks_show_every_table(atlas, paper):
         assert shown.startswith("<table><tr><th>") and shown.count("<tr>") <= 21
     assert "and 181 more rows" in paper.orbit([0.6, 0, 0.8], omega=[1, 0.3, 1], t=3)._repr_html_()
     assert "<td>R5</td>" in atlas.classify([0, 3.8], 3.25)._repr_html_()
+
+
+def test_records_have_numbers_and_texts_only(atlas):
+    for record in (atlas.regions[0], atlas.curves[0]):
+        told = dataclasses.asdict(record)
+        assert json.dumps(told) and not [name for name in told if name.startswith("_")]
+        again = pickle.loads(pickle.dumps(record))
+        assert again == record and copy.copy(record) == record
+    assert again.points.tolist() == atlas.curves[0].points.tolist()
+    region = pickle.loads(pickle.dumps(atlas.regions["R5"]))
+    assert region.h_width == atlas.regions["R5"].h_width and len(region.polygon) == len(atlas.regions["R5"].polygon)
+
+
+def test_lists_print_a_line_for_each(atlas):
+    for found in (atlas.regions, atlas.events, atlas.curves, atlas.stability_changes):
+        lines = repr(found).splitlines()
+        assert len(lines) == 1 + len(found) and all(len(line) < 100 for line in lines)
+    assert "G1.2: generic, l from 2.01143 to" in repr(atlas.curves)

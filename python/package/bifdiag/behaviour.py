@@ -41,7 +41,24 @@ class Sample:
         return iter((self.h, self.l))
 
 
-class Region:
+class Drawn:
+    """What was drawn of a record: none of its fields, so that ``dataclasses.asdict`` has numbers and texts only."""
+
+    __slots__ = ("_drawn",)
+
+    def _with(self: Made, drawn: Any) -> Made:
+        object.__setattr__(self, "_drawn", drawn)
+        return self
+
+    def __reduce__(self: Any) -> tuple[Any, ...]:
+        return _restored, (type(self), tuple(getattr(self, field.name) for field in fields(self)), self._drawn)
+
+
+def _restored(kind: Any, values: tuple[Any, ...], drawn: Any) -> Any:
+    return kind(*values)._with(drawn)
+
+
+class Region(Drawn):
     """The drawing of a region, and how a region is printed."""
 
     __slots__ = ()
@@ -73,7 +90,7 @@ class Region:
         return table([("region", self.id), ("sections", sections(self.components)), ("a point (h, l) inside", at)])
 
 
-class Curve:
+class Curve(Drawn):
     """The drawing of a curve, and how a curve is printed."""
 
     __slots__ = ()

@@ -213,6 +213,14 @@ class Curves(Collection[Item]):
         "coincides_with": lambda curve: curve.coincides_with,
     }
 
+    def __repr__(self) -> str:
+        def line(curve: Any) -> str:
+            low, high = curve.l_range
+            stability = ", ".join(_runs(part.stability for part in curve.stability))
+            return f"  {curve.id}: {curve.kind}, l from {low:.6g} to {high:.6g}" + (stability and f", {stability}")
+
+        return "\n".join([f"{len(self)} curves", *map(line, self)])
+
 
 class Changes(Collection[Item]):
     """Points of curves at which stability changes."""
@@ -224,6 +232,12 @@ class Changes(Collection[Item]):
         "curve": lambda change: change.curve,
         "error_bound": lambda change: change.error_bound,
     }
+
+    def __repr__(self) -> str:
+        def line(change: Any) -> str:
+            return f"  {change.kind} at (h, l) = ({change.h:.6g}, {change.l:.6g}), curve {change.curve}"
+
+        return "\n".join([f"{len(self)} changes", *map(line, self)])
 
 
 def _texts(lists: list[Any]) -> npt.NDArray[np.object_]:

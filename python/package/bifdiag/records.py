@@ -3,7 +3,7 @@
 Written by ``cargo run --release --example records`` from the JSON Schemas of the documents.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 from . import behaviour
@@ -282,11 +282,10 @@ class Region(behaviour.Region):
     neighbours: tuple[Neighbour, ...]
     cells: tuple[Cell, ...]
     clipped: bool
-    _drawn: Any = field(compare=False)
 
     @classmethod
     def _of(cls, document: Document, drawn: Any) -> "Region":
-        return cls(
+        made = cls(
             document["id"],
             Sample._of(document["sample"]),
             tuple(map(Component._of, document["components"])),
@@ -297,8 +296,8 @@ class Region(behaviour.Region):
             tuple(map(Neighbour._of, document["neighbours"])),
             tuple(map(Cell._of, document["cells"])),
             document.get("clipped", False),
-            drawn,
         )
+        return made._with(drawn)
 
 
 @dataclass(frozen=True, slots=True)
@@ -687,11 +686,10 @@ class Curve(behaviour.Curve):
     l_range: tuple[float, float]
     stability: tuple[StabilitySpan, ...]
     tail: Tail | None
-    _drawn: Any = field(compare=False)
 
     @classmethod
     def _of(cls, document: Document, drawn: Any) -> "Curve":
-        return cls(
+        made = cls(
             document["id"],
             document["kind"],
             document["branch"],
@@ -703,8 +701,8 @@ class Curve(behaviour.Curve):
             span(document["l_range"]),
             tuple(map(StabilitySpan._of, document["stability"])),
             maybe(Tail._of, document["tail"]),
-            drawn,
         )
+        return made._with(drawn)
 
 
 @dataclass(frozen=True, slots=True)
