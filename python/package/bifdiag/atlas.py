@@ -5,19 +5,19 @@ import os
 from collections.abc import Callable
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypeAlias, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _core, arrays, exact, files, pictures
+from . import _core, exact, files, pictures
 from .behaviour import Document, infinite, sections
 from .collection import Changes, Curves, Events, Regions
 from .errors import InputError
 from .exact import Number
 from .explorer import Explorer
-from .points import Classifications
-from .records import Classification, Curve, Event, Region, StabilityChange, VerdictChange
+from .point_answers import PointAnswers
+from .records import Curve, Event, Region, StabilityChange, VerdictChange
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -29,7 +29,7 @@ Span: TypeAlias = tuple[float, float]
 """The ends of a range."""
 
 
-class Atlas:
+class Atlas(PointAnswers):
     """Every region of the (h, l) half-plane of one body, with its topology; made by `Body.atlas`.
 
     An atlas covers l ≥ 0; everything depends only on l², so the sign of l does not matter.
@@ -266,144 +266,24 @@ class Atlas:
         """Writes `to_json` to a file."""
         Path(path).write_text(self._text, encoding="utf-8", newline="\n")
 
-    @overload
-    def region(
-        self, h: Number, l: Number, *, threads: int | None = None, invalid: Literal["mark", "raise"] = "mark"
-    ) -> int: ...
-    @overload
-    def region(self, h: Any, l: Any, *, threads: int | None = None, invalid: Literal["mark", "raise"] = "mark") -> Any: ...
-    def region(self, h: Any, l: Any, *, threads: int | None = None, invalid: str = "mark") -> Any:
-        """Indices of the regions of points.
-
-        Parameters
-        ----------
-        h, l : number, or array of them
-            Energies and vertical angular momenta, of shapes that broadcast. The floats of an array mean their shortest
-            decimals, as scalars do. Arrays of Fraction or str are exact. The sign of l does not matter. A
-            ``xarray.DataArray`` broadcasts by its dimensions, and a ``pandas.Series`` by its index.
-        threads : int, optional
-            None: one; 0: one per core. The result does not depend on it.
-        invalid : {"mark", "raise"}
-            What becomes of a point with a number that is NaN, masked, infinite, or beyond 1e±150: its code is −4, or an
-            error names it.
-
-        Returns
-        -------
-        int, or array of int, or as h and l a DataArray or a Series
-            Indices into `regions`; −1 forbidden, −2 on a curve, −3 undecided (only with the accuracy ``"fast"``), −4
-            invalid.
-
-        Raises
-        ------
-        InputError
-            If a value is not a number, or the shapes do not broadcast; with ``invalid="raise"`` for an invalid number.
-        RangeError
-            If a point cannot be decided.
-
-        Examples
-        --------
-        >>> import bifdiag
-        >>> atlas = bifdiag.Body.preset("paper").atlas()
-        >>> atlas.region([0, 3.8, float("nan")], 3.25)
-        array([-1,  4, -4])
-        >>> atlas.regions[4]
-        Region R5: S2+T2 at ...
-        """
-        exact.threads(threads)
-        if _is_plain(h) and _is_plain(l):
-            return self._inner.place(exact.text(h, "h"), exact.text(l, "l"))
-        given = arrays.points(h, l, invalid)
-        if isinstance(given.h, list):
-            pairs = zip(given.h, given.l, strict=True)
-            with given.named():
-                places = np.array([self._inner.place(*pair) for pair in pairs], dtype=np.int64)
-        else:
-            places = self._inner.places(given.h, given.l, exact.threads(threads))
-        return given.dress(given.spread(places, arrays.INVALID), "region")
-
-    @overload
-    def classify(self, h: Number, l: Number) -> Classification: ...
-    @overload
-    def classify(
-        self, h: Any, l: Any, *, threads: int | None = None, invalid: Literal["mark", "raise"] = "mark"
-    ) -> Any: ...
-    def classify(self, h: Any, l: Any, *, threads: int | None = None, invalid: str = "mark") -> Any:
-        """The type of U, E and P at one point, or at each of many.
-
-        Parameters
-        ----------
-        h, l, threads, invalid
-            As of `region`.
-
-        Returns
-        -------
-        Classification or Classifications
-            Of two scalars like `Body.classify`, but faster; of arrays a table with the codes of `region`, the components of
-            each code, and the distance to the nearest curve.
-
-        Raises
-        ------
-        InputError
-            As of `region`, and for a single point that is invalid.
-        RangeError
-            If a point cannot be decided.
-
-        Examples
-        --------
-        >>> import bifdiag
-        >>> atlas = bifdiag.Body.preset("paper").atlas()
-        >>> found = atlas.classify([0, 3.8], 3.25)
-        >>> found.code, found.region, found.signature
-        (array([-1,  4]), array([None, 'R5'], dtype=object), array([None, 'S2+T2'], dtype=object))
-        >>> atlas.classify(3.8, 3.25).margin.nearest == found.nearest[1]
-        True
-        """
-        if _is_scalar(h) and _is_scalar(l):
-            return Classification._of(json.loads(self._inner.classify(exact.text(h, "h"), exact.text(l, "l"))))
-        given = arrays.points(h, l, invalid)
-        return Classifications._of(given, self._measured(given, threads), self.regions)
-
-    @overload
-    def margin(
-        self, h: Number, l: Number, *, threads: int | None = None, invalid: Literal["mark", "raise"] = "mark"
-    ) -> float: ...
-    @overload
-    def margin(self, h: Any, l: Any, *, threads: int | None = None, invalid: Literal["mark", "raise"] = "mark") -> Any: ...
-    def margin(self, h: Any, l: Any, *, threads: int | None = None, invalid: str = "mark") -> Any:
-        """Distances in h of points from the nearest critical curve or pole line at their l.
-
-        Parameters
-        ----------
-        h, l, threads, invalid
-            As of `region`.
-
-        Returns
-        -------
-        float, or array of float, or as h and l a DataArray or a Series
-            ``|h − h_c|``; NaN where the point is invalid. `classify` also names the curve, and bounds the error.
-
-        Raises
-        ------
-        InputError, RangeError
-            As of `region`.
-
-        Examples
-        --------
-        >>> import bifdiag
-        >>> atlas = bifdiag.Body.preset("paper").atlas()
-        >>> atlas.margin([3.8, 4], 3.25).round(4)
-        array([0.3153, 0.2319])
-        """
-        given = arrays.points(h, l, invalid)
-        return given.dress(given.spread(self._measured(given, threads)["margin"], np.nan), "margin")
-
-    def _measured(self, given: arrays.Points, threads: int | None) -> dict[str, Any]:
-        with given.named():
-            return self._inner.measured(given.h, given.l, exact.threads(threads))
-
-    def plot(self, ax: "Axes | None" = None, **options: Any) -> "Axes":
-        """Draws the bifurcation diagram with matplotlib; see `bifdiag.pictures.diagram` for the options."""
-        return pictures.diagram(self, ax, **options)
+    def plot(
+        self,
+        ax: "Axes | None" = None,
+        *,
+        figsize: Span | None = None,
+        view: Literal["plane", "straight", "auto"] = "plane",
+        h: Span | None = None,
+        l: Span | None = None,
+        regions: bool = True,
+        labels: bool = True,
+        events: bool | Literal["ids"] = True,
+        insets: bool | None = None,
+        legend: bool | None = None,
+        **line: Any,
+    ) -> "Axes":
+        """Draws the bifurcation diagram with matplotlib; `bifdiag.pictures.diagram` explains the options."""
+        shown: Any = {"regions": regions, "labels": labels, "events": events, "insets": insets, "legend": legend}
+        return pictures.diagram(self, ax, figsize=figsize, view=view, h=h, l=l, **shown, **line)
 
     @cached_property
     def _straightened(self) -> _core.Straightened:
@@ -491,16 +371,6 @@ class Atlas:
         lists = "regions, events, curves, stability_changes, verdict_changes"
         lines.append(f"  [{lists}; region(h, l), classify(h, l), plot(), to_json()]")
         return "\n".join(lines)
-
-
-def _is_scalar(value: Any) -> bool:
-    """One number, and no array of any kind with one entry."""
-    return isinstance(value, str) or (np.ndim(value) == 0 and not hasattr(value, "dims"))
-
-
-def _is_plain(value: Any) -> bool:
-    """A number of Python in range, as most single points are."""
-    return type(value) in (int, float) and (value == 0 or 1 / exact.LARGEST <= abs(value) <= exact.LARGEST)
 
 
 def _made(body: "Body", accuracy: Literal["exact", "fast"], certificate: bool) -> Atlas:

@@ -52,6 +52,10 @@ def line_style(given: dict[str, Any]) -> dict[str, Any]:
     """What is given of lines, by whole names: ``linewidth`` for ``lw``."""
     line = needed("matplotlib.lines", "plot").Line2D
     named: dict[str, Any] = needed("matplotlib.cbook", "plot").normalize_kwargs(given, line)
+    known = needed("matplotlib.artist", "plot").ArtistInspector(line).get_setters()
+    for name in named:
+        if name not in known:
+            raise InputError(f"{name} is an option neither of this picture nor of matplotlib's lines")
     return named
 
 
