@@ -1,6 +1,7 @@
 """Pictures: on the axes that are given, with names where they belong."""
 
 import re
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -373,3 +374,20 @@ def test_numbers_of_spheres_do_not_overlap(paper):
             boxes = [label.get_window_extent() for label in axis.get_ticklabels()]
             assert len(boxes) == 3
             assert not any(box.overlaps(other) for place, box in enumerate(boxes) for other in boxes[:place])
+
+
+def test_an_unknown_option_is_told(atlas):
+    with pytest.raises(bifdiag.InputError, match=r"^vieww is an option neither"):
+        atlas.plot(vieww="straight")
+    atlas.plot(lw=2, solid_capstyle="round")
+
+
+def test_a_notebook_shows_the_points_of_a_section(section):
+    shown = section._repr_html_()
+    picture = ElementTree.fromstring(shown[: shown.index("</svg>") + 6])
+    paths = [element for element in picture if element.tag == "path"]
+    assert sum(element.get("d").count("M") for element in paths) == len(section)
+    drawn = [part for element in paths for part in element.get("d").split("M")[1:]]
+    places = np.array([part.split("h")[0].split() for part in drawn], dtype=float)
+    assert (places >= 0).all() and (places[:, 1] <= 120).all() and ((places[:, 0] <= 240) | (places[:, 0] >= 256)).all()
+    assert (places[:, 0] > 250).sum() == (section.sheet == -1).sum()

@@ -11,6 +11,7 @@ from . import _core, exact, pictures
 from .behaviour import table
 from .errors import InputError
 from .exact import Number
+from .pictures.section import thumbnail
 from .tables import StoredTable
 
 ORBITS, CROSSINGS = 10**6, 2**31 - 1
@@ -145,7 +146,7 @@ class Section(StoredTable):
 
     def _repr_html_(self) -> str:
         verdicts = Counter(self.verdict)
-        return table(
+        return thumbnail(self) + table(
             [
                 ("section at (h, l)", f"({self.meta['h']}, {self.meta['l']})"),
                 ("surface", self.signature or "not that of the region"),

@@ -92,6 +92,31 @@ def section(
     return panels
 
 
+THUMBNAIL = 4000
+"""Points that a notebook shows of a section."""
+
+
+def thumbnail(found: "Section") -> str:
+    """A small picture as SVG, without matplotlib: both sheets of the torus, coloured by verdict."""
+    width, height, gap = 240.0, 120.0, 16.0
+    step = -(-len(found) // THUMBNAIL) or 1
+    verdicts = np.array(found.verdict, dtype=object)[found.orbit]
+    parts = []
+    for place, side in enumerate((1, -1)):
+        left = place * (width + gap)
+        parts.append(f'<rect x="{left:g}" width="{width:g}" height="{height:g}" fill="none" stroke="currentColor"/>')
+        for name, tone in VERDICTS.items():
+            here = np.flatnonzero((found.sheet == side) & (verdicts == name))[::step]
+            x, y = left + found.psi[here] * (width / (2 * np.pi)), found.theta[here] * (height / np.pi)
+            points = "".join(f"M{a:.1f} {b:.1f}h0" for a, b in zip(x.tolist(), y.tolist(), strict=True))
+            parts.append(
+                f'<path d="{points}" stroke="{tone}" stroke-linecap="round" stroke-width="1.5"/>' if points else ""
+            )
+    box = f"-1 -1 {2 * width + gap + 2:g} {height + 2:g}"
+    title = "ψ′ from 0 to 2π to the right, ϑ′ from 0 to π downwards; left T⁺, right T⁻"
+    return f'<svg viewBox="{box}" width="500" role="img"><title>{title}</title>{"".join(parts)}</svg>'
+
+
 def _colors(found: "Section", color: Any) -> tuple[npt.NDArray[Any], dict[str, Any]]:
     """A value for each point, and how values become colours."""
     if isinstance(color, str) and color == "verdict":
