@@ -66,6 +66,9 @@ def test_rows_are_those_of_the_document(command, moving):
         assert found.ranges.isolated.sum() == (found.kind == "isolated").sum() == 3
     begun = found[found.kind == "start"]
     assert begun.event.tolist() == ["fold"] and begun.below.tolist() == [""] and begun.stable_below.mask.all()
+    # What begins is masked below, so neither the one nor the other.
+    assert not (found[~found.stable_below].kind == "start").any() and not (found[found.stable_below].kind == "start").any()
+    assert [found.meta["families"][k]["branch"] for k in found.family] == found.branch.tolist()
     resonance = found[found.event == "1:2"]
     assert resonance.verdict.tolist() == ["unstable"] and resonance.stable_above.tolist() == [True]
     assert found.up.tolist() == ["+axis"] * 2 + ["-axis"] * 5 and "here unstable" in repr(found)

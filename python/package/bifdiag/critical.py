@@ -29,8 +29,9 @@ class Equilibria(Table):
     """Relative equilibria, a row for each; made by `Body.critical`.
 
     Columns are attributes, or items as of a structured array: ``found.h`` is ``found["h"]``. An array of bools, a slice or
-    a list of numbers selects rows: ``found[found["index"] == 0]``; ``found[3]`` is one row, and ``numpy.asarray(found)``
-    the structured array of all of them. `to_pandas`, `to_arrow` and `to_xarray` hand them on.
+    a list of numbers selects rows: ``found[found["index"] == 0]``, and of masked bools those that are True; ``found[3]`` is
+    one row, and ``numpy.asarray(found)`` the structured array of all of them. `to_pandas`, `to_arrow` and `to_xarray` hand
+    them on.
 
     Attributes
     ----------

@@ -12,6 +12,7 @@ from .tables import Table
 Document = dict[str, Any]
 Texts = npt.NDArray[np.str_]
 Floats = npt.NDArray[np.float64]
+Ints = npt.NDArray[np.int64]
 Bools = np.ma.MaskedArray[Any, np.dtype[np.bool_]]
 
 
@@ -22,6 +23,8 @@ class SpinRanges(Table):
     ----------
     up : array (n,) of str
         Which end of the axis of the question is up: ``"+axis"`` or ``"-axis"``; ``""`` where no axis was given.
+    family : array (n,) of int
+        Steady axes that move together: their place in ``meta["families"]``; −1 of a given axis that is permanent.
     branch : array (n,) of str
         Id of the branch of relative equilibria; ``""`` for a given axis that is permanent.
     axis_up : array (n, 3)
@@ -41,6 +44,7 @@ class SpinRanges(Table):
     """
 
     up: Texts
+    family: Ints
     branch: Texts
     axis_up: Floats
     rpm_from: Floats
@@ -49,7 +53,7 @@ class SpinRanges(Table):
     stable: Bools
     stable_by: Texts
     survives_friction: Bools
-    isolated: npt.NDArray[np.int64]
+    isolated: Ints
 
     def __repr__(self) -> str:
         lines = [f"SpinRanges: {len(self)} rows [{', '.join(self.columns)}, meta]"]
@@ -100,13 +104,15 @@ class SpinBounds(Table):
 class CriticalSpins(Table):
     """The spins at which a steady rotation changes, a row for each; made by `Body.critical_spin`.
 
-    Columns are attributes; an array of bools, a slice or a list of numbers selects rows. `to_pandas`, `to_arrow` and
-    `to_xarray` hand them on.
+    Columns are attributes; an array of bools, a slice or a list of numbers selects rows, ``found[found.stable_above].rpm``;
+    what is masked is not selected, nor is its ``~``. `to_pandas`, `to_arrow` and `to_xarray` hand them on.
 
     Attributes
     ----------
     up : array (n,) of str
         Which end of the axis of the question is up: ``"+axis"`` or ``"-axis"``; ``""`` where no axis was given.
+    family : array (n,) of int
+        Steady axes that move together: their place in ``meta["families"]``; −1 of a given axis that is permanent.
     branch : array (n,) of str
         Id of the branch of relative equilibria; ``""`` for a given axis that is permanent.
     axis_up : array (n, 3)
@@ -135,6 +141,7 @@ class CriticalSpins(Table):
     """
 
     up: Texts
+    family: Ints
     branch: Texts
     axis_up: Floats
     rpm: Floats
@@ -155,7 +162,7 @@ class CriticalSpins(Table):
         document = json.loads(text)
         ranges = [*spin_rows.ranges(document)]
         rows = [*spin_rows.changes(document, ranges), *spin_rows.starts(ranges), *spin_rows.isolated(ranges)]
-        rows.sort(key=lambda row: (row["up"] == "-axis", row["branch"], row["rpm"]))
+        rows.sort(key=lambda row: (row["up"] == "-axis", row["branch"], row["family"], row["rpm"]))
         return cls(_table(rows, cls), text)
 
     @property

@@ -20,6 +20,7 @@ class Range:
     """A range of spins of one type; what `SpinRanges` has of it."""
 
     up: str
+    family: int
     branch: str
     axis: list[float]
     start: Document | None
@@ -36,7 +37,8 @@ class Range:
 
     def row(self) -> Document:
         count = -1 if self.isolated is None else len(self.isolated)
-        row = {"up": self.up, "branch": self.branch, "axis_up": self.axis, "rpm_from": self.rpm[0], "rpm_to": self.rpm[1]}
+        row: Document = {"up": self.up, "family": self.family, "branch": self.branch, "axis_up": self.axis}
+        row |= {"rpm_from": self.rpm[0], "rpm_to": self.rpm[1]}
         row |= {"stability": self.stability, "stable": self.stable, "stable_by": self.stable_by}
         return row | {"survives_friction": self.survives, "isolated": count}
 
@@ -48,8 +50,8 @@ def ranges(document: Document) -> Iterator[Range]:
         nonlinear, axis = one["nonlinear"], _end(document["axis"], one["up"])
         stable, survives = STABLE.get(nonlinear["verdict"]), SURVIVES.get(one["friction"]["conserving_l"])
         known = one["stability"], stable, nonlinear["why"], survives, one["isolated"]
-        yield Range(one["up"], "", axis, None, ends, *known, "", None)
-    for family in document.get("families", ()):
+        yield Range(one["up"], -1, "", axis, None, ends, *known, "", None)
+    for number, family in enumerate(document.get("families", ())):
         up = ""
         if "axis" in document:
             up = "+axis" if float(np.dot(document["axis"], family["fast_axis"])) > 0 else "-axis"
@@ -64,20 +66,8 @@ def ranges(document: Document) -> Iterator[Range]:
             told = one["stable"] if isinstance(one["stable"], str) else ""
             stable = False if one["stable"] is False else (None if told in ("", "spectrum") else True)
             event = one["change"] or family["start"]
-            before = Range(
-                up,
-                family["branch"],
-                axis,
-                start,
-                ends,
-                one["stability"],
-                stable,
-                told,
-                None,
-                one["isolated"],
-                event,
-                before,
-            )
+            known = one["stability"], stable, told, None, one["isolated"]
+            before = Range(up, number, family["branch"], axis, start, ends, *known, event, before)
             # What changes along a permanent axis is told with it.
             if family["permanent"]:
                 before.event = ""
@@ -100,11 +90,8 @@ def changes(document: Document, known: list[Range]) -> Iterator[Document]:
             for change in theirs:
                 before = verdicts[place]
                 place += change["kind"] != "region"
-                row: Document = {
-                    "up": up if "axis" in document else "",
-                    "branch": own[0].branch if own else "",
-                    "axis_up": axis,
-                }
+                row: Document = {"up": up if "axis" in document else "", "axis_up": axis}
+                row |= {"family": own[0].family if own else -1, "branch": own[0].branch if own else ""}
                 row |= change["spin"] | {"l": change["l"], "h": change["h"], "kind": change["kind"]}
                 row |= {"event": change["event"] or "", "below": change["from"], "above": change["to"]}
                 row |= {"stable_below": before, "stable_above": verdicts[place]}
@@ -117,7 +104,7 @@ def starts(known: Iterable[Range]) -> Iterator[Document]:
         if one.start is None or not one.event:
             continue
         below = one.below
-        row: Document = {"up": one.up, "branch": one.branch, "axis_up": one.axis, **one.start["spin"]}
+        row: Document = {"up": one.up, "family": one.family, "branch": one.branch, "axis_up": one.axis, **one.start["spin"]}
         row |= {"l": one.start["l"], "h": one.start["h"], "kind": "stability" if below else "start", "event": one.event}
         row |= {"below": below.stability if below else "", "above": one.stability}
         row |= {"stable_below": below.stable if below else None, "stable_above": one.stable}
@@ -131,7 +118,15 @@ def isolated(known: Iterable[Range]) -> Iterator[Document]:
         # Where a permanent axis does not move, its end is that of every spin.
         axis = one.axis if not one.event else [nan] * 3
         for spin in one.isolated or ():
-            row = {"up": one.up, "branch": one.branch, "axis_up": axis, **spin["spin"], "l": nan, "h": nan}
+            row = {
+                "up": one.up,
+                "family": one.family,
+                "branch": one.branch,
+                "axis_up": axis,
+                **spin["spin"],
+                "l": nan,
+                "h": nan,
+            }
             row |= {"kind": "isolated", "event": spin["kind"], "below": one.stability, "above": one.stability}
             row |= {"stable_below": one.stable, "stable_above": one.stable, "verdict": spin["verdict"]}
             yield row | {"error_bound": nan}

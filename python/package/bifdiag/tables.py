@@ -63,7 +63,8 @@ class Table:
         if isinstance(key, list) and key and all(isinstance(name, str) for name in key):
             return np.asarray(self)[key]
         if not isinstance(key, slice):
-            kept = np.asarray(key)
+            # What is masked is not known to be True.
+            kept = np.ma.filled(key, False) if isinstance(key, np.ma.MaskedArray) else np.asarray(key)
             if kept.ndim == 0 and not -len(self) <= exact.whole(key, "row", -(2**53)) < len(self):
                 raise IndexError(f"there is no row {key}; there are {len(self)}, from 0 on")
             key = kept.astype(bool if kept.dtype == bool else np.intp) if kept.size == 0 else kept
