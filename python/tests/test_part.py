@@ -154,3 +154,8 @@ def test_a_part_with_tolerances_has_no_single_diagram():
             ask()
     with pytest.raises(bifdiag.InputError, match="negative"):
         bifdiag.Body.from_inertia([["2±-1", 0, 0], [0, 2, 0], [0, 0, 1]], [0, 0, 0.1], 1)
+
+
+def test_an_empty_entry_of_a_tensor_is_named():
+    with pytest.raises(bifdiag.InputError, match=r"^tensor\[0\]2 is an empty text"):
+        bifdiag.Body.from_inertia(np.diag(["2", "2", "1"]), com=[0, 0, 1], mass=1)

@@ -37,6 +37,8 @@ def text(value: Any, name: str) -> str:
         case bool() | np.bool_():
             raise InputError(f"{name} = {value} is a bool; a number is needed")
         case str():
+            if not value.strip():
+                raise InputError(f"{name} is an empty text; a number is needed")
             return value
         case np.floating() if not isinstance(value, float):
             out = str(value)
