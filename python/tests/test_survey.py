@@ -168,6 +168,9 @@ def test_wrong_lists_of_bodies_are_told(bodies, message):
         bifdiag.scan(bodies=bodies)
     with pytest.raises(bifdiag.InputError, match="give one of them"):
         bifdiag.scan(bodies=bodies, family="general")
+    measured = bifdiag.Body.from_inertia([["2±1%", 0, 0], [0, 2, 0], [0, 0, 1]], com=[0, 0, 0.05], mass=1)
+    with pytest.raises(bifdiag.InputError, match="only critical_spin answers"):
+        bifdiag.scan(bodies=[measured])
 
 
 def test_a_table_of_the_command_line_names_what_is_wrong(command, tmp_path):
@@ -298,6 +301,10 @@ def test_gaps_of_frames_have_rows():
         found = bifdiag.scan(bodies=frame.astype(kind)).to_pandas()
         assert found.index.tolist() == list("wxyz") and found["status"].tolist()[1] == "invalid"
         assert found["regions"].isna().tolist() == [False, True, False, False] == found["plane"].isna().tolist()
+    pytest.importorskip("xarray")
+    found = bifdiag.scan(bodies=frame.rename_axis("rotor").to_xarray())
+    assert found.to_pandas().index.tolist() == list("wxyz") and found.to_pandas().index.name == "rotor"
+    assert found[1:3].to_xarray()["rotor"].to_numpy().tolist() == ["x", "y"]
     pl = pytest.importorskip("polars")
     found = bifdiag.scan(bodies=pl.DataFrame(frame.where(frame.notna(), None).to_dict("list")))
     assert found.meta["invalid"] == [1] and pl.DataFrame(found)["plane"].null_count() == 1

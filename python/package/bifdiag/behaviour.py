@@ -51,7 +51,11 @@ class Drawn:
         return self
 
     def __reduce__(self: Any) -> tuple[Any, ...]:
-        return _restored, (type(self), tuple(getattr(self, field.name) for field in fields(self)), self._drawn)
+        return _restored, (
+            type(self),
+            tuple(getattr(self, field.name) for field in fields(self)),
+            getattr(self, "_drawn", None),
+        )
 
 
 def _restored(kind: Any, values: tuple[Any, ...], drawn: Any) -> Any:
@@ -101,7 +105,8 @@ class Curve(Drawn):
 
         An unbounded curve goes on beyond the last one. `Atlas.polyline` gives finer ones.
         """
-        return np.array(self._drawn["polyline"] if self._drawn else [], dtype=float).reshape(-1, 2)
+        drawn = getattr(self, "_drawn", None)
+        return np.array(drawn["polyline"] if drawn else [], dtype=float).reshape(-1, 2)
 
     def __repr__(self: Any) -> str:
         names = ", ".join([*public(self), "points"])

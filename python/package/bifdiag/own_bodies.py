@@ -1,6 +1,7 @@
 """The user's own bodies for a scan: out of arrays and tables, and back into rows."""
 
 import csv
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -88,14 +89,29 @@ def _floats(values: Any) -> tuple[Floats, npt.NDArray[np.bool_]]:
     return numbers, masked
 
 
+def _has_columns(bodies: Any) -> bool:
+    """A frame, a table of Arrow, a Dataset of xarray, a dict."""
+    return isinstance(bodies, Mapping) or hasattr(bodies, "columns")
+
+
+def labels(bodies: Any) -> Any:
+    """The index of pandas that bodies have: that of a frame, or of the one dimension of a Dataset; else None."""
+    if isinstance(bodies, Mapping):
+        indices = list(getattr(bodies, "indexes", {}).values())
+        return indices[0] if len(indices) == 1 else None
+    return getattr(bodies, "index", None) if hasattr(bodies, "columns") else None
+
+
 def _numbers(bodies: Any) -> tuple[Floats, npt.NDArray[np.bool_]]:
     """A and r of each body, and which are masked: (n, 6)."""
-    if not hasattr(bodies, "dtype") and not hasattr(bodies, "columns") and not isinstance(bodies, dict):
+    if not hasattr(bodies, "dtype") and not _has_columns(bodies):
         bodies = list(bodies)
         if bodies and all(isinstance(one, Given) for one in bodies):
+            for one in bodies:
+                one._exactly()
             bodies = [[float(exact.value(text)) for text in (*one.A, *one.r)] for one in bodies]
     try:
-        if isinstance(bodies, dict) or hasattr(bodies, "columns") or getattr(bodies, "dtype", np.dtype(float)).names:
+        if _has_columns(bodies) or getattr(bodies, "dtype", np.dtype(float)).names:
             columns = [_floats(bodies[name]) for name in COLUMNS]
             numbers = np.stack([column for column, _ in columns], axis=-1)
             masked = np.stack([mask for _, mask in columns], axis=-1)

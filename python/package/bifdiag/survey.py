@@ -19,20 +19,21 @@ from .body import Body
 from .command import command
 from .diagrams import Accuracy
 from .errors import InputError
-from .own_bodies import OwnBodies
+from .own_bodies import OwnBodies, labels
 from .records import Component, Margin
 from .tables import Table
 from .units import ExactPoint
 
 if TYPE_CHECKING:
     import pandas
+    import xarray
 
 
 class Scan(Table):
     """The rows of a scan, one for each body, as arrays; the page "Files" describes the columns.
 
-    Of a DataFrame of bodies `to_pandas` has the index, so that ``frame[["name"]].join(scan.to_pandas())`` brings the
-    answers beside its own columns.
+    Of a DataFrame or Dataset of bodies `to_pandas` and `to_xarray` have the index, so that
+    ``frame[["name"]].join(scan.to_pandas())`` brings the answers beside its own columns.
 
     Attributes
     ----------
@@ -78,6 +79,13 @@ class Scan(Table):
         """A DataFrame, with the index of that of the bodies if there was one; ``bifdiag[tables]`` installs pandas."""
         frame = super().to_pandas()
         return frame if self._labels is None else frame.set_index(self._labels.take(self["index"]))
+
+    def to_xarray(self) -> "xarray.Dataset":
+        """A Dataset over ``row``, with the index of the bodies as a coordinate; ``bifdiag[tables]`` installs xarray."""
+        data = super().to_xarray()
+        if self._labels is None or self._labels.nlevels > 1:
+            return data
+        return data.assign_coords({str(self._labels.name or "label"): ("row", self._labels.take(self["index"]).to_numpy())})
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Scan, (self._columns, self._meta, self._labels)
@@ -147,8 +155,8 @@ def scan(
     out : path, optional
         The file; its suffix selects the format: ``.parquet``, ``.csv`` or ``.jsonl``. Without it no file is written.
     bodies : table, array (n, 6), pair of arrays (n, 3) or list of Body, optional
-        Your own bodies, instead of a family: a DataFrame or dict with the columns ``A1``, ``A2``, ``A3``, ``r1``, ``r2``,
-        ``r3``, an array with these columns, A and r, or bodies. The numbers are taken as doubles.
+        Your own bodies, instead of a family: a DataFrame, Dataset or dict with the columns ``A1``, ``A2``, ``A3``, ``r1``,
+        ``r2``, ``r3``, an array with these columns, A and r, or bodies. The numbers are taken as doubles.
     shard : (int, int), optional
         ``(i, n)``: only the i-th of n equal parts, i from 1.
     threads : int, optional
@@ -229,7 +237,7 @@ def scan(
     if own is None:
         return Scan(columns, summary)
     summary = json.dumps(json.loads(summary) | {"invalid": np.flatnonzero(~own.valid).tolist()})
-    return Scan(own.spread(columns), summary, getattr(bodies, "index", None) if hasattr(bodies, "columns") else None)
+    return Scan(own.spread(columns), summary, labels(bodies))
 
 
 def _details(
