@@ -13,7 +13,7 @@ const load = async () => {
   const known = response.headers.get("Content-Type")?.startsWith("application/wasm");
   return known ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 };
-const compile = () =>
+export const compile = (): Promise<WebAssembly.Module> =>
   (compiled ??= load().catch((error: unknown) => {
     compiled = undefined;
     throw error;

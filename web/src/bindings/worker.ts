@@ -1,28 +1,17 @@
 /** One worker: the module and what is kept of the last question. It answers in the order in which it is asked. */
-import type { Answer, Arguments, Drawing, Name, Place, Question, Reply, Site, StraightDrawing, Straightening } from "./calls";
-import type { Atlas, Orbit, Portrait, Window } from "./documents";
+import type { Answer, Arguments, Drawing, Name, Question, Reply, Site, StraightDrawing, Straightening } from "./calls";
+import type { Orbit, Portrait, Window } from "./documents";
+import { begun, diagramOf, guest, init, locate, plane, type Diagram } from "./drawing";
 import { boxesOf } from "../state/names";
 import partsUrl from "./generated/bifdiag_web_parts_bg.wasm?url";
 import chaosUrl from "./generated/bifdiag_web_chaos_bg.wasm?url";
 import straightUrl from "./generated/bifdiag_web_straight_bg.wasm?url";
-import init, * as guest from "./generated/bifdiag_web.js";
 
 const PORTRAIT_ROWS = 90;
 
-let diagram: { body: string; of: guest.Diagram; text: string; document: Atlas } | undefined;
 let section: { site: string; of: guest.Section } | undefined;
 let shares: { body: string; of: InstanceType<Chaos["Shares"]> } | undefined;
 let classes: guest.Classes | undefined;
-
-function diagramOf(body: string): NonNullable<typeof diagram> {
-  if (diagram?.body !== body) {
-    const of = new guest.Diagram(body);
-    const text = of.document();
-    diagram?.of.free();
-    diagram = { body, of, text, document: JSON.parse(text) as Atlas };
-  }
-  return diagram;
-}
 
 function sectionOf(site: Site): guest.Section {
   const name = site.join("&");
@@ -34,31 +23,24 @@ function sectionOf(site: Site): guest.Section {
   return section.of;
 }
 
-/** `view`: what is to be seen; null: what suits the body. */
+/** In the plane; or straightened where that is asked for and can be done. */
 async function draw(body: string, view: Window | null, width: number, height: number, point: [number, number] | null, how: Straightening | null): Promise<Drawing> {
   const module = how && (await straights());
-  const { of, text, document } = diagramOf(body);
-  const window = view ?? document.drawing.view.main;
-  const { h, l } = window;
-  const names = document.curves.map((curve) => curve.id);
-  const drawing = { text, window, width, height, names, place: point && locate(body, ...point) };
-  let straight: StraightDrawing | string | null = null;
+  let straight: string | null = null;
   if (module && how) {
     try {
-      const { curves, ...found } = straighten(module, width, height, how);
-      return { ...drawing, rows: new Float64Array(), curves, straight: found };
+      const { curves, ...found } = straighten(module, diagramOf(body), width, height, how);
+      return { ...begun(body, view, width, height, point), rows: new Float64Array(), curves, straight: found };
     } catch (error) {
       if (error instanceof WebAssembly.RuntimeError) throw error;
       straight = error instanceof Error ? error.message : String(error);
     }
   }
-  const curves = of.curves(names, Math.max(0, l[0]), l[1], (h[1] - h[0]) / width / 3);
-  return { ...drawing, rows: of.columns(l[0], l[1], height), curves, straight };
+  return { ...plane(body, view, width, height, point), straight };
 }
 
-/** The diagram that was drawn last, straightened. */
-function straighten(module: Straights, width: number, height: number, { held, momenta }: Straightening): StraightDrawing & { curves: Float64Array } {
-  const { of, text, document } = diagram!;
+/** The diagram of a body, straightened. */
+function straighten(module: Straights, { of, text, document }: Diagram, width: number, height: number, { held, momenta }: Straightening): StraightDrawing & { curves: Float64Array } {
   // The shares are fitted to three forms of a name: on two lines, on one line, and the id alone.
   const boxes = Float64Array.from(document.regions.flatMap((region) => boxesOf(region).flat()));
   const found = new module.Straight(text, of, width, height, boxes, held, momenta);
@@ -68,12 +50,6 @@ function straighten(module: Straights, width: number, height: number, { held, mo
   } finally {
     found.free();
   }
-}
-
-function locate(body: string, h: number, l: number): Place {
-  const { of } = diagramOf(body);
-  const [region, distance] = of.locate(h, l) as unknown as [number, number];
-  return { region, distance, nearest: of.nearest(h, l) };
 }
 
 type Parts = typeof import("./generated/bifdiag_web_parts.js");
@@ -152,16 +128,16 @@ function arrays(answer: unknown): ArrayBuffer[] {
   return parts.filter((part) => ArrayBuffer.isView(part)).map((part) => part.buffer as ArrayBuffer);
 }
 
-let begun: Promise<unknown> | undefined;
+let able: Promise<unknown> | undefined;
 
 self.onmessage = async ({ data }: MessageEvent<Question | { module: WebAssembly.Module }>) => {
   if ("module" in data) {
-    begun = init({ module_or_path: data.module });
+    able = init({ module_or_path: data.module });
     return;
   }
   let reply: Reply;
   try {
-    await begun;
+    await able;
     const answer = answers[data.name] as (...values: unknown[]) => unknown;
     reply = { id: data.id, value: await answer(...data.values) };
   } catch (error) {

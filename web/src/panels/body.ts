@@ -91,6 +91,7 @@ export function bodyPanel(session: Session): HTMLElement {
   // What is a number and yet no moment of inertia.
   session.on(["message"], () => moments.forEach((input) => mark(input, session.message !== "" && !(valueOf(input.value) > 0))));
   session.on(["atlas"], () => (notes.textContent = session.atlas ? remarks(session.atlas.body) : ""));
+  const passing = sweep(session);
   const element = panel(
     "The body",
     "Principal moments of inertia A and centre of mass r, both about the fixed point. In the triangle lie all ratios A₁ : A₂ : A₃; physical bodies are in the inner one, where no moment exceeds the sum of the others. The octant shows the direction of r along the axes 1, 2, 3; the other octants give the same diagrams",
@@ -98,8 +99,9 @@ export function bodyPanel(session: Session): HTMLElement {
       choice,
       make("div", { className: "numbers" }, make("b", {}, "A"), ...moments),
       make("div", { className: "numbers" }, make("b", {}, "r"), ...center, make("span"), ...sliders.map(({ element }) => element)),
-      sweep(session),
+      passing.controls,
       make("div", { className: "pair" }, triangle(session), octant(session)),
+      passing.told,
       notes,
     ),
   );

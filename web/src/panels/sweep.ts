@@ -12,7 +12,8 @@ const TOLD = 3;
 const numbersOf = (session: Session): number[] => [...session.state.A, ...session.state.r].map(valueOf);
 const keyOf = ({ regions, events }: Atlas): string => [regions.map(({ signature }) => signature).sort(), events.map(({ kind }) => kind).sort()].join(";");
 
-export function sweep(session: Session): HTMLElement {
+/** `told` stands apart: what it tells must not move what the hand holds. */
+export function sweep(session: Session): { controls: HTMLElement; told: HTMLElement } {
   const choice = make("select", { title: "The number that runs through its range", attributes: { "aria-label": "number to sweep" } }, ...NAMES.map((name) => make("option", { value: name, selected: name === "r2" }, name)));
   const told = make("p", { className: "passed", attributes: { "aria-live": "polite" }, data: { testid: "passed" } });
   let running = false;
@@ -58,5 +59,5 @@ export function sweep(session: Session): HTMLElement {
       while (told.childElementCount > TOLD) told.lastElementChild!.remove();
     }, () => undefined);
   });
-  return make("div", { className: "sweep" }, make("div", { className: "row" }, choice, play), told);
+  return { controls: make("div", { className: "row sweep" }, choice, play), told };
 }

@@ -1,5 +1,6 @@
 /** The state and everything that was computed of it. Panels read from here and ask here; workers are asked only here. */
 import { Channel, Superseded } from "../bindings/client";
+import { Hand } from "../bindings/hand";
 import type { Arguments, Place } from "../bindings/calls";
 import type { Atlas, Classification, Critical, PartBlock, Triple, Window } from "../bindings/documents";
 import { Emitter } from "./emitter";
@@ -51,6 +52,8 @@ export class Session extends Emitter {
   /** Size of the diagram in pixels, which rows and curves are made for. */
   resolution = { width: 600, height: 400 };
   private readonly pencil = new Channel(20);
+  /** What the pencil does, under the hand. */
+  private readonly hand = new Hand();
   private readonly scholar = new Channel(60);
   /** Makes the atlas with all verdicts, which takes tenths of a second: nothing that the hand does waits for it. */
   private readonly archivist = new Channel(60);
@@ -69,6 +72,9 @@ export class Session extends Emitter {
   /** The fast document that is drawn, and its text. */
   private sketched: Atlas | null = null;
   private sketchText = "";
+  /** How many drawings were asked for, and which of them was made last. */
+  private asked = 0;
+  private answered = 0;
   /** The drawing that was asked for last. */
   private drawing: Promise<Place | null> = Promise.resolve(null);
 
@@ -109,7 +115,6 @@ export class Session extends Emitter {
     this.shadow ??= this.outline();
     this.held ??= this.state.view ? null : (this.drawn?.window ?? null);
     this.state = { ...this.state, A, r, view: this.dragging === "body" ? this.state.view : null };
-    // The worker draws while the panels take the new numbers.
     const drawing = this.dragging ? this.sketch() : null;
     this.emit("body");
     void (drawing ?? this.settle());
@@ -165,6 +170,7 @@ export class Session extends Emitter {
   release(): void {
     const was = this.dragging;
     this.dragging = null;
+    this.hand.rest();
     if (was === "view") this.write(true);
     else void this.settle(was === "body");
   }
@@ -370,7 +376,11 @@ export class Session extends Emitter {
     const held = this.dragging === "body" || (like(width, this.fitted.width) && like(height, this.fitted.height)) ? this.shares : null;
     const momenta = Float64Array.from([Math.abs(place?.[1] ?? NaN)].filter(Number.isFinite));
     const how = straight ? { held: held ?? new Float64Array(), momenta } : null;
-    const drawing = await this.pencil.latest("draw", bodyText(this.state), this.state.view ?? this.held, width, height, at, how);
+    const asked: Arguments<"draw"> = [bodyText(this.state), this.state.view ?? this.held, width, height, at, how];
+    const own = ++this.asked;
+    const drawing = (this.dragging === "body" ? this.hand.draw(...asked) : null) ?? (await this.pencil.latest("draw", ...asked));
+    if (own < this.answered) throw new Superseded("drawn by the hand meanwhile");
+    this.answered = own;
     const curves = new Map<string, Float64Array>();
     let next = 0;
     const found = drawing.straight;
@@ -420,7 +430,8 @@ export class Session extends Emitter {
   private async look(): Promise<void> {
     const { point } = this.state;
     if (!point || !this.drawn) return;
-    this.see(await this.pencil.latest("locate", bodyText(this.state), valueOf(point.h), valueOf(point.l)));
+    const asked: Arguments<"locate"> = [bodyText(this.state), valueOf(point.h), valueOf(point.l)];
+    this.see(this.hand.locate(...asked) ?? (await this.pencil.latest("locate", ...asked)));
   }
 
   private see(place: Place): void {

@@ -111,6 +111,16 @@ test("frames while a hand drags r", async () => {
     await page.evaluate(() => new Promise(requestAnimationFrame));
   }
   const frames = (await page.evaluate(() => window.bifdiag.frames())).sort((a, b) => a - b);
+  // The picture follows within the event, so that it is part of the same frame.
+  const followed = await page.evaluate(([x, y]) => {
+    const [octant, diagram] = ["octant", "diagram"].map((id) => document.querySelector<HTMLCanvasElement>(`[data-testid=${id}]`)!);
+    const before = diagram!.toDataURL();
+    octant!.dispatchEvent(new PointerEvent("pointermove", { pointerId: 1, pointerType: "mouse", clientX: x!, clientY: y! }));
+    return before !== diagram!.toDataURL();
+  }, at(3));
+  expect(followed).toBe(true);
+  // What is told of the way does not move the octant from under the hand.
+  expect((await page.getByTestId("octant").boundingBox())!.y).toBe(box.y);
   await page.mouse.up();
   await ready(page);
   expect(await picture(page, "diagram")).not.toBe(before);
