@@ -22,6 +22,7 @@ import { api } from "./api";
 import { parse, unknownKeys } from "./state/hash";
 import { Session } from "./state/session";
 import { bodyText, FIRST, START } from "./state/state";
+import { language, speak, texts, wanted } from "./texts";
 
 function begin(): void {
   const root = document.querySelector("main")!;
@@ -44,9 +45,10 @@ function begin(): void {
     column("right", make("div", { className: "beside" }, sphere.element, motion.element), section.element),
     column("below", bodies.element, takePanel(session, sheets)),
   );
+  const { stack } = texts.head;
   const told = story(session);
   document.body.prepend(headPanel(session, [told.play, ...guide.buttons]));
-  document.body.append(told.card, messagePanel(session), phoneBar({ Diagram: diagram.element, U: sphere.element, Motion: motion.element, Section: section.element, Body: body, Map: bodies.element }));
+  document.body.append(told.card, messagePanel(session), phoneBar([[stack.diagram, diagram.element], [stack.sphere, sphere.element], [stack.motion, motion.element], [stack.section, section.element], [stack.body, body], [stack.bodies, bodies.element]]));
   api(session);
   const panels = { diagram: diagram.element, sphere: sphere.element, motion: motion.element, section: section.element, bodies: bodies.element };
   for (const [name, panel] of Object.entries(panels)) panel.dataset.panel = name;
@@ -57,7 +59,7 @@ function begin(): void {
     try {
       session.set(hash.length > 1 ? parse(hash, named) : START, true);
       const unknown = unknownKeys(hash);
-      session.notice = unknown.length > 0 ? `The address has ${unknown.join(", ")}, which this page does not know.` : "";
+      session.notice = unknown.length > 0 ? texts.address.unknown(unknown.join(", ")) : "";
     } catch (error) {
       // What is wrong stays in the address and is told over the paper's body.
       if (!session.drawn) session.set({ ...FIRST }, "wrong");
@@ -82,9 +84,14 @@ function begin(): void {
   document.title = `bifdiag: ${bodyText(session.state)}`;
 }
 
-try {
-  begin();
-} catch (error) {
-  document.querySelector("main")!.replaceChildren(make("p", { className: "error", data: { testid: "error" } }, `The explorer could not start: ${error instanceof Error ? error.message : String(error)}`));
-  document.documentElement.dataset.ready = "true";
-}
+/** Not by `await` at the top: parts that are loaded later share this file's modules. */
+speak(wanted(location.search, navigator.languages))
+  .then(() => {
+    document.documentElement.lang = language;
+    begin();
+  })
+  .catch((error: unknown) => {
+    const why = error instanceof Error ? error.message : String(error);
+    document.querySelector("main")!.replaceChildren(make("p", { className: "error", data: { testid: "error" } }, texts?.failure.start(why) ?? why));
+    document.documentElement.dataset.ready = "true";
+  });

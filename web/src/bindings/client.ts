@@ -1,6 +1,7 @@
 /** Workers as functions: one of them answers one question after the other, and a newer question of a kind replaces an older. */
 import type { Answer, Arguments, Name, Question, Reply } from "./calls";
 import moduleUrl from "./generated/bifdiag_web_bg.wasm?url";
+import { texts } from "../texts";
 
 /** Somebody asked again before this was answered. */
 export class Superseded extends Error {}
@@ -9,7 +10,7 @@ export class Superseded extends Error {}
 let compiled: Promise<WebAssembly.Module> | undefined;
 const load = async () => {
   const response = await fetch(moduleUrl);
-  if (!response.ok) throw new Error(`the program could not be loaded: ${response.status} ${response.statusText}`);
+  if (!response.ok) throw new Error(texts.failure.load(`${response.status} ${response.statusText}`));
   const known = response.headers.get("Content-Type")?.startsWith("application/wasm");
   return known ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 };
@@ -80,7 +81,7 @@ export class Channel {
     if (!this.able || !this.worker) return this.begin();
     this.current = this.queue.shift()!;
     const { question } = this.current;
-    this.clock = setTimeout(() => this.giveUp(`no answer within ${this.budget} seconds`), 1000 * this.budget);
+    this.clock = setTimeout(() => this.giveUp(texts.failure.late(this.budget)), 1000 * this.budget);
     this.worker.postMessage(question);
   }
 
@@ -89,7 +90,7 @@ export class Channel {
     if (this.worker) return;
     const worker = (this.worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" }));
     worker.onmessage = ({ data }: MessageEvent<Reply>) => this.settle(data);
-    worker.onerror = (event) => this.giveUp(event.message || "the worker stopped");
+    worker.onerror = (event) => this.giveUp(event.message || texts.failure.stopped);
     compile().then(
       (module) => {
         if (this.worker !== worker) return;
@@ -108,7 +109,7 @@ export class Channel {
     this.current = undefined;
     if ("error" in reply) {
       if (reply.trapped) this.stop();
-      const message = reply.trapped ? `the program failed on this question (${reply.error}) and was restarted` : reply.error;
+      const message = reply.trapped ? texts.failure.trapped(reply.error) : reply.error;
       waiting.reject(new Error(message));
     } else {
       waiting.resolve(reply.value);

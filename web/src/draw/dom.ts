@@ -1,4 +1,5 @@
 /** Elements in one line. */
+import { texts } from "../texts";
 
 type Child = Node | string | null | undefined | false;
 type Properties<K extends keyof HTMLElementTagNameMap> = Partial<Omit<HTMLElementTagNameMap[K], "dataset" | "style" | "attributes">> & {
@@ -28,13 +29,13 @@ export function panel(title: string, help: string, ...children: Child[]): HTMLEl
   });
   ask.className = "ask";
   ask.setAttribute("aria-expanded", "false");
-  ask.setAttribute("aria-label", `What is this: ${title}`);
+  ask.setAttribute("aria-label", texts.dom.what(title));
   return make("section", { className: "panel", attributes: { "aria-label": title } }, make("header", {}, make("h2", { title: help }, title), ask), words, ...children);
 }
 
 /** Text that is copied when its button is pressed. */
 export function copied(code: HTMLElement): HTMLElement {
-  const copy = button("Copy", "Copy to the clipboard", () => void navigator.clipboard?.writeText(code.textContent ?? "").then(() => (copy.textContent = "Copied")));
-  copy.addEventListener("blur", () => (copy.textContent = "Copy"));
+  const copy = button(texts.dom.copy, texts.dom.copyHelp, () => void navigator.clipboard?.writeText(code.textContent ?? "").then(() => (copy.textContent = texts.dom.copied)));
+  copy.addEventListener("blur", () => (copy.textContent = texts.dom.copy));
   return make("div", { className: "copied" }, code, copy);
 }

@@ -2,6 +2,7 @@
 import type { Sheet, Pen } from "../draw/canvas";
 import { AT, ROW } from "../state/orbits";
 import type { Session } from "../state/session";
+import { texts } from "../texts";
 
 export function save(name: string, content: string | Blob, type = "application/octet-stream"): void {
   const url = URL.createObjectURL(typeof content === "string" ? new Blob([content], { type }) : content);
@@ -12,7 +13,7 @@ export function save(name: string, content: string | Blob, type = "application/o
 }
 
 export const pictureOf = (sheet: Sheet): Promise<Blob> =>
-  new Promise((resolve, reject) => sheet.painted().element.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the picture could not be made"))), "image/png"));
+  new Promise((resolve, reject) => sheet.painted().element.toBlob((blob) => (blob ? resolve(blob) : reject(new Error(texts.failure.picture))), "image/png"));
 
 /** A panel as SVG: what is drawn with lines stays lines. */
 export async function svgOf(sheet: Sheet): Promise<string> {

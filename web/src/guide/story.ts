@@ -4,6 +4,7 @@ import { valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
 import { FIRST, type State } from "../state/state";
 import type { Scene } from "./scenes";
+import { guideTexts, texts } from "../texts";
 
 /** The page begins by itself after so many milliseconds without a touch. */
 const PATIENCE = 5000;
@@ -11,7 +12,7 @@ const PATIENCE = 5000;
 export function story(session: Session): { card: HTMLElement; play: HTMLElement } {
   const text = make("p", {});
   const bar = make("div", { className: "progress" });
-  const stop = button("×", "End the story", () => end());
+  const stop = button("×", texts.guide.storyEnd, () => end());
   const card = make("aside", { className: "story", hidden: true, attributes: { role: "status" }, data: { testid: "story" } }, text, stop, bar);
   let run = 0;
   const lit = (name: string | null) => {
@@ -30,12 +31,12 @@ export function story(session: Session): { card: HTMLElement; play: HTMLElement 
     const own = ++run;
     card.hidden = false;
     session.quiet = true;
-    const { STORY } = await import("./scenes");
+    const [{ STORY }, { story: words }] = await Promise.all([import("./scenes"), guideTexts()]);
     for (const [i, scene] of STORY.entries()) {
       if (own !== run) return;
       const { theme, embed, present } = session.state;
       if (scene.state) session.set({ ...FIRST, theme, embed, present, ...scene.state });
-      text.textContent = scene.text;
+      text.textContent = words[i]!;
       bar.style.width = `${(100 * (i + 1)) / STORY.length}%`;
       lit(scene.panel);
       const panel = document.querySelector(`[data-panel="${scene.panel}"]`);
@@ -59,7 +60,7 @@ export function story(session: Session): { card: HTMLElement; play: HTMLElement 
     if (waiting) clock = setTimeout(() => void play(), PATIENCE);
     waiting = false;
   });
-  return { card, play: button("▶ Story", "A minute that plays itself", () => void play(), { testid: "play-story" }) };
+  return { card, play: button(`▶ ${texts.guide.story}`, texts.guide.storyHelp, () => void play(), { testid: "play-story" }) };
 }
 
 /** A scene's time, in which a hand moves slowly, holds, and lets go. */

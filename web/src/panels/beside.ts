@@ -4,11 +4,12 @@ import type { Session } from "../state/session";
 import { besideText, FIRST, type State } from "../state/state";
 import { format } from "../state/hash";
 import type { Triple } from "../bindings/documents";
+import { texts } from "../texts";
 
 export function beside(session: Session): { tool: HTMLButtonElement; element: HTMLElement } {
-  const tool = button("Beside", "Keep this body's diagram beside that of another body", () => choose(session.state.beside === null ? besideText(session.state) : null), { testid: "beside" });
+  const tool = button(texts.diagram.beside, texts.diagram.besideHelp, () => choose(session.state.beside === null ? besideText(session.state) : null), { testid: "beside" });
   const words = make("span", {});
-  const swap = button("⇄", "Exchange the two bodies", () => {
+  const swap = button("⇄", texts.diagram.swap, () => {
     const [A, r] = bodyOf(session.state.beside!);
     const other = besideText(session.state);
     session.state = { ...session.state, beside: other };
@@ -34,12 +35,12 @@ export function beside(session: Session): { tool: HTMLButtonElement; element: HT
       return;
     }
     const [A, r] = bodyOf(other);
-    words.textContent = `beside: A = ${A.join(", ")}; r = ${r.join(", ")}`;
+    words.textContent = texts.diagram.besideBody(A.join(", "), r.join(", "));
     const seen: State = { ...FIRST, A, r, point: state.point, view: drawn?.window ?? state.view, straight: state.straight, embed: "diagram", theme: state.theme };
     const address = `${location.pathname}${location.search}#${format(seen)}`;
     // Another part of the address leaves the page in the frame where it is.
     if (frame?.contentWindow) frame.contentWindow.location.replace(address);
-    else stage.replaceChildren((frame = make("iframe", { title: "The diagram of the other body", src: address, data: { testid: "twin" } })));
+    else stage.replaceChildren((frame = make("iframe", { title: texts.diagram.twin, src: address, data: { testid: "twin" } })));
   };
   session.on(["address", "theme"], show);
   session.on(["drawing"], () => session.dragging || show());

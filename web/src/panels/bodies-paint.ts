@@ -63,13 +63,13 @@ function axes(pen: Pen, family: Family, { x, y, side }: Box, colors: Ink): void 
   pen.font = "11px system-ui, sans-serif";
   pen.textAlign = "center";
   for (const { value, text } of ticks(...family.x, 4)) pen.fillText(text, x + ((value - family.x[0]) / (family.x[1] - family.x[0])) * side, y + side + 14);
-  pen.fillText(family.axes[0], x + side / 2, y + side + 28);
+  pen.fillText(family.axes()[0], x + side / 2, y + side + 28);
   pen.textAlign = "right";
   for (const { value, text } of ticks(...family.y, 4)) pen.fillText(text, x - 5, y + side - ((value - family.y[0]) / (family.y[1] - family.y[0])) * side + 4);
   pen.save();
   pen.translate(x - 34, y + side / 2);
   pen.rotate(-Math.PI / 2);
   pen.textAlign = "center";
-  pen.fillText(family.axes[1], 0, 0);
+  pen.fillText(family.axes()[1], 0, 0);
   pen.restore();
 }

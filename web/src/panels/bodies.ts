@@ -8,6 +8,7 @@ import { bordersOf, type Border } from "./borders";
 import { described, loaded, type Catalogue } from "./catalogue";
 import { Cells, FINEST } from "./cells";
 import { bodyAt, FAMILIES, isIn } from "./families";
+import { guideTexts, texts, type Guide } from "../texts";
 
 export function bodiesPanel(session: Session): { element: HTMLElement; sheet: Sheet } {
   let family = FAMILIES[0]!;
@@ -15,12 +16,12 @@ export function bodiesPanel(session: Session): { element: HTMLElement; sheet: Sh
   let chosen = false;
   let borders: Border[] = [];
   let asked = false;
-  let known: Catalogue | undefined;
-  const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": "Map of classes of bodies: drag the point, or use the arrow keys" }, data: { testid: "bodies-map" } });
+  let known: { catalogue: Catalogue; words: Guide["classes"] } | undefined;
+  const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": texts.bodies.canvas }, data: { testid: "bodies-map" } });
   const text = make("div", { className: "note" });
   const list = make("div", { className: "note", data: { testid: "borders" } });
   const cells = new Cells(() => show());
-  const stop = button("Stop", "Stop the computation", () => cells.stop(), { testid: "stop-map" });
+  const stop = button(texts.body.stop, texts.section.stopHelp, () => cells.stop(), { testid: "stop-map" });
   stop.hidden = true;
   const sheet = new Sheet(canvas, (pen, size) => paintBodies(pen, size, session.state, family, cells, borders));
   const show = () => {
@@ -30,12 +31,12 @@ export function bodiesPanel(session: Session): { element: HTMLElement; sheet: Sh
     if (name && !asked) {
       asked = true;
       // Where it cannot be had, classes keep their names alone.
-      loaded().then((found) => ((known = found), show()), () => undefined);
+      Promise.all([loaded(), guideTexts()]).then(([catalogue, { classes }]) => ((known = { catalogue, words: classes }), show()), () => undefined);
     }
-    const words = name && known ? ` (${described(known, name)})` : "";
-    const here = name ? `Here: ${cell.regions} regions, class ${name}${words}.` : place ? (cell ? "Here: on a border, or not a body." : "") : "The current body does not lie in this plane.";
-    text.textContent = cells.message || `${here} ${cells.classes} classes seen, ${cells.share < 0.999 ? `${Math.round(100 * cells.share)} %` : "complete"}`;
-    list.textContent = borders.length > 0 ? `Nearest borders: ${borders.map((border) => border.text).join("; ")}` : "";
+    const words = name && known ? ` (${described(known.catalogue, known.words, name)})` : "";
+    const here = name ? texts.bodies.here(cell.regions, name, words) : place ? (cell ? texts.bodies.border : "") : texts.bodies.elsewhere;
+    text.textContent = cells.message || `${here} ${texts.bodies.seen(cells.classes, cells.share < 0.999 ? `${Math.round(100 * cells.share)} %` : texts.bodies.complete)}`;
+    list.textContent = borders.length > 0 ? texts.bodies.borders(borders.map((border) => border.text).join("; ")) : "";
     stop.hidden = !cells.running;
     if (cells.share > 0) delete element.dataset.blank;
     sheet.ask();
@@ -53,7 +54,7 @@ export function bodiesPanel(session: Session): { element: HTMLElement; sheet: Sh
     await cells.fill(family, session.state);
     if (cells.share > 0.999) await seek();
   };
-  const choice = make("select", { attributes: { "aria-label": "plane" } }, ...FAMILIES.map(({ id, title }) => make("option", { value: id }, title)));
+  const choice = make("select", { attributes: { "aria-label": texts.bodies.plane } }, ...FAMILIES.map(({ id }) => make("option", { value: id }, texts.bodies.planes[id])));
   choice.addEventListener("change", () => {
     family = FAMILIES.find(({ id }) => id === choice.value)!;
     chosen = true;
@@ -105,7 +106,7 @@ export function bodiesPanel(session: Session): { element: HTMLElement; sheet: Sh
     seen = entries.some((entry) => entry.isIntersecting);
     if (seen && cells.share === 0 && session.atlas) void fill();
   }).observe(canvas);
-  const element = panel("The space of bodies", "Bodies of the same colour have diagrams with the same regions, connected in the same way. Drag the point, or use the arrow keys, to change the body", make("div", { className: "bar" }, choice, stop), make("div", { className: "stage map" }, canvas), make("div", { className: "bar" }, text, list));
+  const element = panel(texts.bodies.title, texts.bodies.help, make("div", { className: "bar" }, choice, stop), make("div", { className: "stage map" }, canvas), make("div", { className: "bar" }, text, list));
   element.dataset.blank = "";
   return { element, sheet };
 }

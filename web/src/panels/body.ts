@@ -8,6 +8,7 @@ import type { Session } from "../state/session";
 import { octant } from "./octant";
 import { sweep } from "./sweep";
 import { triangle } from "./triangle";
+import { guideTexts, texts } from "../texts";
 
 export interface Preset {
   name: string;
@@ -21,7 +22,7 @@ const written = (input: HTMLInputElement, value: string) => input.value === valu
 
 /** A slider for a number of r; while it is held, its ends stay. */
 function slider(session: Session, axis: number): { element: HTMLInputElement; show: () => void } {
-  const element = make("input", { type: "range", step: "any", title: "The centre of mass along this axis", attributes: { "aria-label": `slider of r${axis + 1}` }, data: { testid: `slider-r${axis + 1}` } });
+  const element = make("input", { type: "range", step: "any", title: texts.body.slider, attributes: { "aria-label": texts.body.sliderOf(axis + 1) }, data: { testid: `slider-r${axis + 1}` } });
   const reach = () => 2 ** Math.ceil(Math.log2(Math.max(1, ...session.state.r.map((text) => Math.abs(valueOf(text)))))) || 1;
   element.addEventListener("input", () => {
     const numbers = [...session.state.r] as Triple;
@@ -69,11 +70,11 @@ export function bodyPanel(session: Session): HTMLElement {
         session.body(name === "A" ? numbers : session.state.A, name === "r" ? numbers : session.state.r);
       }),
     );
-  const moments = inputs("A", "A principal moment of inertia: a decimal or a quotient such as 11/10, read exactly");
-  const center = inputs("r", "The centre of mass along a principal axis, times the weight: a decimal or a quotient, read exactly");
+  const moments = inputs("A", texts.body.moment);
+  const center = inputs("r", texts.body.center);
   const sliders = [0, 1, 2].map((axis) => slider(session, axis));
-  const choice = make("select", { title: "Named bodies", attributes: { "aria-label": "preset" }, data: { testid: "presets" } });
-  choice.append(make("option", { value: "" }, "another body"));
+  const choice = make("select", { title: texts.body.presets, attributes: { "aria-label": texts.body.preset }, data: { testid: "presets" } });
+  choice.append(make("option", { value: "" }, texts.body.another));
   for (const { name, note } of presets) choice.append(make("option", { value: name, title: note }, `${name}: ${note}`));
   choice.addEventListener("change", () => {
     const preset = presets.find(({ name }) => name === choice.value);
@@ -93,8 +94,8 @@ export function bodyPanel(session: Session): HTMLElement {
   session.on(["atlas"], () => (notes.textContent = session.atlas ? remarks(session.atlas.body) : ""));
   const passing = sweep(session);
   const element = panel(
-    "The body",
-    "Principal moments of inertia A and centre of mass r, both about the fixed point. In the triangle lie all ratios A₁ : A₂ : A₃; physical bodies are in the inner one, where no moment exceeds the sum of the others. The octant shows the direction of r along the axes 1, 2, 3; the other octants give the same diagrams",
+    texts.body.title,
+    texts.body.help,
     make("div", { className: "body-controls" },
       choice,
       make("div", { className: "numbers" }, make("b", {}, "A"), ...moments),
@@ -106,9 +107,9 @@ export function bodyPanel(session: Session): HTMLElement {
     ),
   );
   // Loaded when a part is about to be given.
-  const part = make("details", { className: "part", data: { testid: "part" } }, make("summary", {}, "A real part: drop a mesh here, or enter a tensor"));
+  const part = make("details", { className: "part", data: { testid: "part" } }, make("summary", {}, texts.body.part));
   let form: Promise<void> | undefined;
-  const load = () => void (form ??= import("./part").then(({ partForm }) => partForm(session, part, element)));
+  const load = () => void (form ??= Promise.all([import("./part"), guideTexts()]).then(([{ partForm }, words]) => partForm(session, words.part, part, element)));
   part.addEventListener("toggle", load);
   element.addEventListener("dragover", (event) => (event.preventDefault(), load()));
   element.append(part);
@@ -118,9 +119,9 @@ export function bodyPanel(session: Session): HTMLElement {
 /** What is special about a body, in words; the document knows. */
 function remarks(flags: Flags): string {
   const said: string[] = [];
-  if (flags.euler) said.push("No gravity torque (r = 0): Euler's case. There are no poles and no section; regions differ in U and E only.");
-  else if (flags.axis) said.push("The centre of mass lies on a principal axis.");
-  if (flags.symmetric) said.push("Two moments are equal: steady rotations can form circles.");
-  if (flags.unphysical) said.push("No physical body has these moments and this centre of mass. The diagram is computed anyway.");
+  if (flags.euler) said.push(texts.body.euler);
+  else if (flags.axis) said.push(texts.body.axis);
+  if (flags.symmetric) said.push(texts.body.symmetric);
+  if (flags.unphysical) said.push(texts.body.unphysical);
   return said.join(" ");
 }

@@ -28,7 +28,7 @@ export async function bordersOf(channel: Channel, family: Family, body: Pick<Sta
     const border = await channel.ask("border", Float64Array.from(from), Float64Array.from(to)).catch(() => null);
     if (!border) continue;
     const [x, y] = at(border.t * k);
-    found.push({ x, y, text: `${family.axes[axis]} = ${shown(axis === 0 ? x : y, 8)}: ${border.text}` });
+    found.push({ x, y, text: `${family.axes()[axis]} = ${shown(axis === 0 ? x : y, 8)}: ${border.text}` });
   }
   return found;
 }

@@ -1,4 +1,5 @@
 /** Classes in words, from the catalogue of classes that are known. */
+import type { Guide } from "../texts";
 
 export interface Catalogue {
   /** Classes of generic bodies: their share of all bodies that exist (0: too thin for a sample), null where none exists. */
@@ -9,17 +10,17 @@ export interface Catalogue {
 }
 
 /** What is known of the class of this name; a share is that of `docs/survey.md`. */
-export function described({ generic, special, strata }: Catalogue, name: string): string {
+export function described({ generic, special, strata }: Catalogue, words: Guide["classes"], name: string): string {
   const share = generic[name];
   if (share !== undefined) {
     const shares = Object.values(generic).filter((other) => other !== null);
-    if (share === null) return "known, but not for physical bodies";
-    if (share === 0) return `one of ${shares.length} classes of physical bodies, less than one body in a million`;
+    if (share === null) return words.unreal;
+    if (share === 0) return words.thin(shares.length);
     const rank = 1 + shares.filter((other) => other > share).length;
-    return `number ${rank} of ${shares.length} classes of physical bodies, ${Number((100 * share).toPrecision(3))} % of them`;
+    return words.share(rank, shares.length, Number((100 * share).toPrecision(3)));
   }
   const entry = special[name];
-  if (!entry) return "not in the catalogue";
+  if (!entry) return words.unlisted;
   const where = entry.in.map((stratum) => strata[stratum]).join("; ");
   return entry.preset ? `${entry.preset} (${where})` : where;
 }

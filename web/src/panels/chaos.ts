@@ -4,15 +4,16 @@ import { same } from "../state/view";
 import type { Session } from "../state/session";
 import { bodyText } from "../state/state";
 import type { Window } from "../bindings/documents";
+import { texts } from "../texts";
 
 /** Milliseconds for which body and window stay before orbits are followed. */
 const PAUSE = 300;
 
 export function chaosLayer(session: Session): { tool: HTMLButtonElement; legend: HTMLElement } {
   const { chaos } = session;
-  const tool = button("Chaos", "Colour each place by the chaotic share of the energy surface over it, measured in cells that become finer while you look", () => session.update({ chaos: !session.state.chaos }, "theme"), { testid: "chaos" });
+  const tool = button(texts.diagram.chaos, texts.diagram.chaosHelp, () => session.update({ chaos: !session.state.chaos }, "theme"), { testid: "chaos" });
   const words = make("span", { attributes: { "aria-live": "polite" }, data: { testid: "chaos-note" } });
-  const choice = make("select", { title: "The component of the energy surface, as `bifdiag classify` counts them", attributes: { "aria-label": "component" }, data: { testid: "chaos-component" } });
+  const choice = make("select", { title: texts.diagram.componentHelp, attributes: { "aria-label": texts.diagram.component }, data: { testid: "chaos-component" } });
   choice.addEventListener("change", () => session.update({ component: Number(choice.value) }, "theme"));
   const legend = make("div", { className: "bar chaos", hidden: true }, choice, words);
   let waiting: ReturnType<typeof setTimeout> | undefined;
@@ -42,17 +43,18 @@ export function chaosLayer(session: Session): { tool: HTMLButtonElement; legend:
     legend.hidden = !on;
     if (!on) return;
     const several = Math.max(chaos.components, component + 1);
-    if (choice.options.length !== several) choice.replaceChildren(...Array.from({ length: several }, (_, k) => make("option", { value: String(k) }, `component ${k} of E`)));
+    if (choice.options.length !== several) choice.replaceChildren(...Array.from({ length: several }, (_, k) => make("option", { value: String(k) }, texts.diagram.componentOf(k))));
     choice.value = String(component);
     choice.hidden = several === 1;
     const told = chaos.summary;
     legend.dataset.cells = String(told?.level.cells ?? 0);
     if (chaos.message) words.textContent = chaos.message;
-    else if (!told) words.textContent = "chaotic share: following the first orbits …";
+    else if (!told) words.textContent = texts.diagram.first;
     else {
-      const cells = ({ cells }: { cells: number }) => `${cells} × ${cells} cells`;
-      const next = told.next && told.next.level !== told.level ? `; ${cells(told.next.level)}: ${Math.round(100 * told.next.share)} % done` : told.next ? `, ${Math.round(100 * told.next.share)} % done` : "";
-      words.textContent = `${cells(told.level)}, standard deviations up to ${told.error.toFixed(2)}, ${(100 * told.open).toFixed(1)} % without a verdict${next}. Grey: no orbit of the region in the cell`;
+      const cells = ({ cells }: { cells: number }) => texts.diagram.cells(cells);
+      const done = (share: number) => texts.diagram.done(Math.round(100 * share));
+      const next = told.next && told.next.level !== told.level ? `; ${cells(told.next.level)}: ${done(told.next.share)}` : told.next ? `, ${done(told.next.share)}` : "";
+      words.textContent = texts.diagram.measured(cells(told.level), told.error.toFixed(2), (100 * told.open).toFixed(1), next);
     }
   };
   session.on(["body", "drawing", "theme"], follow);

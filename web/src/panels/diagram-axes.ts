@@ -4,6 +4,7 @@ import type { Ink } from "../draw/theme";
 import type { Window } from "../bindings/documents";
 import { shown } from "../state/numbers";
 import type { StraightChart } from "../state/straight";
+import { texts } from "../texts";
 
 /** A rectangle in the panel. */
 export interface Area {
@@ -28,7 +29,7 @@ export function paintAxes(pen: Pen, area: Area, { h, l }: Window, colors: Ink): 
     pen.fillRect(x, bottom, 1, 4);
     if (!long || i % 2 === 0) pen.fillText(text, x, bottom + 16);
   }
-  pen.fillText("energy h", area.x + area.width / 2, bottom + 32);
+  pen.fillText(texts.diagram.energy, area.x + area.width / 2, bottom + 32);
   pen.textAlign = "right";
   for (const { value, text } of ticks(l[0], l[1], area.height / 50)) {
     const y = bottom - ((value - l[0]) / (l[1] - l[0])) * area.height;
@@ -41,7 +42,7 @@ export function paintAxes(pen: Pen, area: Area, { h, l }: Window, colors: Ink): 
   pen.translate(11, area.y + area.height / 2);
   pen.rotate(-Math.PI / 2);
   pen.textAlign = "center";
-  pen.fillText("momentum l", 0, 0);
+  pen.fillText(texts.diagram.momentum, 0, 0);
   pen.restore();
 }
 
@@ -60,7 +61,7 @@ export function paintStraightAxes(pen: Pen, area: Area, { drawing }: StraightCha
     pen.fillRect(area.x + at, bottom, 1, 4);
     pen.fillText(text, area.x + at, bottom + 16);
   });
-  pen.fillText("momentum l", area.x + area.width / 2, bottom + 32);
+  pen.fillText(texts.diagram.momentum, area.x + area.width / 2, bottom + 32);
   pen.textAlign = "right";
   label(1, (at, text) => {
     pen.fillRect(area.x - 4, area.y + at, 4, 1);
@@ -71,9 +72,9 @@ export function paintStraightAxes(pen: Pen, area: Area, { drawing }: StraightCha
     pen.fillRect(right, area.y + at, 4, 1);
     pen.fillText(text, right + 7, area.y + at + 4);
   });
-  pen.fillText("energy h at l = 0", 4, area.y - 10);
+  pen.fillText(texts.diagram.energyAtZero, 4, area.y - 10);
   pen.textAlign = "right";
-  pen.fillText(`h at l = ${shown(drawing.end, 3)}`, right + 42, area.y - 10);
+  pen.fillText(texts.diagram.energyAt(shown(drawing.end, 3)), right + 42, area.y - 10);
 }
 
 /** Lines of constant h. */

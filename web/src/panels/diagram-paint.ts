@@ -11,6 +11,7 @@ import { places, type Place } from "../state/places";
 import { StraightChart } from "../state/straight";
 import { paintAxes, paintLevels, paintStraightAxes, type Area } from "./diagram-axes";
 import { circlesOf } from "./regions";
+import { texts } from "../texts";
 
 /** The frame in the panel; the straightened plane has an axis on the right too, and names of axes above, where the scale of shares is. */
 export const plot = ({ width, height }: Size, { straight, chaos }: Pick<State, "straight" | "chaos">): Area => {
@@ -47,7 +48,7 @@ export function paintWaiting(pen: Pen, { width, height }: Size): void {
   pen.fillStyle = ink().faint;
   pen.textAlign = "center";
   pen.font = "13px system-ui, sans-serif";
-  pen.fillText("Loading …", width / 2, height / 2);
+  pen.fillText(texts.head.loading, width / 2, height / 2);
 }
 
 let surface: Pixels | undefined;
@@ -144,7 +145,7 @@ function paintScale(pen: Pen, area: Area, colors: Ink): void {
   pen.fillStyle = colors.faint;
   pen.font = "11px system-ui, sans-serif";
   pen.textAlign = "right";
-  pen.fillText("chaotic 0", x - 4, y + 8);
+  pen.fillText(`${texts.diagram.chaotic} 0`, x - 4, y + 8);
   pen.textAlign = "left";
   pen.fillText("1", x + width + 4, y + 8);
 }

@@ -12,6 +12,7 @@ import { chaosLayer } from "./chaos";
 import { paintDiagram, paintWaiting, plot } from "./diagram-paint";
 import { gestures } from "./gestures";
 import { stabilityLine } from "./stability";
+import { texts } from "../texts";
 
 /** A view is never narrower than this part of its distance from 0: there doubles end. */
 const NARROWEST = 1e-11;
@@ -25,7 +26,7 @@ function narrowed({ h, l }: Window, [hc, lc]: [number, number], factor: number):
 }
 
 export function diagramPanel(session: Session): { element: HTMLElement; sheet: Sheet } {
-  const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": "Diagram of energy h and momentum l: click to choose a point, arrow keys move it, plus and minus zoom" }, data: { testid: "diagram" } });
+  const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": texts.diagram.canvas }, data: { testid: "diagram" } });
   const tip = make("div", { className: "tip", hidden: true });
   let painted = session.state.point;
   const paint = (pen: Pen, size: Size) => {
@@ -86,16 +87,16 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
     resized();
     void session.redraw();
   }).observe(canvas);
-  const pin = tool("Keep", "Keep these curves in grey, to compare with another body", () => session.pin());
+  const pin = tool(texts.diagram.keep, texts.diagram.keepHelp, () => session.pin());
   session.on(["shadow"], () => pin.setAttribute("aria-pressed", String(session.pinned)));
   const twin = beside(session);
-  const straight = tool("Straight", "Straighten the diagram: l to the right, h upwards from the lowest curve, each region as high as its name needs. All numbers told are true ones", () => session.straighten(!session.state.straight));
+  const straight = tool(texts.diagram.straight, texts.diagram.straightHelp, () => session.straighten(!session.state.straight));
   straight.dataset.testid = "straight";
   const layer = chaosLayer(session);
   const zooms = [
-    tool("+", "Zoom in", () => zoom([sheet.size.width / 2, sheet.size.height / 2], 0.5)),
-    tool("−", "Zoom out", () => zoom([sheet.size.width / 2, sheet.size.height / 2], 2)),
-    tool("⌂", "The whole diagram", () => session.view(null)),
+    tool("+", texts.diagram.zoomIn, () => zoom([sheet.size.width / 2, sheet.size.height / 2], 0.5)),
+    tool("−", texts.diagram.zoomOut, () => zoom([sheet.size.width / 2, sheet.size.height / 2], 2)),
+    tool("⌂", texts.diagram.whole, () => session.view(null)),
   ];
   for (const zoom of zooms.slice(0, 2)) zoom.className = "zoom";
   const tools = make("div", { className: "tools" },
@@ -112,7 +113,7 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
     straight.setAttribute("aria-pressed", String(session.state.straight));
     for (const zoom of zooms) zoom.disabled = session.state.straight;
   });
-  const element = panel("Diagram", "The plane of energy h and vertical angular momentum l, both conserved. Within a tinted region all motions have the same shape, which changes on the curves. Curves are steady rotations: solid where stable (thin: without friction only), dashed where unstable; on dotted lines the centre of mass can first hang straight down or stand straight up. Click to choose a point, drag it; a finger taps, or holds and drags; two fingers or the wheel zoom", make("div", { className: "stage" }, canvas, tip), layer.legend, twin.element);
+  const element = panel(texts.diagram.title, texts.diagram.help, make("div", { className: "stage" }, canvas, tip), layer.legend, twin.element);
   element.querySelector("header")!.append(tools);
   return { element, sheet };
 }
@@ -158,11 +159,11 @@ async function hover(session: Session, sheet: Sheet, tip: HTMLElement, at: [numb
   const curve = chart.pixels(h, l, place.distance) < 6 ? place.nearest : undefined;
   session.pointAt({ ...(region && { region: region.id }), ...(curve && { curve }) });
   const lines = [`h = ${shown(h)}, l = ${shown(l)}`];
-  if (region) lines.push(`${region.id}: P = ${region.signature?.split("+").map(surface).join(" + ") ?? "none"}, U = ${region.components.map((c) => surface(c.accessible_region)).join(" + ")}`, `E = ${region.components.map((c) => surface(c.energy_surface)).join(" + ")}, genus ${region.components.map((c) => c.genus ?? "–").join(", ")}`);
-  else lines.push(place.region === -1 ? "no motion at this low energy" : "on a curve, to within rounding");
-  lines.push(`${shown(place.distance)} in h from ${place.nearest}`);
+  if (region) lines.push(`${region.id}: P = ${region.signature?.split("+").map(surface).join(" + ") ?? texts.diagram.none}, U = ${region.components.map((c) => surface(c.accessible_region)).join(" + ")}`, `E = ${region.components.map((c) => surface(c.energy_surface)).join(" + ")}, ${texts.diagram.genus(region.components.map((c) => c.genus ?? "–").join(", "))}`);
+  else lines.push(place.region === -1 ? texts.diagram.below : texts.diagram.onCurve);
+  lines.push(texts.diagram.from(shown(place.distance), place.nearest));
   const share = session.state.chaos && region ? session.chaos.at(h, l, place.region, session.state.component) : null;
-  if (share && share.orbits > 0) lines.push(`chaotic ${share.fraction.toFixed(2)} ± ${share.error.toFixed(2)}, open ${share.open.toFixed(2)}: ${share.orbits} orbits`);
+  if (share && share.orbits > 0) lines.push(texts.diagram.share(share.fraction.toFixed(2), share.error.toFixed(2), share.open.toFixed(2), share.orbits));
   if (curve) lines.push(...(await curveLines(session, curve, h, l)));
   tipAt(tip, sheet.size, at, lines);
 }
@@ -173,5 +174,5 @@ async function curveLines(session: Session, curve: string, h: number, l: number)
   const nearest = found?.critical.reduce<typeof found.critical[number] | null>((best, one) => (!best || Math.abs(one.h - h) < Math.abs(best.h - h) ? one : best), null);
   if (!nearest || nearest.branch !== curve) return [];
   const values = nearest.eigenvalues?.map(([re, im]) => `±${shown(re, 3)} ± ${shown(im, 3)}i`).join(", ");
-  return [`steady rotation, index ${nearest.index}, ${nearest.stability}`, stabilityLine(nearest), ...(values ? [`eigenvalues ${values}`] : [])];
+  return [texts.diagram.steady(nearest.index, texts.stability.linear[nearest.stability]), stabilityLine(nearest), ...(values ? [texts.diagram.eigenvalues(values)] : [])];
 }

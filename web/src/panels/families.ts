@@ -2,13 +2,13 @@
 import type { Triple } from "../bindings/documents";
 import { rounded, valueOf } from "../state/numbers";
 import type { State } from "../state/state";
+import { texts } from "../texts";
 
 type Body = Pick<State, "A" | "r">;
 
 export interface Family {
-  id: string;
-  title: string;
-  axes: [string, string];
+  id: "katok" | "eta" | "moments" | "center";
+  axes: () => [string, string];
   x: [number, number];
   y: [number, number];
   /** Numbers A1, A2, A3, r1, r2, r3 of a place; null where there is no body. */
@@ -24,8 +24,7 @@ const unit = (r: number[]): number[] => r.map((x) => x / (Math.hypot(...r) || 1)
 export const FAMILIES: Family[] = [
   {
     id: "katok",
-    title: "Katok's plane: centre of mass on axis 1, A₁ = 1",
-    axes: ["A₂/A₁", "A₃/A₁"],
+    axes: () => ["A₂/A₁", "A₃/A₁"],
     x: [0, 2],
     y: [0, 2],
     numbers: (x, y) => (x > 0 && y > 0 ? [1, x, y, 1, 0, 0] : null),
@@ -36,8 +35,7 @@ export const FAMILIES: Family[] = [
   },
   {
     id: "eta",
-    title: "From Lagrange (η = 1) to Kovalevskaya (η = 2), and the paper's body: A = (2, η, 1)",
-    axes: ["η = A₂/A₃", "angle of r from axis 1 towards axis 3 / °"],
+    axes: () => ["η = A₂/A₃", texts.bodies.angleFrom1],
     x: [0.5, 2.5],
     y: [0, 90],
     numbers: (x, y) => [2, x, 1, Math.cos((y * Math.PI) / 180), 0, y === 0 ? 0 : Math.sin((y * Math.PI) / 180)],
@@ -48,8 +46,7 @@ export const FAMILIES: Family[] = [
   },
   {
     id: "moments",
-    title: "All moments, for the current centre of mass",
-    axes: ["A₁/(A₁+A₂+A₃)", "A₂/(A₁+A₂+A₃)"],
+    axes: () => ["A₁/(A₁+A₂+A₃)", "A₂/(A₁+A₂+A₃)"],
     x: [0, 1],
     y: [0, 1],
     numbers: (x, y, from) => (x > 0 && y > 0 && x + y < 1 ? [x, y, 1 - x - y, ...unit(numbersOf(from)[1])] : null),
@@ -61,8 +58,7 @@ export const FAMILIES: Family[] = [
   },
   {
     id: "center",
-    title: "All directions of the centre of mass, for the current moments",
-    axes: ["angle from axis 3 / °", "angle from axis 1 towards axis 2 / °"],
+    axes: () => [texts.bodies.angleFrom3, texts.bodies.angleRound],
     x: [0, 90],
     y: [0, 90],
     numbers: (x, y, from) => {

@@ -1,6 +1,7 @@
-/** The head of the page: its name, the guides, dark or light. */
+/** The head of the page: its name, the guides, the language, dark or light. */
 import { button, make } from "../draw/dom";
 import type { Session } from "../state/session";
+import { addressIn, language, LANGUAGES, texts, type Language } from "../texts";
 
 /** The theme that is asked for, or the system's. */
 export function applyTheme(session: Session): void {
@@ -9,12 +10,20 @@ export function applyTheme(session: Session): void {
   document.documentElement.dataset.embed = session.state.embed ?? "";
 }
 
+/** Another language is another page, at the same state. */
+function languages(): HTMLSelectElement {
+  const choice = make("select", { title: texts.head.language, attributes: { "aria-label": texts.head.language }, data: { testid: "language" } });
+  for (const [name, title] of Object.entries(LANGUAGES)) choice.append(make("option", { value: name, lang: name, selected: name === language }, title));
+  choice.addEventListener("change", () => location.assign(addressIn(choice.value as Language, location.hash)));
+  return choice;
+}
+
 export function headPanel(session: Session, buttons: HTMLElement[]): HTMLElement {
   applyTheme(session);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => session.emit("theme"));
-  const theme = button("◐", "Dark or light", () => {
+  const theme = button("◐", texts.head.theme, () => {
     const dark = document.documentElement.dataset.theme === "dark";
     session.update({ theme: dark ? "light" : "dark" }, "theme");
   }, { testid: "theme" });
-  return make("header", { className: "head" }, make("h1", {}, "bifdiag"), make("span", { className: "subtitle" }, "all motions of a heavy rigid body with a fixed point"), make("nav", {}, ...buttons, theme));
+  return make("header", { className: "head" }, make("h1", {}, "bifdiag"), make("span", { className: "subtitle" }, texts.head.subtitle), make("nav", {}, ...buttons, languages(), theme));
 }

@@ -8,6 +8,7 @@ import { valueOf } from "../state/numbers";
 import { MOMENT } from "../state/orbits";
 import type { Session } from "../state/session";
 import type { Clock } from "./clock";
+import { texts } from "../texts";
 
 /** γ points down in the space of the picture: the vertical of H = T − ⟨γ,r⟩ is the direction of gravity. */
 const UPSIDE: Turn = [[1, 0, 0], [0, -1, 0], [0, 0, -1]];
@@ -22,7 +23,7 @@ function axesOf(a: Vec): Vec {
 }
 
 export function motionPanel(session: Session, clock: Clock): { element: HTMLElement; sheet: Sheet } {
-  const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": "The turning body: drag or use the arrow keys to change the view, space to play or pause" }, data: { testid: "motion" } });
+  const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": texts.motion.canvas }, data: { testid: "motion" } });
   let view: Turn = lookingAt([1, 0.5, 0.35], [0, 0, 1]);
   const angles = make("span", { className: "angles" });
   const sheet = new Sheet(canvas, (pen, size) => paint(pen, size, session, clock, view));
@@ -39,10 +40,10 @@ export function motionPanel(session: Session, clock: Clock): { element: HTMLElem
     },
     end: () => (last = null),
   });
-  const play = button("▶", "Play or pause (space)", () => (clock.playing ? clock.pause() : clock.play()), { testid: "play" });
-  const slider = make("input", { type: "range", min: "0", max: "1", step: "any", value: "0", attributes: { "aria-label": "time" } });
+  const play = button("▶", texts.motion.play, () => (clock.playing ? clock.pause() : clock.play()), { testid: "play" });
+  const slider = make("input", { type: "range", min: "0", max: "1", step: "any", value: "0", attributes: { "aria-label": texts.motion.time } });
   slider.addEventListener("input", () => clock.to(Number(slider.value) * clock.end));
-  const speed = make("select", { title: "Speed", attributes: { "aria-label": "speed" } });
+  const speed = make("select", { title: texts.motion.speed, attributes: { "aria-label": texts.motion.speed } });
   for (const factor of [0.25, 1, 4, 16]) speed.append(make("option", { value: String(factor), selected: factor === 1 }, `${factor}×`));
   speed.addEventListener("change", () => (clock.speed = Number(speed.value)));
   canvas.addEventListener("keydown", (event) => {
@@ -75,7 +76,7 @@ export function motionPanel(session: Session, clock: Clock): { element: HTMLElem
   });
   session.on(["theme", "body"], () => sheet.ask());
   const bar = make("div", { className: "bar" }, play, slider, speed, angles);
-  const element = panel("Motion", "The body as its ellipsoid of inertia, which turns about the fixed point in its middle; 1, 2, 3 are the principal axes, the dot is the centre of mass, the red line the path of the vertical on the body. ϑ, ψ, φ are Euler’s angles", make("div", { className: "stage" }, canvas), bar);
+  const element = panel(texts.motion.title, texts.motion.help, make("div", { className: "stage" }, canvas), bar);
   return { element, sheet };
 }
 
@@ -95,7 +96,7 @@ function paint(pen: Pen, size: Size, session: Session, clock: Clock, view: Turn)
     pen.fillStyle = colors.faint;
     pen.textAlign = "center";
     pen.font = "13px system-ui";
-    pen.fillText(session.state.point ? session.orbits.reason && "No section, no orbit." : "Choose a point (h, l).", size.width / 2, size.height / 2);
+    pen.fillText(session.state.point ? session.orbits.reason && texts.motion.none : texts.motion.choose, size.width / 2, size.height / 2);
     return;
   }
   const at = momentAt(motion, clock);
@@ -144,8 +145,8 @@ function legend(pen: Pen, { height }: Size, colors: Ink): void {
     pen.fillStyle = color;
     pen.fillText(text, 8, height - 6 - 14 * row);
   };
-  line("● centre of mass   ○ fixed point", 1, colors.faint);
-  line("— path of the vertical on the body", 0, colors.accent);
+  line(texts.motion.signs, 1, colors.faint);
+  line(texts.motion.trace, 0, colors.accent);
 }
 
 /** The ellipsoid by one ray for each pixel or few: |x/a| = 1 in the body's axes. */
@@ -251,6 +252,6 @@ function paintGravity(pen: Pen, radius: number, view: Turn, colors: Ink): void {
   pen.stroke();
   pen.font = "11px system-ui";
   pen.textAlign = "left";
-  pen.fillText("gravity", x + 6, y + 4);
+  pen.fillText(texts.motion.gravity, x + 6, y + 4);
 }
 

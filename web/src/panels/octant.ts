@@ -7,13 +7,14 @@ import { make } from "../draw/dom";
 import { ink } from "../draw/theme";
 import { rounded, valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
+import { texts } from "../texts";
 
 const STEP = 0.0001;
 const VIEW = lookingAt([1, 1, 1], [0, 0, 1]);
 const AXES: Vec[] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 
 export function octant(session: Session): HTMLElement {
-  const canvas = make("canvas", { className: "control", tabIndex: 0, attributes: { role: "application", "aria-label": "Direction of the centre of mass: drag, or use the arrow keys" }, data: { testid: "octant" } });
+  const canvas = make("canvas", { className: "control", tabIndex: 0, attributes: { role: "application", "aria-label": texts.body.octant }, data: { testid: "octant" } });
   const frame = ({ width, height }: Size) => ({ radius: 0.52 * Math.min(width, height), x: width / 2, y: height / 2 + 0.03 * height });
   const length = () => Math.hypot(...session.state.r.map(valueOf)) || 1;
   const direction = (): Vec => unit((session.state.r.map((text) => Math.abs(valueOf(text))) as Vec).map((x) => x || 0) as Vec);
@@ -88,5 +89,5 @@ export function octant(session: Session): HTMLElement {
     take(back(VIEW, [right + 0.01 * step[0]!, up + 0.01 * step[1]!, front]));
   });
   session.on(["body", "theme"], () => sheet.ask());
-  return make("figure", {}, canvas, make("figcaption", {}, "direction of r"));
+  return make("figure", {}, canvas, make("figcaption", {}, texts.body.direction));
 }

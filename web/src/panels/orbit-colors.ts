@@ -2,6 +2,7 @@
 import { openColor, orbitColor, scaled, verdictColor } from "../draw/theme";
 import { shown } from "../state/numbers";
 import type { Session } from "../state/session";
+import { texts } from "../texts";
 
 type Scale = "lyapunov" | "rotation";
 
@@ -35,5 +36,5 @@ export function scaleText(session: Session): string {
   const { coloring } = session.state;
   if (coloring === "orbit" || coloring === "verdict") return "";
   const [low, high] = ends(valuesOf(session, coloring));
-  return low <= high ? `dark ${shown(low, 2)} to light ${shown(high, 2)}; grey: none` : "";
+  return low <= high ? texts.section.scale(shown(low, 2), shown(high, 2)) : "";
 }

@@ -3,9 +3,10 @@ import type { PartBlock } from "../bindings/documents";
 import { button, make } from "../draw/dom";
 import { shown } from "../state/numbers";
 import type { Session } from "../state/session";
+import type { Guide } from "../texts";
 
 const input = (name: string, placeholder: string, hint: string): HTMLInputElement =>
-  make("input", { type: "text", placeholder, title: hint, spellcheck: false, autocomplete: "off", attributes: { "aria-label": name }, data: { testid: `part-${name}` } });
+  make("input", { type: "text", placeholder, title: hint, spellcheck: false, autocomplete: "off", attributes: { "aria-label": hint }, data: { testid: `part-${name}` } });
 
 const choice = (name: string, ...options: [value: string, label: string][]): HTMLSelectElement => {
   const select = make("select", { attributes: { "aria-label": name }, data: { testid: `part-${name}` } });
@@ -16,22 +17,22 @@ const choice = (name: string, ...options: [value: string, label: string][]): HTM
 const value = (field: HTMLInputElement): string => field.value.trim();
 
 /** Fills a form; `zone`: where files may be dropped. */
-export function partForm(session: Session, form: HTMLDetailsElement, zone: HTMLElement): void {
+export function partForm(session: Session, words: Guide["part"], form: HTMLDetailsElement, zone: HTMLElement): void {
   const units = choice("units", ...["kg,m,s", "kg,mm,s", "g,mm,s", "g,cm,s"].map((name): [string, string] => [name, name.replace(/,/g, " ")]));
-  const density = input("density", "density", "Density of a mesh, in the units of mass and length");
-  const mass = input("mass", "or mass", "Mass, for a mesh or a tensor");
-  const point = input("point", "fixed point / centre of mass: 0, 0, 0", "A file: the fixed point in its frame. A tensor: the centre of mass, from the fixed point");
-  const file = make("input", { type: "file", accept: ".stl,.obj,.ply,.urdf,.xml", attributes: { "aria-label": "file of a part" }, data: { testid: "part-file" } });
-  const tensor = input("tensor", "Ixx, Iyy, Izz, Ixy, Ixz, Iyz", "The tensor of inertia in the units of mass and length²");
-  const about = choice("about", ["com", "about the centre of mass"], ["point", "about the fixed point"]);
-  const products = choice("products", ["", "sign of the products?"], ["tensor", "Ixy = −∫ xy dm"], ["integral", "Ixy = +∫ xy dm"]);
+  const density = input("density", words.density, words.densityHelp);
+  const mass = input("mass", words.mass, words.massHelp);
+  const point = input("point", words.point, words.pointHelp);
+  const file = make("input", { type: "file", accept: ".stl,.obj,.ply,.urdf,.xml", attributes: { "aria-label": words.file }, data: { testid: "part-file" } });
+  const tensor = input("tensor", "Ixx, Iyy, Izz, Ixy, Ixz, Iyz", words.tensorHelp);
+  const about = choice("about", ["com", words.com], ["point", words.fixed]);
+  const products = choice("products", ["", words.sign], ["tensor", "Ixy = −∫ xy dm"], ["integral", "Ixy = +∫ xy dm"]);
   const told = make("p", { className: "note", data: { testid: "part-note" } });
 
   const take = async (part: Promise<PartBlock>): Promise<void> => {
     try {
       const found = await part;
       const moments = found.principal_com.moments.map((moment) => shown(moment)).join(", ");
-      told.textContent = `Principal moments about the centre of mass: ${moments}; mass ${shown(Number(found.mass))} (${found.units.replace(/,/g, " ")}, g = ${found.g} m/s²). h, l and r are in these units${found.exact ? "" : "; A and r are rounded to 130 digits; symmetries are exact"}.`;
+      told.textContent = `${words.found(moments, shown(Number(found.mass)), found.units.replace(/,/g, " "), String(found.g))}${found.exact ? "" : words.rounded}.`;
       session.fail("");
       session.adopt(found.A, found.r);
     } catch (error) {
@@ -53,13 +54,13 @@ export function partForm(session: Session, form: HTMLDetailsElement, zone: HTMLE
   });
   const ofTensor = (): void => {
     const entries = value(tensor).split(/[\s,;]+/).slice(3);
-    if (entries.some((entry) => Number(entry) !== 0) && !products.value) return session.fail("Products of inertia are not 0, and programs differ in their sign: choose which one yours prints");
+    if (entries.some((entry) => Number(entry) !== 0) && !products.value) return session.fail(words.products);
     void take(session.partOfTensor(value(tensor), products.value === "integral", about.value === "com", value(point), value(mass), units.value));
   };
   form.append(
     make("div", { className: "row" }, units, density, mass, point),
     make("div", { className: "row" }, file),
-    make("div", { className: "row" }, tensor, about, products, button("take", "Use this tensor as the body", ofTensor, { testid: "part-take" })),
+    make("div", { className: "row" }, tensor, about, products, button("take", words.take, ofTensor, { testid: "part-take" })),
     told,
   );
 }

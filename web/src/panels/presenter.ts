@@ -2,11 +2,12 @@
 import { make } from "../draw/dom";
 import type { Session } from "../state/session";
 import { PANELS, type Panel } from "../state/state";
+import { texts } from "../texts";
 
 export function presenter(session: Session, panels: Record<Panel, HTMLElement>, step: (by: number) => boolean): void {
   const show = (panel: Panel | null) => session.update({ present: panel }, "theme");
   for (const name of PANELS) {
-    const large = make("button", { type: "button", className: "enlarge", title: "Fill the screen (Escape ends; Page Down goes on)", attributes: { "aria-label": `Fill the screen: ${name}` }, data: { testid: `present-${name}` } }, "⤢");
+    const large = make("button", { type: "button", className: "enlarge", title: texts.presenter.enlarge, attributes: { "aria-label": texts.presenter.fill(texts.panels[name]) }, data: { testid: `present-${name}` } }, "⤢");
     large.addEventListener("click", () => show(session.state.present === name ? null : name));
     panels[name].querySelector("header")!.append(large);
   }

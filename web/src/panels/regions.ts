@@ -7,6 +7,7 @@ import { typeOf } from "../state/names";
 import { steadyTable } from "./steady";
 import { shown, surface } from "../state/numbers";
 import type { Session } from "../state/session";
+import { texts } from "../texts";
 
 export const circlesOf = (region: Region): number => region.components.reduce((sum, component) => sum + component.boundary_circles, 0);
 
@@ -21,7 +22,7 @@ function row(session: Session, region: Region, dark: boolean): HTMLTableRowEleme
   const { components } = region;
   const element = make(
     "tr",
-    { tabIndex: 0, title: `Go to the sample of ${region.id}: h = ${shown(region.sample.h)}, l = ${shown(region.sample.l)}`, data: { testid: "region-row", region: region.id, signature: region.signature ?? "" } },
+    { tabIndex: 0, title: texts.regions.goTo(region.id, shown(region.sample.h), shown(region.sample.l)), data: { testid: "region-row", region: region.id, signature: region.signature ?? "" } },
     make("td", {}, swatch, region.id),
     cell(components.map((component) => component.section)),
     cell(components.map((component) => component.accessible_region)),
@@ -37,7 +38,9 @@ function row(session: Session, region: Region, dark: boolean): HTMLTableRowEleme
 
 export function regionsPanel(session: Session): HTMLElement {
   const body = make("tbody", {});
-  const head = make("tr", {}, ...["region", "P", "U", "E"].map((name, i) => make("th", { title: ["its id in documents", "the section: S² a sphere, T² a torus, M²₂ a surface of genus 2, which has two handles", "the accessible region on the sphere: D² a disc, S² the whole sphere, S²∖2D² a sphere with two holes", "the energy surface, of three dimensions"][i]! }, name)));
+  const { region, regionHelp, P, U, E } = texts.regions;
+  const columns: [string, string][] = [[region, regionHelp], ["P", P], ["U", U], ["E", E]];
+  const head = make("tr", {}, ...columns.map(([name, title]) => make("th", { title }, name)));
   const caption = make("p", { className: "note" });
   let shownDocument: string | undefined;
   const show = () => {
@@ -52,7 +55,7 @@ export function regionsPanel(session: Session): HTMLElement {
     // Under the hand a body keeps its regions for many frames: rows are made anew where one differs.
     const key = `${dark}${JSON.stringify(document.regions.map(({ id, signature, components, sample }) => [id, signature, components, session.dragging ? 0 : sample]))}`;
     const exact = document === session.atlas;
-    caption.textContent = `${document.regions.length} regions, ${document.events.length} events; ${exact ? (document.summary.complete ? "complete, exact" : "not everything could be decided") : "while moving"}`;
+    caption.textContent = texts.regions.count(document.regions.length, document.events.length, exact ? (document.summary.complete ? texts.regions.complete : texts.regions.incomplete) : texts.regions.moving);
     if (key === shownDocument) return;
     shownDocument = key;
     const focused = (globalThis.document.activeElement as HTMLElement | null)?.dataset.region;
@@ -67,5 +70,5 @@ export function regionsPanel(session: Session): HTMLElement {
   session.on(["drawing", "atlas"], show);
   session.on(["theme"], () => ((shownDocument = undefined), show()));
   session.on(["hover", "point"], mark);
-  return panel("Regions", "Within a region the motions have the same shape: U is the accessible region, E the energy surface and P the Poincaré section. Signs: D² disc, S² sphere, T² torus, M²₂ surface of genus 2, that is with two handles; + joins separate pieces. Click on a row to go there. “Decided exactly” means with certainty: by exact arithmetic wherever rounding could mislead", make("div", { className: "scroll" }, make("table", {}, make("thead", {}, head), body), steadyTable(session)), caption);
+  return panel(texts.regions.title, texts.regions.help, make("div", { className: "scroll" }, make("table", {}, make("thead", {}, head), body), steadyTable(session)), caption);
 }

@@ -9,18 +9,16 @@ import type { Clock } from "./clock";
 import { scaleText } from "./orbit-colors";
 import { drawStill, halves, paintMoving, placeOf, TAU } from "./section-paint";
 import { orbitLine, verdicts } from "./verdicts";
+import { texts } from "../texts";
 
 /** A crossing no farther than this from the pointer, in pixels, is the one that is meant. */
 const REACH = 5;
 
-/** What the names of the halves mean. */
-const HALVES = ["T⁺ and T⁻ are the two halves of the section. Over each direction", "inside U lie two states with the centre of mass highest or lowest,", "one on each half; along the dark line, the edge of U, they are glued."];
-
-const COLORINGS: [Coloring, string][] = [["orbit", "colour: orbit"], ["verdict", "colour: verdict"], ["lyapunov", "colour: Lyapunov exponent"], ["rotation", "colour: rotation number"]];
+const COLORINGS: readonly Coloring[] = ["orbit", "verdict", "lyapunov", "rotation"];
 
 export function sectionPanel(session: Session, clock: Clock): { element: HTMLElement; sheet: Sheet } {
   const { orbits } = session;
-  const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": "Poincaré section: click to start an orbit; arrow keys move a cross, Enter starts an orbit at it, Tab goes on" }, data: { testid: "section" } });
+  const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": texts.section.canvas }, data: { testid: "section" } });
   let cursor: { psi: number; theta: number } | null = null;
   let still: HTMLCanvasElement | null = null;
   /** What the points of `still` are. */
@@ -45,7 +43,7 @@ export function sectionPanel(session: Session, clock: Clock): { element: HTMLEle
     cursor = angles(event) ?? null;
     sheet.ask();
     const place = sheet.place(event);
-    if (place[1] < 22) return tipAt(tip, sheet.size, place, HALVES);
+    if (place[1] < 22) return tipAt(tip, sheet.size, place, texts.section.halves);
     const orbit = orbitAt(session, sheet.size, place);
     const found = orbit === null ? undefined : orbits.judged[orbit];
     tipAt(tip, sheet.size, place, found ? [orbitLine(found), found.reason] : []);
@@ -73,10 +71,10 @@ export function sectionPanel(session: Session, clock: Clock): { element: HTMLEle
   });
   const count = make("b", { data: { testid: "crossing-count" } }, "0");
   const note = make("span", { className: "note" });
-  const stop = button("Stop", "Stop the computation", () => orbits.stop());
+  const stop = button(texts.body.stop, texts.section.stopHelp, () => orbits.stop());
   stop.hidden = true;
-  const coloring = make("select", { title: "What the colours of the points show", attributes: { "aria-label": "colours" } });
-  for (const [value, text] of COLORINGS) coloring.append(make("option", { value }, text));
+  const coloring = make("select", { title: texts.section.colorsHelp, attributes: { "aria-label": texts.section.colorsLabel } });
+  for (const value of COLORINGS) coloring.append(make("option", { value }, texts.section.colors[value]));
   coloring.addEventListener("change", () => session.update({ coloring: coloring.value as Coloring }, "orbits"));
   session.on(["orbits", "section"], () => {
     count.textContent = String(orbits.count);
@@ -93,8 +91,8 @@ export function sectionPanel(session: Session, clock: Clock): { element: HTMLEle
   new ResizeObserver(anew).observe(canvas);
   clock.on(() => session.dragging !== "body" && sheet.ask());
   const { legend, choice, reason } = verdicts(session);
-  const bar = make("div", { className: "bar" }, count, " crossings ", stop, coloring, choice, note);
-  const element = panel("Poincaré section", "Each orbit leaves a dot whenever its centre of mass is highest or lowest. T⁺ and T⁻ are the two halves of this surface: over each direction inside U lie two such states, one on each half, and along the dark line, the edge of U, the halves are glued. Over a disc without a pole this gives a sphere S², over a disc with one pole a torus T²; M²₂ has two handles (genus 2). ψ′ and ϑ′ are angles of the vertical about the axis through the poles. Curves: regular orbits; clouds: chaotic ones", make("div", { className: "stage" }, canvas, tip), bar, reason);
+  const bar = make("div", { className: "bar" }, count, ` ${texts.section.crossings} `, stop, coloring, choice, note);
+  const element = panel(texts.section.title, texts.section.help, make("div", { className: "stage" }, canvas, tip), bar, reason);
   element.querySelector("header")!.append(legend);
   return { element, sheet };
 }

@@ -10,6 +10,7 @@ import { Labels } from "./labels";
 import { potential } from "./potential";
 import { typeOf } from "../state/names";
 import { circlesOf } from "./regions";
+import { texts } from "../texts";
 
 /** How bright the pieces of U are: all have the hue of their region. */
 const PIECES = [1, 0.8, 0.9, 0.7, 0.95];
@@ -17,7 +18,7 @@ const PIECES = [1, 0.8, 0.9, 0.7, 0.95];
 const LEVELS = 14;
 
 export function spherePanel(session: Session): { element: HTMLElement; sheet: Sheet } {
-  const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": "Accessible region on the sphere of directions: drag or use the arrow keys to turn" }, data: { testid: "sphere" } });
+  const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": texts.sphere.canvas }, data: { testid: "sphere" } });
   let turn: Turn = lookingAt([1, 0.7, 0.5], [0, 0, 1]);
   const labels = new Labels(session);
   const sheet = new Sheet(canvas, (pen, size) => paint(pen, size, session, turn, labels));
@@ -55,7 +56,7 @@ export function spherePanel(session: Session): { element: HTMLElement; sheet: Sh
   session.on(["section"], () => labels.learn());
   session.on(["point", "body", "hover", "theme", "section"], () => sheet.ask());
   session.on(["motion"], () => sheet.ask());
-  const element = panel("Accessible region U", "The sphere of all directions of the vertical, seen from the body; coloured, in the colour of the region, where the energy allows it. × are the poles ±r̂, where the centre of mass hangs straight down or stands straight up; dots are steady rotations: minima, saddles and maxima of the potential, whose level lines are drawn", make("div", { className: "stage" }, canvas));
+  const element = panel(texts.sphere.title, texts.sphere.help, make("div", { className: "stage" }, canvas));
   return { element, sheet };
 }
 
@@ -115,7 +116,7 @@ function paint(pen: Pen, size: Size, session: Session, turn: Turn, labels: Label
     pen.fillStyle = colors.text;
     pen.textAlign = "center";
     pen.font = "13px system-ui";
-    pen.fillText("Choose a point (h, l) in the diagram.", size.width / 2, size.height - 8);
+    pen.fillText(texts.sphere.choose, size.width / 2, size.height - 8);
   }
 }
 
@@ -162,7 +163,7 @@ function paintMarks(pen: Pen, { width }: Size, session: Session, place: Placed, 
     pen.globalAlpha = 1;
   };
   const r = session.state.r.map(valueOf) as Vec;
-  const kind = (index: number, multiplicity: number) => (multiplicity > 1 ? "degenerate" : KINDS[index]!);
+  const kind = (index: number, multiplicity: number) => (multiplicity > 1 ? texts.sphere.degenerate : texts.sphere.kinds[index]!);
   const poles = Math.hypot(...r) > 0 ? ([["+r̂", unit(r)], ["−r̂", unit(r.map((x) => -x) as Vec)]] as [string, Vec][]) : [];
   for (const [name, pole] of poles) {
     const rest = session.critical.find(({ gamma, multiplicity }) => typeof multiplicity === "number" && Math.hypot(...gamma.map((x, i) => x - pole[i]!)) < 0.03);
@@ -185,5 +186,3 @@ function ring(pen: Pen, { at, front }: ReturnType<Placed>, colors: Ink): void {
   pen.stroke();
   pen.globalAlpha = 1;
 }
-
-const KINDS = ["min", "saddle", "max"];

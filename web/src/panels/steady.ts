@@ -4,11 +4,12 @@ import { branchColors, ink } from "../draw/theme";
 import { shown } from "../state/numbers";
 import type { Session } from "../state/session";
 import { stabilityLine } from "./stability";
+import { texts } from "../texts";
 
 export function steadyTable(session: Session): HTMLElement {
   const title = make("h3", {});
   const body = make("tbody", {});
-  const head = make("tr", {}, ...["curve", "h", "no friction", "friction"].map((name) => make("th", {}, name)));
+  const head = make("tr", {}, ...texts.regions.columns.map((name) => make("th", {}, name)));
   const exceptions = make("p", { className: "note", data: { testid: "verdict-changes" } });
   const element = make("div", { className: "steady", hidden: true }, title, make("table", {}, make("thead", {}, head), body), exceptions);
   const show = () => {
@@ -18,13 +19,13 @@ export function steadyTable(session: Session): HTMLElement {
     element.hidden = critical.length === 0 || !state.point;
     if (element.hidden || !state.point || !drawn) return;
     const palette = branchColors(drawn.document, ink().dark);
-    title.textContent = `Steady rotations at l = ${state.point.l}`;
+    title.textContent = texts.regions.steady(state.point.l);
     body.replaceChildren(
       ...[...critical].sort((a, b) => a.h - b.h).map((one) => {
         const swatch = make("i", { className: "swatch line" });
         swatch.style.background = palette.get(one.branch) ?? palette.get(drawn.document.curves.find(({ id }) => id === one.branch)?.branch ?? "") ?? "";
-        const friction = { survives: "stable", lost: "unstable", open: "open" }[one.friction.conserving_l ?? "open"];
-        const row = make("tr", { title: `${one.branch_name}: ${stabilityLine(one)}`, data: { testid: "steady-row", curve: one.branch } }, make("td", {}, swatch, one.branch), make("td", {}, shown(one.h)), make("td", {}, one.nonlinear.verdict), make("td", {}, friction));
+        const friction = { survives: texts.stability.stable, lost: texts.stability.unstable, open: texts.stability.open }[one.friction.conserving_l ?? "open"];
+        const row = make("tr", { title: `${one.branch_name}: ${stabilityLine(one)}`, data: { testid: "steady-row", curve: one.branch } }, make("td", {}, swatch, one.branch), make("td", {}, shown(one.h)), make("td", {}, texts.stability[one.nonlinear.verdict]), make("td", {}, friction));
         row.addEventListener("pointerenter", () => session.pointAt({ curve: one.branch }));
         row.addEventListener("pointerleave", () => session.pointAt({}));
         return row;
@@ -33,8 +34,8 @@ export function steadyTable(session: Session): HTMLElement {
   };
   const tell = () => {
     const changes = session.atlas?.verdict_changes ?? [];
-    const told = changes.map(({ curve, kind, l, verdict }) => `${kind === "D4" ? "D₄ = 0" : kind} on ${curve} at l = ${shown(l)} (${verdict})`);
-    exceptions.textContent = told.length > 0 ? `A hypothesis of Arnold’s theorem fails: ${told.join("; ")}.` : "";
+    const told = changes.map(({ curve, kind, l, verdict }) => texts.regions.failure(kind === "D4" ? "D₄ = 0" : kind, curve, shown(l), texts.stability[verdict]));
+    exceptions.textContent = told.length > 0 ? texts.regions.fails(told.join("; ")) : "";
   };
   const mark = () => {
     for (const row of body.rows) row.classList.toggle("lit", row.dataset.curve === session.hover.curve);

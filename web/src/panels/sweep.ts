@@ -3,6 +3,7 @@ import type { Atlas, Triple } from "../bindings/documents";
 import { button, make } from "../draw/dom";
 import { rounded, shown, valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
+import { texts } from "../texts";
 
 const SECONDS = 16;
 const NAMES = ["A1", "A2", "A3", "r1", "r2", "r3"];
@@ -14,10 +15,10 @@ const keyOf = ({ regions, events }: Atlas): string => [regions.map(({ signature 
 
 /** `told` stands apart: what it tells must not move what the hand holds. */
 export function sweep(session: Session): { controls: HTMLElement; told: HTMLElement } {
-  const choice = make("select", { title: "The number that runs through its range", attributes: { "aria-label": "number to sweep" } }, ...NAMES.map((name) => make("option", { value: name, selected: name === "r2" }, name)));
+  const choice = make("select", { title: texts.body.sweepNumber, attributes: { "aria-label": texts.body.sweepLabel } }, ...NAMES.map((name) => make("option", { value: name, selected: name === "r2" }, name)));
   const told = make("p", { className: "passed", attributes: { "aria-live": "polite" }, data: { testid: "passed" } });
   let running = false;
-  const play = button("▶ Sweep", "Let this number run through its range and back", () => void (running ? (running = false) : run()), { testid: "sweep" });
+  const play = button(`▶ ${texts.body.sweep}`, texts.body.sweepHelp, () => void (running ? (running = false) : run()), { testid: "sweep" });
   const run = async () => {
     const index = NAMES.indexOf(choice.value);
     const start = numbersOf(session)[index]!;
@@ -25,7 +26,7 @@ export function sweep(session: Session): { controls: HTMLElement; told: HTMLElem
     const [low, high] = index < 3 ? [start - reach, start + reach] : [-reach, reach];
     const [A, r] = [session.state.A, session.state.r];
     running = true;
-    play.textContent = "Stop";
+    play.textContent = texts.body.stop;
     told.replaceChildren();
     const begun = performance.now();
     for (let share = 0; running && share < 1; share = (performance.now() - begun) / 1000 / SECONDS) {
@@ -38,7 +39,7 @@ export function sweep(session: Session): { controls: HTMLElement; told: HTMLElem
     }
     if (running) session.body(A, r);
     running = false;
-    play.textContent = "▶ Sweep";
+    play.textContent = `▶ ${texts.body.sweep}`;
     session.release();
   };
   // Another hand, or another address, ends it.

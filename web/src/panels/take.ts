@@ -3,9 +3,10 @@ import type { Sheet } from "../draw/canvas";
 import { button, copied, make, panel } from "../draw/dom";
 import { valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
-import { FIRST, type State } from "../state/state";
+import { FIRST, PANELS, type Panel, type State } from "../state/state";
+import { guideTexts, texts } from "../texts";
 
-export type Sheets = Record<string, Sheet>;
+export type Sheets = Record<Panel, Sheet>;
 
 type Asked = Pick<State, "A" | "r" | "straight" | "point" | "orbits" | "crossings" | "seed">;
 
@@ -35,48 +36,48 @@ export function pythonLines(state: Asked): string {
 const files = () => import("../export/files");
 
 export function takePanel(session: Session, sheets: Sheets): HTMLElement {
-  const link = make("a", { href: "#", data: { testid: "permalink" } }, "Link to this view");
+  const link = make("a", { href: "#", data: { testid: "permalink" } }, texts.take.link);
   link.addEventListener("click", (event) => {
     event.preventDefault();
-    void navigator.clipboard?.writeText(location.href).then(() => (link.textContent = "Copied to the clipboard"));
+    void navigator.clipboard?.writeText(location.href).then(() => (link.textContent = texts.take.linked));
   });
-  const task = button("Link to a task …", "A link that opens this view with a question or a task of yours", () => void import("../guide/worksheet").then(({ openWorksheet }) => openWorksheet(session)), { testid: "task-open" });
+  const task = button(texts.take.task, texts.take.taskHelp, () => void Promise.all([import("../guide/worksheet"), guideTexts()]).then(([{ openWorksheet }, { dialog }]) => openWorksheet(session, dialog)), { testid: "task-open" });
   const shell = make("code", { data: { testid: "command-line" } });
   const python = make("code", { data: { testid: "python-lines" } });
   const refresh = () => {
     // Nobody copies from under the hand, and each text moves what stands below it.
     if (session.dragging) return;
     link.href = location.href;
-    link.textContent = "Link to this view";
+    link.textContent = texts.take.link;
     shell.textContent = commandLines(session.state);
     python.textContent = pythonLines(session.state);
   };
   session.on(["body", "point", "atlas", "theme", "address"], refresh);
-  const json = button("Atlas as JSON", "The document that bifdiag --json prints, byte for byte", () => void files().then(({ save }) => save(`${nameOf(session)}.json`, session.text, "application/json")), { testid: "export-json" });
-  const choice = make("select", { attributes: { "aria-label": "panel" } }, ...Object.keys(sheets).map((name) => make("option", { value: name }, name)));
-  const svg = button("SVG", "The selected panel as SVG", async () => { const { save, svgOf } = await files(); save(`${choice.value}.svg`, await svgOf(sheets[choice.value]!), "image/svg+xml"); }, { testid: "export-svg" });
-  const png = button("PNG", "The selected panel as PNG", async () => { const { save, pictureOf } = await files(); save(`${choice.value}.png`, await pictureOf(sheets[choice.value]!)); }, { testid: "export-png" });
+  const json = button(texts.take.json, texts.take.jsonHelp, () => void files().then(({ save }) => save(`${nameOf(session)}.json`, session.text, "application/json")), { testid: "export-json" });
+  const choice = make("select", { attributes: { "aria-label": texts.take.panel } }, ...PANELS.map((name) => make("option", { value: name }, texts.panels[name])));
+  const svg = button("SVG", texts.take.svgHelp, async () => { const { save, svgOf } = await files(); save(`${choice.value}.svg`, await svgOf(sheets[choice.value as Panel]), "image/svg+xml"); }, { testid: "export-svg" });
+  const png = button("PNG", texts.take.pngHelp, async () => { const { save, pictureOf } = await files(); save(`${choice.value}.png`, await pictureOf(sheets[choice.value as Panel])); }, { testid: "export-png" });
   let finish: (() => void) | null = null;
-  const video = button("Record", "Record a video of the selected panel; press again to stop", async () => {
+  const video = button(texts.take.record, texts.take.recordHelp, async () => {
     const { record } = await import("../export/video");
     try {
       if (finish) finish();
-      finish = finish ? null : record(sheets[choice.value]!, choice.value);
+      finish = finish ? null : record(sheets[choice.value as Panel], choice.value);
     } catch (error) {
       session.fail(error instanceof Error ? error.message : String(error));
     }
-    video.textContent = finish ? "Stop and save" : "Record";
+    video.textContent = finish ? texts.take.recording : texts.take.record;
     choice.disabled = finish !== null;
   }, { testid: "export-video" });
-  const csv = button("Crossings as CSV", "One line per crossing", () => void files().then(({ save, crossingsCsv }) => save("section.csv", crossingsCsv(session.orbits.rows), "text/csv")), { testid: "export-csv" });
-  const npz = button("Crossings as NPZ", "Arrays for numpy.load", async () => { const { save, crossingsNpz } = await files(); save("section.npz", await crossingsNpz(session)); }, { testid: "export-npz" });
+  const csv = button(texts.take.csv, texts.take.csvHelp, () => void files().then(({ save, crossingsCsv }) => save("section.csv", crossingsCsv(session.orbits.rows), "text/csv")), { testid: "export-csv" });
+  const npz = button(texts.take.npz, texts.take.npzHelp, async () => { const { save, crossingsNpz } = await files(); save("section.npz", await crossingsNpz(session)); }, { testid: "export-npz" });
   return panel(
-    "Export",
-    "Links, documents, pictures and data",
+    texts.take.title,
+    texts.take.help,
     make("div", { className: "take" },
-      make("div", {}, make("div", { className: "row" }, link, task, json), make("h3", {}, "Picture of"), make("div", { className: "row" }, choice, svg, png, video), make("h3", {}, "Section"), make("div", { className: "row" }, csv, npz)),
-      make("div", {}, make("h3", {}, "On the command line"), copied(shell)),
-      make("div", {}, make("h3", {}, "In Python"), copied(python)),
+      make("div", {}, make("div", { className: "row" }, link, task, json), make("h3", {}, texts.take.picture), make("div", { className: "row" }, choice, svg, png, video), make("h3", {}, texts.take.section), make("div", { className: "row" }, csv, npz)),
+      make("div", {}, make("h3", {}, texts.take.shell), copied(shell)),
+      make("div", {}, make("h3", {}, texts.take.python), copied(python)),
     ),
   );
 }

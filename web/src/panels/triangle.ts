@@ -6,6 +6,7 @@ import { ink } from "../draw/theme";
 import type { Triple } from "../bindings/documents";
 import { rounded, valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
+import { texts } from "../texts";
 
 type Place = [number, number];
 
@@ -30,7 +31,7 @@ function sharesAt([x, y]: Place, [a, b, c]: [Place, Place, Place]): [number, num
 }
 
 export function triangle(session: Session): HTMLElement {
-  const canvas = make("canvas", { className: "control", tabIndex: 0, attributes: { role: "application", "aria-label": "Ratios of the moments of inertia: drag, or use the arrow keys" }, data: { testid: "triangle" } });
+  const canvas = make("canvas", { className: "control", tabIndex: 0, attributes: { role: "application", "aria-label": texts.body.triangle }, data: { testid: "triangle" } });
   const moments = () => session.state.A.map(valueOf);
   const paint = (pen: Pen, size: Size) => {
     const colors = ink();
@@ -88,5 +89,5 @@ export function triangle(session: Session): HTMLElement {
   let shown = session.state.A;
   session.on(["body"], () => session.state.A.join() !== shown.join() && ((shown = session.state.A), sheet.ask()));
   session.on(["theme"], () => sheet.ask());
-  return make("figure", {}, canvas, make("figcaption", {}, "ratios of A"));
+  return make("figure", {}, canvas, make("figcaption", {}, texts.body.ratios));
 }

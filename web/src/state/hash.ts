@@ -2,6 +2,7 @@
 import { FIRST, PANELS, type Coloring, type Embedded, type State, type Theme } from "./state";
 import { TASK_KEYS, taskOf, taskParts } from "./task";
 import type { Triple, Window } from "../bindings/documents";
+import { texts } from "../texts";
 
 const EMBEDDED: readonly Embedded[] = ["diagram", "section", "motion"];
 const THEMES: readonly Theme[] = ["dark", "light"];
@@ -43,7 +44,7 @@ export function parse(hash: string, named: (name: string) => Pick<State, "A" | "
     else if (name === "body") Object.assign(state, found(value, named(value)));
     else read(state, name, value);
   }
-  if ((h === undefined) !== (l === undefined)) throw new Error(`${h === undefined ? "h" : "l"} is missing: a point needs both, such as h=3.8&l=3.25`);
+  if ((h === undefined) !== (l === undefined)) throw new Error(texts.address.missing(h === undefined ? "h" : "l"));
   if (h !== undefined && l !== undefined) state.point = { h, l };
   return state;
 }
@@ -52,16 +53,16 @@ const pairs = (hash: string): [string, string][] => hash.replace(/^#/, "").split
 
 function split(part: string): [string, string] {
   const at = part.indexOf("=");
-  if (at < 0) throw new Error(`“${part}” has no value; write name=value, such as h=3.8`);
+  if (at < 0) throw new Error(texts.address.noValue(part));
   try {
     return [decodeURIComponent(part.slice(0, at)), decodeURIComponent(part.slice(at + 1))];
   } catch {
-    throw new Error(`“${part}” is cut off, or has a % that stands for nothing`);
+    throw new Error(texts.address.encoding(part));
   }
 }
 
 function found(name: string, body: Pick<State, "A" | "r"> | undefined): Pick<State, "A" | "r"> {
-  if (!body) throw new Error(`body = ${name}: there is no preset of this name`);
+  if (!body) throw new Error(texts.address.noPreset(name));
   return body;
 }
 
@@ -85,30 +86,30 @@ function read(state: State, name: string, value: string): void {
 
 function triple(name: string, value: string): Triple {
   const parts = value.split(",").map((part) => part.trim());
-  if (parts.length !== 3) throw new Error(`${name} = ${value}: three numbers separated by commas are needed, such as ${name}=2,1.1,1`);
+  if (parts.length !== 3) throw new Error(texts.address.triple(name, value));
   return parts as Triple;
 }
 
 function six(name: string, value: string): string {
   const parts = value.split(",").map((part) => part.trim());
-  if (parts.length !== 6 || parts.includes("")) throw new Error(`${name} = ${value}: A1,A2,A3,r1,r2,r3 of a body are needed, such as ${name}=2,2,1,1,0,0`);
+  if (parts.length !== 6 || parts.includes("")) throw new Error(texts.address.six(name, value));
   return parts.join(",");
 }
 
 function window(value: string): Window {
   const [h0, h1, l0, l1, ...rest] = value.split(",").map(Number) as [number, number, number, number];
-  if (rest.length > 0 || !(h0 < h1 && l0 < l1)) throw new Error(`view = ${value}: straight is needed, or hmin,hmax,lmin,lmax, each minimum below its maximum`);
+  if (rest.length > 0 || !(h0 < h1 && l0 < l1)) throw new Error(texts.address.view(value));
   return { h: [h0, h1], l: [l0, l1] };
 }
 
 function count(name: string, value: string, least: number, most: number): number {
   const number = Number(value);
-  if (!Number.isInteger(number) || number < least || number > most) throw new Error(`${name} = ${value}: a whole number from ${least} to ${most} is needed`);
+  if (!Number.isInteger(number) || number < least || number > most) throw new Error(texts.address.count(name, value, least, most));
   return number;
 }
 
 function word<W extends string>(name: string, value: string, words: readonly W[]): W {
   const known = words.find((known) => known === value);
-  if (known === undefined) throw new Error(`${name} = ${value}: one of ${words.join(", ")} is needed`);
+  if (known === undefined) throw new Error(texts.address.word(name, value, words.join(", ")));
   return known;
 }

@@ -15,6 +15,7 @@ import { StraightChart } from "./straight";
 import { bodyText, FIRST, START, type Point, type State } from "./state";
 import { signatureOf } from "./signature";
 import { between, same } from "./view";
+import { texts } from "../texts";
 
 /** Durations that are kept. */
 const FRAMES = 600;
@@ -384,7 +385,7 @@ export class Session extends Emitter {
     const curves = new Map<string, Float64Array>();
     let next = 0;
     const found = drawing.straight;
-    if (typeof found === "string") this.tell(`This diagram cannot be straightened: ${found}.`);
+    if (typeof found === "string") this.tell(texts.failure.straight(found));
     const chart = found && typeof found !== "string" ? new StraightChart(found) : new PlaneChart(width, height, drawing.window, drawing.rows);
     this.shares = chart instanceof StraightChart ? chart.drawing.shares : null;
     if (!held) this.fitted = { width, height };

@@ -1,5 +1,6 @@
 /** A lecturer's task as an address carries it: its texts, what may be chosen, and the point that is shown once something was. */
 import type { Point } from "./state";
+import { texts } from "../texts";
 
 /** A question with what may be predicted; of no choices, it is a task to work at. */
 export interface Question {
@@ -26,8 +27,8 @@ export const TASK_KEYS = ["heading", "task", "choices", "because", "then", "chec
 export function choicesOf(text: string): Pick<Question, "choices" | "right"> {
   const lines = text.split("\n").map((line) => line.trim()).filter((line) => line !== "");
   const marked = lines.flatMap((line, i) => (line.startsWith("*") ? [i] : []));
-  if (lines.length === 1) throw new Error("There is one answer only: give at least two, each on a line of its own, or none");
-  if (lines.length > 0 && marked.length !== 1) throw new Error(`${marked.length === 0 ? "No answer is" : "Several answers are"} marked as right: begin one line with *`);
+  if (lines.length === 1) throw new Error(texts.task.single);
+  if (lines.length > 0 && marked.length !== 1) throw new Error(marked.length === 0 ? texts.task.unmarked : texts.task.marked);
   return { choices: lines.map((line) => line.replace(/^\*\s*/, "")), right: marked[0] ?? 0 };
 }
 
@@ -47,10 +48,10 @@ export function taskOf(pairs: Pairs): Assignment | null {
   const own = new Map(pairs.filter(([name]) => (TASK_KEYS as readonly string[]).includes(name)));
   if (own.size === 0) return null;
   const check = checkOf(pairs.filter(([name]) => name !== "check").map(([name, value]) => `${name}=${value}`));
-  if (own.get("check") !== check) throw new Error("This link to a task did not come over whole: a part of it is missing or was changed. Ask for it again, or make it with “Link to a task” under Export");
+  if (own.get("check") !== check) throw new Error(texts.task.broken);
   const [question, then] = [own.get("task") ?? "", own.get("then")?.split(",")];
-  if (question.trim() === "") throw new Error("This link has no task: write one under “Link to a task”");
-  if (then && then.length !== 2) throw new Error("then: h,l of the point to be shown after the answer are needed");
+  if (question.trim() === "") throw new Error(texts.task.empty);
+  if (then && then.length !== 2) throw new Error(texts.task.then);
   return { heading: own.get("heading") ?? "", question, ...choicesOf(own.get("choices") ?? ""), explanation: own.get("because") ?? "", then: then ? { h: then[0]!, l: then[1]! } : null };
 }
 

@@ -2,6 +2,7 @@
 import { expect, test } from "vitest";
 import type { Page } from "playwright-core";
 import { STORY } from "../../src/guide/scenes";
+import words from "../../src/texts/en/guide";
 import { data, go, open, picture, ready, serve } from "./open";
 
 serve();
@@ -82,7 +83,7 @@ test("the first view moves by itself, and its story ends at a touch", async () =
   const before = await picture(page, "motion");
   await expect.poll(() => picture(page, "motion")).not.toBe(before);
   await expect.poll(() => page.getByTestId("story").isVisible(), { timeout: 15_000 }).toBe(true);
-  await expect.poll(() => page.getByTestId("story").textContent()).toContain(STORY[0]!.text);
+  await expect.poll(() => page.getByTestId("story").textContent()).toContain(words.story[0]!);
   await page.keyboard.press("Shift");
   expect(await page.getByTestId("story").isVisible()).toBe(false);
   await page.close();
@@ -92,8 +93,8 @@ test("the story shows what it says", async () => {
   const page = await open(POINT);
   await page.getByTestId("play-story").click();
   const regions: (string | null)[] = [];
-  for (const { text, point, r } of STORY) {
-    await expect.poll(() => page.getByTestId("story").textContent(), { timeout: 30_000 }).toContain(text);
+  for (const [i, { point, r }] of STORY.entries()) {
+    await expect.poll(() => page.getByTestId("story").textContent(), { timeout: 30_000 }).toContain(words.story[i]!);
     // The hand has let go towards the end of a scene.
     await page.waitForTimeout(point || r ? 7500 : 2500);
     await ready(page);

@@ -5,6 +5,7 @@ import { join } from "node:path";
 import { expect, test } from "vitest";
 import type { Page } from "playwright-core";
 import { TOUR } from "../../src/guide/tour";
+import words from "../../src/texts/en/guide";
 import { bifdiag } from "../program";
 import { colors, data, go, open, picture, ready, serve, SIZE } from "./open";
 
@@ -288,8 +289,8 @@ test("files: atlas, SVG, PNG, CSV, NPZ, video", async () => {
 
 test("each step of the tour shows what it promises", async () => {
   const page = await open("tour=1");
-  for (const [number, { title, state }] of TOUR.entries()) {
-    expect(await page.getByTestId("guide").textContent()).toContain(title);
+  for (const [number, state] of TOUR.entries()) {
+    await expect.poll(() => page.getByTestId("guide").textContent()).toContain(words.tour[number]!.title);
     expect(await page.getByTestId("error").count()).toBe(0);
     if (state.point) expect(await data(page, "point-status", "status")).toBe("regular");
     if (state.point) expect(await crossings(page)).toBeGreaterThan(1000);
@@ -318,7 +319,7 @@ test("lessons ask first and show then", async () => {
   const [sheet] = await Promise.all([page.waitForEvent("download"), page.getByTestId("worksheet").click()]);
   const paper = await readFile((await sheet.path())!, "utf8");
   expect(paper).toContain("Predict, then observe");
-  expect(paper).toContain(`${page.url().split("#")[0]}#lesson=sleeping-top`);
+  expect(paper).toContain(`${page.url().split("#")[0]}?lang=en#lesson=sleeping-top`);
   expect(await page.getByTestId("input-l").inputValue()).toBe("2.1");
   await page.close();
   // The link of the worksheet shows the body that is asked about, and no point yet.

@@ -66,6 +66,7 @@ test("while the module loads nothing is asked, and then only the latest of a kin
 test("a module that could not be loaded is told, and asked for again with the next question", async () => {
   answer = echo;
   vi.resetModules();
+  await (await import("../../src/texts")).speak("en");
   const { Channel } = await import("../../src/bindings/client");
   vi.stubGlobal("fetch", async () => new Response(null, { status: 503, statusText: "Busy" }));
   const channel = new Channel(5);

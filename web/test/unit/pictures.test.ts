@@ -3,6 +3,7 @@ import { between, same } from "../../src/state/view";
 import { apply, back, castBall, composed, lookingAt, rotation, turned, type Vec } from "../../src/draw/ball";
 import { ticks } from "../../src/draw/canvas";
 import { LESSONS } from "../../src/guide/lessons";
+import words from "../../src/texts/en/guide";
 import { npy } from "../../src/export/files";
 import { described, loaded } from "../../src/panels/catalogue";
 import { bodyAt, FAMILIES } from "../../src/panels/families";
@@ -60,13 +61,13 @@ describe("planes of bodies", () => {
 });
 
 test("each lesson's right choice is one of its choices", () => {
-  for (const { tasks } of LESSONS) for (const { right, choices } of tasks) expect(choices[right]).toBeDefined();
+  LESSONS.forEach(({ tasks }, i) => tasks.forEach(({ right }, k) => expect(words.lessons[i]!.tasks[k]!.choices[right]).toBeDefined()));
 });
 
 describe("classes in words", () => {
   test("by share, by stratum, or not at all", () => {
     const known = { generic: { a: 0.32, b: 0.5, c: 0, d: null }, special: { e: { in: [1], preset: "katok:5" }, f: { in: [0, 1] } }, strata: ["Euler", "r on axis 3"] };
-    expect([..."abcdefg"].map((name) => described(known, name))).toEqual([
+    expect([..."abcdefg"].map((name) => described(known, words.classes, name))).toEqual([
       "number 2 of 3 classes of physical bodies, 32 % of them",
       "number 1 of 3 classes of physical bodies, 50 % of them",
       "one of 3 classes of physical bodies, less than one body in a million",
@@ -80,6 +81,6 @@ describe("classes in words", () => {
     const known = await loaded();
     const presets = Object.values(known.special).map(({ preset }) => preset);
     for (let k = 1; k <= 7; k++) expect(presets).toContain(`katok:${k}`);
-    expect(described(known, "01036ac4a504")).toMatch(/^number 1 of \d+ classes of physical bodies, 3\d\.\d % of them$/);
+    expect(described(known, words.classes, "01036ac4a504")).toMatch(/^number 1 of \d+ classes of physical bodies, 3\d\.\d % of them$/);
   });
 });
