@@ -67,6 +67,9 @@ test.each([["de", 390], ["fr", 390], ["de", 360], ["fr", 360], ["de", 1280], ["f
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
   const cut = await page.evaluate(() => [...document.querySelectorAll<HTMLElement>("button, h2, .stack-bar button")].filter((element) => element.getClientRects().length > 0 && element.scrollWidth > element.clientWidth + 1).map((element) => element.textContent));
   expect(cut).toEqual([]);
+  // Nor does a panel cut off what stands in its head, or the columns of its tables.
+  const beyond = await page.evaluate(() => [...document.querySelectorAll<HTMLElement>(".panel > header button, .panel th")].filter((element) => element.getClientRects().length > 0 && element.getBoundingClientRect().right > element.closest(".panel")!.getBoundingClientRect().right).map((element) => element.outerHTML));
+  expect(beyond).toEqual([]);
   if (width === 1280) for (const id of ["diagram", "sphere", "section"]) expect((await page.getByTestId(id).boundingBox())!.height, id).toBeGreaterThan(150);
   await page.close();
 });
