@@ -135,14 +135,8 @@ def test_all_presets_are_at_hand():
     assert bodies["paper"] == bifdiag.Body.preset("paper") and len(bodies) >= 16
 
 
-def test_the_first_screen_of_help_names_every_question():
-    named = bifdiag.Body.__doc__
-    assert len(named.splitlines()) < 60
-    for name in vars(bifdiag.Body):
-        if not name.startswith("_"):
-            assert f"`{name}`" in named, name
-
-
+# Without its cache mypy takes 17 s of CPU time, and at a load of nine two minutes.
+@pytest.mark.timeout(600)
 def test_type_checkers_find_typing_errors(tmp_path):
     api = pytest.importorskip("mypy.api")
     code = tmp_path / "code.py"
@@ -155,6 +149,12 @@ def test_type_checkers_find_typing_errors(tmp_path):
         "body.orbit([0, 0, 1], [0, 0, 1]).omga",
         'body.atlas().regions["R5"].signatur',
         'bifdiag.scan(family="generic")',
+        'bifdiag.scan(samples=3, invalid="drop")',
+        'body.critical_spin("z").rmp',
+        "body.critical_spin().ranges.stabel",
+        "body.atlas().region([1], 1).shap",
+        "body.atlas().classify([1], 1).marginn",
+        'body.atlas().plot(view="strait")',
     ]
     right = ["n: int = body.atlas().region(3.8, 3.25)", "x = body.critical([1, 2]).to_pandas()", "y = body.moments + 1"]
     code.write_text("\n".join(["import bifdiag", 'body = bifdiag.Body.preset("paper")', *right, *wrong]))
@@ -163,25 +163,17 @@ def test_type_checkers_find_typing_errors(tmp_path):
     assert status == 1 and lines == set(range(3 + len(right), 3 + len(right) + len(wrong))), told
 
 
-def test_the_first_screen_of_help_names_everything():
-    told = pydoc.plain(pydoc.render_doc(bifdiag.Body)).splitlines()
-    screen = "\n".join(told[:30])
-    public = [name for name in dir(bifdiag.Body) if not name.startswith("_")]
-    assert [name for name in public if f"`{name}`" not in screen] == []
-    # It had 414 lines, one of them of 1,356 characters.
-    # pydoc writes a long signature over several lines from Python 3.13 on.
-    assert len(told) < (340 if sys.version_info < (3, 13) else 430)
-    assert max(map(len, told)) < 330
-    assert not [line for line in told if line.startswith(" |  _") and not line.startswith(" |  __")]
-
-
 def test_help_has_two_screens_with_a_line_for_each_question():
     told = pydoc.plain(pydoc.render_doc(bifdiag.Body))
-    # Of fifty lines, or of sixty where signatures have a line for each argument.
-    assert len(told.splitlines()) <= 2 * (50 if sys.version_info < (3, 13) else 60)
+    lines = told.splitlines()
+    # Of fifty lines, or of sixty where signatures have a line for each argument; it had 414.
+    assert len(lines) <= 2 * (50 if sys.version_info < (3, 13) else 60)
     body = bifdiag.Body.preset("paper")
     names = [name for name in dir(body) if not name.startswith("_")]
-    assert {"section", "moments", "from_part"} < set(names) and all(re.search(rf"\b{name}\b", told) for name in names)
+    assert {"section", "moments", "from_part"} < set(names) and all(
+        re.search(rf"\b{name}\b", "\n".join(lines[:50])) for name in names
+    )
+    assert max(map(len, lines)) < 330 and not [line for line in lines if re.match(r" \|  _(?!_)", line)]
     # What the class does not list is there, with its own help.
     assert "Parameters" in pydoc.plain(pydoc.render_doc(bifdiag.Body.section))
     assert "from_part" in dir(bifdiag.Body) and "preset" in dir(bifdiag.Body)
