@@ -122,9 +122,10 @@ pub struct EventTracksDocument {
     pub head: Head,
     /// The parameter and its range.
     pub vary: RangeDocument,
-    /// Bodies that were looked at.
+    /// Bodies in equal steps, as many as were asked for.
     pub bodies: u32,
-    /// Those that were left out: special bodies, those on a border, and undecided ones.
+    /// Those of them that were left out: special bodies, those on a border, and undecided ones; bodies beside them were looked at
+    /// in their place.
     pub passed: u32,
     /// The class before the first border, between any two, and behind the last; null where it is not known.
     pub classes: Vec<Option<String>>,

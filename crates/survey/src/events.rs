@@ -50,9 +50,10 @@ pub struct EventTracks {
     pub stretches: Vec<Stretch>,
     /// The events, by their labels.
     pub tracks: Vec<EventTrack>,
-    /// Bodies that were looked at.
+    /// Bodies in equal steps.
     pub bodies: usize,
-    /// Those of them that are special, on a border, undecided, or of another class than their stretch.
+    /// Those of them that are special, on a border, undecided, or of another class than their stretch. Bodies beside them were
+    /// looked at in their place.
     pub passed: usize,
 }
 
@@ -63,45 +64,58 @@ struct Seen {
     events: Vec<NamedEvent>,
 }
 
-/// How far beside a border the bodies are that are looked at in place of one on it, in steps.
+/// How far beside a body that is special, undecided or on a border those are that are looked at in its place, in steps.
 const BESIDE: f64 = 1e-3;
+/// How far beside a special body borders are sought, in steps.
+const NEAREST: f64 = 1e-6;
 
 /// Follows the events over so many bodies, in equal steps from one end of the way to the other. Borders are sought between
-/// neighbours of different classes: two within one step, back to the same class, are not seen.
+/// neighbours of different classes: two within one step, back to the same class, are not seen, nor is one that is nearer to a
+/// special body than a millionth of a step.
 #[must_use]
 pub fn follow(segment: &BodySegment, bodies: usize, options: &BorderOptions) -> EventTracks {
-    let last = bodies.max(2) - 1;
-    let places: Vec<f64> = (0..=last).map(|k| k as f64 / last as f64).collect();
-    let mut bodies = places.len();
+    let bodies = bodies.max(2);
+    let step = 1.0 / (bodies - 1) as f64;
+    let places: Vec<f64> = (0..bodies).map(|k| k as f64 / (bodies - 1) as f64).collect();
     let look = |places: &[f64]| -> Vec<Seen> {
         let seen = each(places, |&t| {
-            // More special than its neighbours, a body has a class of its own.
-            if special(segment, [t, t]).is_some() {
-                return None;
-            }
             let (atlas, class) = class_of(&segment.body(t), options.accuracy).ok()?;
             Some(Seen { t, class, events: named_events(&atlas) })
         });
         seen.into_iter().flatten().collect()
     };
+    let beside =
+        |t: f64, steps: f64| [t - steps * step, t + steps * step].into_iter().filter(|t| (0.0..=1.0).contains(t));
+    let add = |seen: &mut Vec<Seen>, places: &[f64]| {
+        seen.extend(look(places));
+        seen.sort_by(|p, q| p.t.total_cmp(&q.t));
+    };
     let seek = |seen: &[Seen]| -> Vec<Border> {
         let pairs: Vec<&[Seen]> = seen.windows(2).collect();
         each(&pairs, |pair| between(segment, pair, options)).into_iter().flatten().collect()
     };
-    let mut seen = look(&places);
+    // More special than its neighbours, a body has a class of its own: those on both sides are looked at in its place, one at an
+    // end of the way, so that borders are sought up to it.
+    let (special, others): (Vec<f64>, Vec<f64>) =
+        places.iter().copied().partition(|&t| special(segment, [t, t]).is_some());
+    let mut seen = look(&others);
+    let decided: Vec<f64> = seen.iter().map(|body| body.t).collect();
+    let undecided = others.iter().filter(|t| decided.binary_search_by(|decided| decided.total_cmp(t)).is_err());
+    let in_place = undecided.chain(&special).flat_map(|t| beside(*t, BESIDE));
+    let nearest: Vec<f64> = special.iter().flat_map(|t| beside(*t, NEAREST)).collect();
+    add(&mut seen, &in_place.chain(nearest.iter().copied()).collect::<Vec<f64>>());
     let mut borders = seek(&seen);
-    // A body on a border belongs to neither side: two beside it are looked at in its place, one at an end of the way.
+    // So is a body on a border, which belongs to neither side.
     let is_on_border = |body: &Seen| borders.iter().any(|border| is_at(border, body.t));
-    let beside = |body: &Seen| [-1.0, 1.0].map(|side| body.t + side * BESIDE / last as f64);
-    let beside: Vec<f64> = seen.iter().filter(|body| is_on_border(body)).flat_map(beside).collect();
-    if !beside.is_empty() {
+    let in_place: Vec<f64> =
+        seen.iter().filter(|body| is_on_border(body)).flat_map(|body| beside(body.t, BESIDE)).collect();
+    if !in_place.is_empty() {
         seen.retain(|body| !is_on_border(body));
-        let beside: Vec<f64> = beside.into_iter().filter(|t| (0.0..=1.0).contains(t)).collect();
-        bodies += beside.len();
-        seen.extend(look(&beside));
-        seen.sort_by(|p, q| p.t.total_cmp(&q.t));
+        add(&mut seen, &in_place);
         borders = seek(&seen);
     }
+    // There events may be nearly at infinity.
+    seen.retain(|body| !nearest.contains(&body.t));
     let ends: Vec<f64> = [0.0].into_iter().chain(borders.iter().map(|border| border.t)).chain([1.0]).collect();
     let is_inside = |t: &[f64], body: &Seen| {
         let is_end = (body.t == 0.0 && t[0] == 0.0) || (body.t == 1.0 && t[1] == 1.0);
@@ -110,10 +124,9 @@ pub fn follow(segment: &BodySegment, bodies: usize, options: &BorderOptions) -> 
     // Every stretch shows its events, however short it is.
     let is_empty = |t: &&[f64]| t[0] < t[1] && !seen.iter().any(|body| is_inside(t, body));
     let middles: Vec<f64> = ends.windows(2).filter(is_empty).map(|t| 0.5 * (t[0] + t[1])).collect();
-    seen.extend(look(&middles));
-    seen.sort_by(|p, q| p.t.total_cmp(&q.t));
-    bodies += middles.len();
+    add(&mut seen, &middles);
     let mut found = EventTracks { stretches: Vec::new(), tracks: Vec::new(), bodies, passed: 0, borders };
+    let is_asked = |body: &&Seen| places.binary_search_by(|place| place.total_cmp(&body.t)).is_ok();
     let mut shown = 0;
     for (number, pair) in ends.windows(2).enumerate() {
         let t = [pair[0], pair[1]];
@@ -128,8 +141,8 @@ pub fn follow(segment: &BodySegment, bodies: usize, options: &BorderOptions) -> 
             .filter(|body| class.as_ref().is_some_and(|class| class.name() == body.class.name()))
             .collect();
         let joins = number == 0 || !breaks(&found.borders[number - 1].event.kind);
-        add(&mut found.tracks, &own, number, joins);
-        shown += own.len();
+        shown += own.iter().filter(|body| is_asked(body)).count();
+        add_bodies(&mut found.tracks, &own, number, joins);
         let regions = class.as_ref().map_or(0, Class::regions);
         found.stretches.push(Stretch { t, class: class.map(|class| class.name().clone()), regions });
     }
@@ -182,7 +195,7 @@ fn breaks(kind: &BorderEventKind) -> bool {
 
 /// Adds the bodies of a stretch. Events of one label follow each other by their momenta; those that reach the border before the
 /// stretch go on if it `joins` them.
-fn add(tracks: &mut Vec<EventTrack>, bodies: &[&Seen], number: usize, joins: bool) {
+fn add_bodies(tracks: &mut Vec<EventTrack>, bodies: &[&Seen], number: usize, joins: bool) {
     let mut labels: Vec<EventLabel> =
         bodies.iter().flat_map(|body| body.events.iter().map(|event| event.label)).collect();
     labels.sort();
@@ -250,7 +263,7 @@ mod tests {
         assert_eq!(borders.len(), 2);
         assert!((borders[0] - 10.0 / 9.0).abs() < 1e-9 && (borders[1] - 1.5).abs() < 1e-9, "{borders:?}");
         // One of the bodies is that at 3/2.
-        assert_eq!((found.stretches.len(), found.bodies, found.passed), (3, 37, 1));
+        assert_eq!((found.stretches.len(), found.bodies, found.passed), (3, 35, 1));
         let [cusp] = of(&found, "cusp of S2")[..] else { panic!("{:?}", found.tracks) };
         assert_eq!(cusp.between, [None, Some(1)]);
         let [pitchfork] = of(&found, "pitchfork of L- and S2")[..] else { panic!("{:?}", found.tracks) };
@@ -300,7 +313,7 @@ mod tests {
     fn short_stretches_are_looked_into() {
         let segment = way(["2", "1.05", "1", "1", "0", "0"], ["2", "1.95", "1", "1", "0", "0"]);
         let found = follow(&segment, 2, &options());
-        assert_eq!((found.stretches.len(), found.bodies, found.passed), (3, 3, 0));
+        assert_eq!((found.stretches.len(), found.bodies, found.passed), (3, 2, 0));
         assert!(found.stretches.iter().all(|stretch| stretch.regions > 4));
         let [pitchfork] = of(&found, "pitchfork of L- and S3")[..] else { panic!("{:?}", found.tracks) };
         assert_eq!((pitchfork.between, pitchfork.points.len()), ([None, None], 3));
@@ -323,7 +336,39 @@ mod tests {
         // Both ends have equal moments.
         assert_eq!(found.passed, left_out + 2);
         let [pitchfork] = of(&found, "pitchfork of L- and S2")[..] else { panic!("{:?}", found.tracks) };
-        assert_eq!(pitchfork.points.len(), found.bodies - found.passed);
+        // Two beside each body on a border, one beside each end.
+        assert_eq!(pitchfork.points.len(), found.bodies - found.passed + 2 * left_out + 2);
+    }
+
+    /// A = (3, A2, 1), r = (0.3, 0.4, 0.5): the class changes at A2 = 2.0658, and both A2 = 1 and A2 = 3 are special.
+    #[test]
+    fn borders_beside_a_special_end_are_found() {
+        let end = |a2: &'static str| ["3", a2, "1", "0.3", "0.4", "0.5"];
+        for (from, bodies, passed) in [("2", 2, 1), ("2.0655", 2, 1), ("1", 3, 2), ("1", 2, 2)] {
+            let segment = way(end(from), end("3"));
+            let found = follow(&segment, bodies, &options());
+            assert_eq!((found.bodies, found.passed), (bodies, passed), "from {from}");
+            let value = |t: f64| segment.value(1, t);
+            let last = found.borders.last().unwrap();
+            assert!((value(last.t) - 2.065_799).abs() < 1e-5, "from {from}: {}", value(last.t));
+            let ends = of(&found, "crossing of G2 and P+").into_iter().filter_map(|track| track.points.last());
+            assert!(ends.into_iter().all(|point| point.t < last.t), "from {from}: {:?}", found.tracks);
+        }
+        // A = (5, 4, 3), r = (1, 0.2, r3): a border at r3 = 8.378e-6, between the special body r3 = 0 and the next.
+        let end = |r3: &'static str| ["5", "4", "3", "1", "0.2", r3];
+        let segment = way(end("0"), end("0.00003"));
+        let found = follow(&segment, 3, &options());
+        let borders: Vec<f64> = found.borders.iter().map(|border| segment.value(5, border.t)).collect();
+        assert!(borders.iter().any(|border| (border - 8.378_03e-6).abs() < 1e-10), "{borders:?}");
+        // In the middle of a way, a special body leaves two steps.
+        let segment = way(end("-0.000016"), end("0.000016"));
+        let found = follow(&segment, 3, &options());
+        let borders: Vec<f64> = found.borders.iter().map(|border| segment.value(5, border.t)).collect();
+        let [left, zero, right] = borders[..] else { panic!("{borders:?}") };
+        assert!(
+            (left + right).abs() < 1e-10 && zero.abs() < 1e-15 && (right - 8.378_03e-6).abs() < 1e-10,
+            "{borders:?}"
+        );
     }
 
     /// The border r2 = 0.03654 of the paper's body and its mirror image, with r2 = 0 between them.

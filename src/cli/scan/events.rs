@@ -104,7 +104,7 @@ fn add(report: &mut Report, document: &EventTracksDocument) {
     ));
     if document.passed > 0 {
         let left_out = counted(document.passed as usize, "of them is left out", "of them are left out");
-        report.line(format!("{left_out}: special, on a border or undecided"));
+        report.line(format!("{left_out}: special, on a border or undecided; bodies beside are looked at instead"));
     }
     report.line("");
     if document.events.is_empty() {
