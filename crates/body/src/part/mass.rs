@@ -2,7 +2,9 @@
 
 use std::fmt;
 
+use bifdiag_numbers::decimal::short;
 use bifdiag_numbers::symmetric::{PrincipalAxes, Real, Symmetric, dot};
+use dashu_int::IBig;
 use dashu_ratio::RBig;
 use thiserror::Error;
 
@@ -156,10 +158,10 @@ pub enum Existence {
 /// The triangle inequality of the principal moments about the centre of mass that fails.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inequality {
-    /// The principal moments, ascending.
-    pub moments: [f64; 3],
+    /// The principal moments, ascending, to far more digits than [`missing`](Self::missing) needs.
+    pub moments: [RBig; 3],
     /// What is missing on the smaller side: I3 − I1 − I2.
-    pub missing: f64,
+    pub missing: RBig,
 }
 
 impl Existence {
@@ -171,11 +173,7 @@ impl Existence {
         if second.is_positive_semidefinite() {
             return if second.determinant().is_zero() { Self::Flat } else { Self::Solid };
         }
-        let axes = PrincipalAxes::new(about_com, &[RBig::ZERO, RBig::ZERO, RBig::ZERO], 30);
-        let mut values = axes.values;
-        values.sort_by(|x, y| x.lo.cmp(&y.lo));
-        let missing = &values[2].lo - &values[0].lo - &values[1].lo;
-        Self::Impossible(Inequality { moments: values.each_ref().map(Real::to_f64), missing: missing.to_f64().value() })
+        Self::Impossible(Inequality::of(about_com))
     }
 
     /// Whether it can exist.
@@ -185,10 +183,41 @@ impl Existence {
     }
 }
 
+impl Inequality {
+    /// That of a tensor about the centre of mass which fails.
+    fn of(about_com: &Symmetric) -> Self {
+        let mut failed = Self { moments: [RBig::ZERO, RBig::ZERO, RBig::ZERO], missing: RBig::ZERO };
+        // However little is missing, some of these digits tell.
+        for digits in [30_u8, 60, 120, 240] {
+            let axes = PrincipalAxes::new(about_com, &[RBig::ZERO, RBig::ZERO, RBig::ZERO], digits.into());
+            let mut values = axes.values;
+            values.sort_by(|x, y| x.lo.cmp(&y.lo));
+            let [a, b, c] = values.map(|value: Real| value.lo);
+            let missing = &c - &a - &b;
+            let is_sure = missing > (&a + &b).max(c.clone()) * ten_to(10 - i64::from(digits));
+            failed = Self { moments: [a, b, c], missing };
+            if is_sure {
+                break;
+            }
+        }
+        failed
+    }
+
+    /// The moments as they are printed: the inequality of the printed numbers fails by what is missing, to a hundredth of it.
+    fn printed(&self) -> [RBig; 3] {
+        let with = |digits: i64| self.moments.each_ref().map(|x| rounded(x, digits));
+        let fails_so = |[a, b, c]: &[RBig; 3]| {
+            let error = c - a - b - &self.missing;
+            error.clone().max(-error) * RBig::from(100) <= self.missing
+        };
+        (DIGITS..=DIGITS_MAX).map(with).find(fails_so).unwrap_or_else(|| self.moments.clone())
+    }
+}
+
 impl fmt::Display for Inequality {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [a, b, c] = self.moments.map(shown);
-        let missing = shown(self.missing);
+        let [a, b, c] = self.printed().map(|x| short(&x));
+        let missing = short(&rounded(&self.missing, DIGITS));
         write!(
             f,
             "the two smaller principal moments add up to less than the largest: {a} + {b} < {c}, {missing} is missing"
@@ -196,9 +225,23 @@ impl fmt::Display for Inequality {
     }
 }
 
-/// Rounded to seven digits.
-fn shown(x: f64) -> f64 {
-    format!("{x:.6e}").parse().unwrap_or(x)
+/// Digits of a moment, where they suffice.
+const DIGITS: i64 = 7;
+/// The most digits of one.
+const DIGITS_MAX: i64 = 240;
+
+/// Rounded to so many digits.
+fn rounded(x: &RBig, digits: i64) -> RBig {
+    // Of the nearest double, or of one near it.
+    let exponent = format!("{:e}", x.to_f64().value()).split_once('e').and_then(|(_, exponent)| exponent.parse().ok());
+    let scale = ten_to(digits - 1 - exponent.unwrap_or(0));
+    RBig::from((x * &scale).round()) / scale
+}
+
+/// 10^power.
+fn ten_to(power: i64) -> RBig {
+    let ten = RBig::from(IBig::from(10).pow(usize::try_from(power.unsigned_abs()).unwrap_or(0)));
+    if power < 0 { RBig::ONE / ten } else { ten }
 }
 
 #[cfg(test)]
@@ -278,11 +321,31 @@ mod tests {
     #[test]
     fn what_cannot_be_says_by_how_much() {
         let Existence::Impossible(inequality) = of(["0.3", "0.1", "0.19", "0", "0", "0"]) else { panic!() };
-        assert_eq!(inequality.moments, [0.1, 0.19, 0.3]);
+        assert_eq!(inequality.moments, ["0.1", "0.19", "0.3"].map(value));
         assert_eq!(
             inequality.to_string(),
             "the two smaller principal moments add up to less than the largest: 0.1 + 0.19 < 0.3, 0.01 is missing"
         );
+        let told = |entries: [&str; 6]| {
+            let Existence::Impossible(inequality) = of(entries) else { panic!("{entries:?}") };
+            inequality.to_string().split_once(": ").unwrap().1.to_owned()
+        };
+        // As printed, the inequality holds, however little is missing.
+        assert_eq!(told(["1", "1", "2.0000001", "0", "0", "0"]), "1 + 1 < 2.0000001, 0.0000001 is missing");
+        assert_eq!(told(["100", "200", "300.00001", "0", "0", "0"]), "100 + 200 < 300.00001, 0.00001 is missing");
+        assert_eq!(
+            told(["1234567.89", "1", "1234568.9", "0", "0", "0"]),
+            "1 + 1234567.89 < 1234568.9, 0.01 is missing"
+        );
+        let little = format!("2.{}1", "0".repeat(39));
+        assert_eq!(
+            told(["1", "1", &little, "0", "0", "0"]),
+            format!("1 + 1 < {little}, 0.{}1 is missing", "0".repeat(39))
+        );
+        // Irrational moments are printed so far that the difference is seen.
+        let turned = told(["1", "1.0000001", "2.0000003", "0.0001", "0", "0"]);
+        let [a, b, c] = [0, 2, 4].map(|k| turned.split([' ', ',']).nth(k).unwrap()).map(value);
+        assert!(&a + &b < c && c - a - b > value("1.9e-7"), "{turned}");
         // A negative moment fails, too.
         assert!(!of(["1", "1", "-0.1", "0", "0", "0"]).is_possible());
     }
