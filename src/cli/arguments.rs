@@ -122,11 +122,6 @@ macro_rules! commands {
                 main
             }
 
-            /// The name of each command, and what it does.
-            pub fn abouts() -> Vec<(String, String)> {
-                vec![$(($name.to_owned(), $about.trim_start().to_owned())),+]
-            }
-
             /// The command with this name.
             fn named(name: &str, matches: &mut clap::ArgMatches) -> Result<Option<Self>, clap::Error> {
                 Ok(match name {
@@ -235,6 +230,21 @@ impl Options {
     /// The clap command, for completions and manual pages.
     pub fn command() -> clap::Command {
         Command::add_to(main_command(), |_| true)
+    }
+
+    /// The name of each command, also of those of another one such as `scan map`, and what it does.
+    pub fn abouts() -> Vec<(String, String)> {
+        fn add(abouts: &mut Vec<(String, String)>, of: &clap::Command, before: &str) {
+            for command in of.get_subcommands() {
+                let name = format!("{before}{}", command.get_name());
+                let about = command.get_about().map(ToString::to_string).unwrap_or_default();
+                add(abouts, command, &format!("{name} "));
+                abouts.push((name, about));
+            }
+        }
+        let mut abouts = Vec::new();
+        add(&mut abouts, &Self::command(), "");
+        abouts
     }
 
     /// The options of a command line; the first argument is the name of the program.

@@ -110,7 +110,7 @@ fn work(options: &Options) -> Result<(), Failure> {
         Some(Command::Classify(arguments)) => classify::run(arguments, &timings, quiet),
         Some(Command::Critical(arguments)) => critical::run(arguments, &timings, quiet),
         Some(Command::Show(arguments)) => show::run(arguments),
-        Some(Command::Explain(arguments)) => explain::run(arguments, &Command::abouts()),
+        Some(Command::Explain(arguments)) => explain::run(arguments, &Options::abouts()),
         Some(Command::Section(arguments)) => section::run(arguments, &timings, quiet),
         Some(Command::Chaos(arguments)) => chaos::run(arguments, &timings, quiet),
         Some(Command::Sphere(arguments)) => sphere::run(arguments, &timings),

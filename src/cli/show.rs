@@ -73,6 +73,11 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
             }
             show_curve(&mut report, &document, curve);
         }
+        // S2 is the name of a branch and of a surface.
+        if is_surface(&id) && !regions_with(&document, &id).is_empty() {
+            report.line("");
+            show_surface(&mut report, &document, &id);
+        }
     } else if id == "L=0" && subject.body.is_euler() {
         // Without weight every curve begins at h = l = 0.
         let regions: Vec<&str> = document.regions.iter().map(|region| region.id.as_str()).collect();
@@ -109,7 +114,7 @@ fn is_surface(id: &str) -> bool {
 }
 
 /// The regions of which a component, or the signature, has this name.
-fn show_surface(report: &mut Report, document: &AtlasDocument, name: &str) {
+fn regions_with<'a>(document: &'a AtlasDocument, name: &str) -> Vec<&'a RegionDocument> {
     let is = |text: &str| text.eq_ignore_ascii_case(name);
     let sorted = |text: &str| {
         let mut parts: Vec<String> = text.split('+').map(str::to_ascii_uppercase).collect();
@@ -118,15 +123,20 @@ fn show_surface(report: &mut Report, document: &AtlasDocument, name: &str) {
     };
     let has = |region: &&RegionDocument| {
         let component = |component: &ComponentDocument| {
-            let poles = component.poles.as_ref().map(Vec::len);
-            let kind = poles.map(|poles| format!("k{}n{poles}", component.boundary_circles));
-            let names = [component.section.as_deref(), kind.as_deref()];
-            is(&component.accessible_region) || is(&component.energy_surface) || names.into_iter().flatten().any(is)
+            // Without weight there are no poles, and a scan counts them so.
+            let poles = component.poles.as_ref().map_or(0, Vec::len);
+            let kind = format!("k{}n{poles}", component.boundary_circles);
+            let section = component.section.as_deref().is_some_and(is);
+            is(&component.accessible_region) || is(&component.energy_surface) || is(&kind) || section
         };
-        let all = region.signature.as_deref().is_some_and(|signature| sorted(signature) == sorted(name));
-        all || region.components.iter().any(component)
+        sorted(&region.shown()) == sorted(name) || region.components.iter().any(component)
     };
-    let found: Vec<&RegionDocument> = document.regions.iter().filter(has).collect();
+    document.regions.iter().filter(has).collect()
+}
+
+/// These regions in words.
+fn show_surface(report: &mut Report, document: &AtlasDocument, name: &str) {
+    let found = regions_with(document, name);
     // As the program writes it, whatever was typed.
     let name = if is_type(name) { name.to_ascii_lowercase() } else { name.to_ascii_uppercase().replace('X', "x") };
     report.line(match found.len() {
@@ -139,7 +149,8 @@ fn show_surface(report: &mut Report, document: &AtlasDocument, name: &str) {
     });
     for region in found {
         report.line("");
-        report.line(format!("region {}, sections {}", region.id, region.signature.as_deref().unwrap_or("none")));
+        let what = if region.signature.is_some() { "sections" } else { "U =" };
+        report.line(format!("region {}, {what} {}", region.id, region.shown()));
         report.line(format!(
             "  sample: h = {}, l = {}",
             significant(region.sample.h, DIGITS),
@@ -156,6 +167,7 @@ fn unknown(id: &str, document: &AtlasDocument) -> Failure {
     let up_to = |what: &str, letter: &str, count: usize| match count {
         0 => format!("no {what}s"),
         1 => format!("the {what} {letter}1"),
+        2 => format!("the {what}s {letter}1 and {letter}2"),
         _ => format!("the {what}s {letter}1 to {letter}{count}"),
     };
     let regions = up_to("region", "R", document.regions.len());

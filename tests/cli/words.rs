@@ -227,5 +227,49 @@ fn show_knows_the_names_of_surfaces() {
         bifdiag(&format!("show {name} --body paper")).succeeds().printing("is shown by the region");
     }
     // A branch of this body comes before a surface.
-    bifdiag("show S2 --body paper").succeeds().printing("curve S2.1");
+    bifdiag("show S2 --body paper").succeeds().printing("curve S2.1").printing("S2 is shown by the region");
+    bifdiag("show R9 --A 2,2,1 --r 0,0,0").refused().telling("it has the regions R1 and R2");
+}
+
+/// Without weight there are neither poles nor sections, and a scan counts what there is all the same.
+#[test]
+fn show_finds_what_a_scan_counts() {
+    let bodies =
+        ["3,2,1,0,0,0", "2,2,1,0,0,0", "1,2,2,0,0,0", "1,1,1,0,0,0", "1,1,1,0,0,1", "2,2,1,0,0,1", "2,1,1,1,0,0"];
+    let place = tempfile::tempdir().unwrap();
+    let table = format!("A1,A2,A3,r1,r2,r3\n{}\n", bodies.join("\n"));
+    std::fs::write(place.path().join("bodies.csv"), table).unwrap();
+    let rows = bifdiag("scan --bodies bodies.csv --format jsonl --out -").inside(place.path()).succeeds().json_lines();
+    assert_eq!(rows.len(), bodies.len());
+    for row in rows {
+        let list = |name: &str| {
+            let numbers: [f64; 3] = [1, 2, 3].map(|axis| row[format!("{name}{axis}")].as_f64().expect("a number"));
+            numbers.map(|x| x.to_string()).join(",")
+        };
+        let body = format!("--A {} --r {}", list("A"), list("r"));
+        // Each with its count.
+        let counted = [&row["types"], &row["signatures"]].map(|text| text.as_str().expect("a text").to_owned());
+        let names = counted.iter().flat_map(|text| text.split(' ')).map(|pair| pair.split_once(':').unwrap().0);
+        let names: Vec<&str> = names.collect();
+        assert!(names.len() > 1, "{body}: {names:?}");
+        for name in names {
+            bifdiag(&format!("show {name} {body}")).succeeds().printing(" is shown by the region");
+        }
+    }
+    bifdiag("show D2+D2 --A 3,2,1 --r 0,0,0").succeeds().printing("region R1, U = D2+D2");
+}
+
+/// The commands of a command are commands.
+#[test]
+fn names_of_commands_are_explained() {
+    for (name, told) in [
+        ("scan", "Find the classes of diagrams of many bodies. `bifdiag scan --help`"),
+        ("scan map", "Draw the class of each body over two parameters. `bifdiag scan map --help`"),
+        ("periodic family", "`bifdiag periodic family --help`"),
+        ("chaos merge", "`bifdiag chaos merge --help`"),
+    ] {
+        let explained =
+            bifdiag("explain").and(name).succeeds().stdout().split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(explained.contains(told), "{name}: {explained}");
+    }
 }

@@ -322,7 +322,8 @@ pub struct SummaryDocument {
     pub events: usize,
     /// How many regions have each signature (for r = 0, each type of U).
     pub signatures: BTreeMap<String, usize>,
-    /// The largest number of relative equilibria at one l; a critical circle or sphere counts once.
+    /// The largest number of relative equilibria at one l, of the whole half-plane also where a window was searched; a critical
+    /// circle or sphere counts once.
     pub critical_points_max: usize,
     /// What could not be decided.
     pub undecided: Vec<UndecidedDocument>,
@@ -416,6 +417,15 @@ pub struct AtlasDocument {
     /// What is needed to check the atlas (certified only).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub certificate: Option<CertificateDocument>,
+}
+
+impl RegionDocument {
+    /// What it shows: the sections' names joined by `+`; for r = 0, where there are none, those of the types of U.
+    #[must_use]
+    pub fn shown(&self) -> String {
+        let accessible = || self.components.iter().map(|component| component.accessible_region.as_str());
+        self.signature.clone().unwrap_or_else(|| accessible().collect::<Vec<_>>().join("+"))
+    }
 }
 
 impl AtlasDocument {

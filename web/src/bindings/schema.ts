@@ -378,7 +378,7 @@ export interface Summary {
   events: number;
   /** How many regions have each signature (for r = 0, each type of U). */
   signatures: Record<string, number>;
-  /** The largest number of relative equilibria at one l; a critical circle or sphere counts once. */
+  /** The largest number of relative equilibria at one l, of the whole half-plane also where a window was searched; a critical circle or sphere counts once. */
   critical_points_max: number;
   /** What could not be decided. */
   undecided: Undecided[];

@@ -35,11 +35,7 @@ pub fn document(atlas: &Atlas, options: &DocumentOptions) -> AtlasDocument {
     let drawing = drawing::document(atlas, options, &regions);
     let mut signatures = BTreeMap::new();
     for region in &regions {
-        let accessible = || {
-            let names: Vec<&str> = region.components.iter().map(|c| c.accessible_region.as_str()).collect();
-            names.join("+")
-        };
-        *signatures.entry(region.signature.clone().unwrap_or_else(accessible)).or_insert(0) += 1;
+        *signatures.entry(region.shown()).or_insert(0) += 1;
     }
     let events = events::documents(atlas, window.as_ref());
     let summary = SummaryDocument {
