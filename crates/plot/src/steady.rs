@@ -80,6 +80,19 @@ impl Steadiness {
     }
 }
 
+impl SteadyCurve {
+    /// Whether any of it lies in a range of spins.
+    #[must_use]
+    pub fn is_within(&self, range: [f64; 2]) -> bool {
+        self.runs.iter().any(|(_, points)| is_drawn(points, range))
+    }
+}
+
+/// Whether a line, and not at most a point, lies in the range.
+fn is_drawn(points: &[Point], range: [f64; 2]) -> bool {
+    within(points, range).len() > 1
+}
+
 /// Draws the angle of every steady axis from the centre of mass over the spin.
 ///
 /// # Errors
@@ -98,8 +111,8 @@ pub fn draw_steady(scene: &SteadyScene, theme: Theme) -> Result<Picture, PlotErr
             ends.extend(last.map(|last| (chart.at(last), curve.name.as_str())));
         }
         names(canvas, ends);
-        let is_drawn =
-            |kind: &Steadiness| scene.curves.iter().flat_map(|curve| &curve.runs).any(|(own, _)| own == kind);
+        let runs = || scene.curves.iter().flat_map(|curve| &curve.runs);
+        let is_drawn = |kind: &Steadiness| runs().any(|(own, points)| own == kind && is_drawn(points, scene.range));
         let entry = |kind: Steadiness| (Symbol::Line(kind.pattern(), kind.width()), kind.meaning().to_owned());
         let legend =
             Legend::new(Steadiness::ALL.into_iter().filter(is_drawn).map(entry).collect(), SIZE[0] - 2.0 * 30.0);

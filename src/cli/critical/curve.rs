@@ -35,7 +35,8 @@ pub fn draw(
     files.add_at(path, PictureArguments::plain(format).bytes(format, &picture)?);
     let written = timings.stage("files", || files.write())?;
     let mut report = Report::default();
-    report.line(format!("{} of steady axes", counted(scene.curves.len(), "family", "families")));
+    let drawn = scene.curves.iter().filter(|curve| curve.is_within(scene.range)).count();
+    report.line(format!("{} of steady axes at these spins", counted(drawn, "family", "families")));
     report.written(&written);
     print(report.text())
 }
