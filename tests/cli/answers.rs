@@ -102,6 +102,10 @@ fn the_same_input_gives_the_same_bytes() {
 fn a_window_is_echoed() {
     let atlas = bifdiag("--body paper --json --window -1:6,0:7/2").succeeds().json();
     assert_eq!(atlas["window"], json!({"h": [-1.0, 6.0], "l": [0.0, 3.5]}));
+    // How many relative equilibria there are is said of the half-plane alone: here it is 6, and in the window 2.
+    let body = "atlas --A 3,2,1 --r 0.3,0.4,0.5 --no-plot";
+    bifdiag(body).succeeds().printing(" events, at most 6 relative equilibria at one l\n");
+    bifdiag(body).arguments("--window 0:1,0:1").succeeds().printing("\n3 regions, 0 events\nthe window was searched");
 }
 
 /// Two of the paper's nine regions, as the contract prints them.

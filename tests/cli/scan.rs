@@ -460,7 +460,8 @@ fn bodies_on_borders_hide_no_others() {
     assert_eq!(ats(&found).len(), 26, "{found}");
     let found = document("--A 2,1.1,1 --r 0.94868,0,0.61623 --vary A2=0.9:1.2:7");
     let [bodies, passed] = ["bodies", "passed"].map(|name| found[name].as_u64().unwrap());
-    assert_eq!(ats(&found).len() as u64, bodies - passed, "{found}");
+    // Two beside each that is left out.
+    assert_eq!((ats(&found).len() as u64, bodies), (7 + passed, 7), "{found}");
     for line in ["--A 5,3,4 --r 1,2,-0.5 --vary A1=3.5:7:36", "--A 1,1.6,0.7 --r 1,0,0 --vary A2=0.6:1.6:11"] {
         let found = document(line);
         assert!(found["passed"].as_u64().unwrap() <= 8, "{line}: {found}");
@@ -481,6 +482,47 @@ fn bodies_on_borders_hide_no_others() {
         assert!(found.iter().all(|at| fine.iter().any(|known| (at - known).abs() < 1e-8)), "{found:?} {fine:?}");
     }
     bifdiag("scan events --A 5,3,4 --r 1,2,1 --vary A3=3.2:3.6:5").succeeds().printing("A3 = 3.4: J_r passes A3");
+}
+
+/// A2 = 1 and A2 = 3 are special, and the class changes once between 2 and 3.
+#[test]
+fn borders_beside_special_ends_are_found() {
+    for range in ["2:3:2", "1:3:3", "2.01:3:2"] {
+        let found =
+            bifdiag(&format!("scan events --A 3,2,1 --r 0.3,0.4,0.5 --vary A2={range} --json")).succeeds().json();
+        let last = found["borders"].as_array().unwrap().last().expect("a border")["at"][0]["value"].as_f64().unwrap();
+        assert!((last - 2.065_799).abs() < 1e-5, "{range}: {last}");
+        // Beyond it there is no crossing of G2 and P+.
+        let crossings =
+            found["events"].as_array().unwrap().iter().filter(|one| one["event"] == "crossing of G2 and P+");
+        let ends: Vec<f64> =
+            crossings.map(|one| one["at"].as_array().unwrap().last().unwrap().as_f64().unwrap()).collect();
+        assert!(!ends.is_empty() && ends.iter().all(|end| *end < last), "{range}: {ends:?}");
+    }
+    let line = "scan events --A 3,2,1 --r 0.3,0.4,0.5 --no-plot --vary";
+    bifdiag(line)
+        .and("A2=2:3:2")
+        .succeeds()
+        .printing("2 bodies; 1 border or special body between them\n1 of them is left out");
+    // As many bodies as were asked for.
+    bifdiag(line).and("A2=1:3:2").succeeds().printing("A2 from 1 to 3: 2 bodies;");
+    let found = bifdiag(line).and("A2=1:3:2").and("--json").succeeds().json();
+    let counts = [&found["vary"]["steps"], &found["bodies"], &found["passed"]].map(|count| count.as_u64().unwrap());
+    assert_eq!(counts, [2, 2, 2], "{found}");
+}
+
+/// Of three shards of one body two have none.
+#[test]
+fn an_empty_shard_has_no_classes() {
+    let place = tempfile::tempdir().unwrap();
+    let told = |shard: u32| {
+        let line = format!("scan --family general --samples 1 --shard {shard}/3 --out {shard}.csv");
+        bifdiag(&line).inside(place.path()).succeeds().stdout()
+    };
+    let empty = "0 bodies: 0 classified, 0 undecided, 0 failed\nno class was met\n\nwritten: ";
+    let all = [1, 2, 3].map(told);
+    assert_eq!(all.iter().filter(|told| told.starts_with(empty)).count(), 2, "{all:?}");
+    assert_eq!(all.iter().filter(|told| told.contains("\n1 class, met once\n")).count(), 1, "{all:?}");
 }
 
 /// The events of A = (2, A2, 1), r = (1, 0, 0): each momentum is that of the atlas of the body, and each stretch has one class.

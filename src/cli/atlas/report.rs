@@ -72,12 +72,11 @@ pub fn text(subject: &Subject, atlas: &Atlas, document: &AtlasDocument, written:
     let summary = &document.summary;
     let is_set = |curve: &CurveDocument| matches!(curve.kind, CurveKind::Circle | CurveKind::Sphere);
     let once = if document.curves.iter().any(is_set) { " (a circle or sphere of them counted once)" } else { "" };
-    report.line(format!(
-        "{}, {}, at most {} at one l{once}",
-        counted(summary.regions, "region", "regions"),
-        counted(summary.events, "event", "events"),
-        counted(summary.critical_points_max, "relative equilibrium", "relative equilibria"),
-    ));
+    let most = counted(summary.critical_points_max, "relative equilibrium", "relative equilibria");
+    // In a window there may be fewer of them.
+    let most = if document.window.is_none() { format!(", at most {most} at one l{once}") } else { String::new() };
+    let (regions, events) = (counted(summary.regions, "region", "regions"), counted(summary.events, "event", "events"));
+    report.line(format!("{regions}, {events}{most}"));
     match (summary.complete, document.window) {
         (true, _) => {}
         (false, Some(_)) => report.line("the window was searched, not the whole half-plane l > 0"),

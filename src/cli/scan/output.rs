@@ -163,6 +163,7 @@ pub fn report(document: &ScanSummaryDocument, out: &Path) -> String {
     let single = document.classes.iter().filter(|class| class.bodies == 1).count();
     let classes = counted(document.classes.len(), "class", "classes");
     report.line(match (document.classes.len(), single) {
+        (0, _) => "no class was met".to_owned(),
         (1, 1) => format!("{classes}, met once"),
         (all, single) if all == single => format!("{classes}, each met once"),
         _ => format!("{classes}, {single} of them met once"),
@@ -174,7 +175,6 @@ pub fn report(document: &ScanSummaryDocument, out: &Path) -> String {
             record.first.index
         ));
     }
-    report.line("");
     let mut table = Table::new(&["class", "bodies", "share", "regions", "cusps", "pitchforks", "crossings", "first"]);
     for class in document.classes.iter().take(LISTED) {
         let [cusps, pitchforks, crossings] = class.events;
@@ -189,7 +189,10 @@ pub fn report(document: &ScanSummaryDocument, out: &Path) -> String {
             class.first.index.to_string(),
         ]);
     }
-    report.line(table.text());
+    if !document.classes.is_empty() {
+        report.line("");
+        report.line(table.text());
+    }
     if document.classes.len() > LISTED {
         report.line(format!("and {} more in the summary", document.classes.len() - LISTED));
     }
