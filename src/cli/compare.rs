@@ -197,7 +197,8 @@ fn add_differing(report: &mut Report, table: &Table, differing: usize, all: usiz
     } else if all == 0 {
         report.line(format!("{what}: neither has any"));
     } else {
-        report.line(format!("{what}: both have the same {all}"));
+        let same = if all == 1 { "the same one".to_owned() } else { format!("the same {all}") };
+        report.line(format!("{what}: both have {same}"));
     }
     report.line("");
 }

@@ -159,6 +159,10 @@ fn a_body_is_given_in_three_ways() {
     bifdiag("compare paper A=0.533,0.721,0.746;r=0.107,0.0,0.994")
         .succeeds()
         .printing("the pitchfork of G1 and S2 meets the cusp of G1");
+    let alike = bifdiag("compare A=1,2,2;r=1,0,0 A=1,2.1,2.1;r=1,0,0").succeeds();
+    alike
+        .printing("kinds of events: both have the same one")
+        .printing("kinds of changes of stability: both have the same one");
     bifdiag("compare lagrange isotropic").succeeds().printing("the cusp of S12 reaches its pitchfork");
     // Ids of a part of the plane are those of the whole.
     let body = "--A 2.7,1.9,1.4 --r 0.4,-0.2,0.3 --no-plot";

@@ -111,6 +111,14 @@ fn a_list_says_what_is_not_checked() {
     assert!(why.starts_with("2 families go on") && why.contains("`bifdiag verify` does not check"), "{why}");
     std::fs::write(place.path().join("list.json"), list.stdout()).unwrap();
     bifdiag("verify list.json").inside(place.path()).refused().telling("no atlas");
+    // An energy that is held is told as it was asked for, not as the doubles of an orbit have it.
+    let held = bifdiag("periodic list --body paper --h -0.5:0:2 --members 2").succeeds().stdout();
+    let column = |name: &str, number: usize| -> Vec<&str> {
+        let rows = held.lines().skip_while(|line| !line.starts_with(name)).skip(1).take_while(|line| !line.is_empty());
+        rows.map(|row| row.split_whitespace().nth(number).unwrap_or_default()).collect()
+    };
+    assert_eq!(column("h ", 0), ["-0.5", "-0.5", "0", "0"], "{held}");
+    assert_eq!(column("family", 2), ["-0.5", "-0.5", "-0.5", "-0.5", "0", "0", "0", "0"], "{held}");
     // At rest both families of the paper's body end, at one separatrix.
     let ended = bifdiag("periodic list --body paper --l 0 --json").succeeds().json();
     assert_eq!(ended["complete"], json!(true), "{}", ended["why"]);

@@ -28,7 +28,9 @@ fn a_rotation_that_slows_down_ends_at_rest() {
     assert_eq!(lost["path"][0]["event"], json!("start"), "{lost}");
     bifdiag("spin-down --body paper --from G0.1 --l 3.25").succeeds().printing("no minimum: falls");
     bifdiag("spin-down --body paper --from R5").refused().telling("the body has no such curve");
-    bifdiag("spin-down --body paper --from G2.1 --l -1").succeeds();
+    let backwards = bifdiag("spin-down --body paper --from G2.1 --l=-1").succeeds();
+    backwards.telling("the way is that of l = 1, but that l and omega have the other sign");
+    bifdiag("spin-down --body paper --from G2.1 --l 1").succeeds().telling_nothing();
 }
 
 #[test]

@@ -269,6 +269,10 @@ fn each_end_has_its_own_axis_of_a_pair() {
             .succeeds()
             .printing(&format!("that tends to {end} at fast spins"));
     }
+    // Both have the same exceptions, which are told once.
+    let told = bifdiag("critical-spin --A 5,2,3 --r 1,0,0 --axis y").succeeds().stdout();
+    assert_eq!(told.matches("  S2: 9.665702 rpm (1:3 resonance): stable").count(), 1, "{told}");
+    assert_eq!(told.matches("(D4 = 0)").count(), 2, "{told}");
     let circle = bifdiag("critical-spin --A 2,2,3.5 --r 0,0,0.4 --axis x --json").succeeds().json();
     assert_eq!(circle["families"].as_array().unwrap().len(), 1);
 }

@@ -200,6 +200,11 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("section --body paper --h 4 --l 3 --orbits 0", &["'0' for '--orbits <N>'", "whole number from 1"]),
     ("section --body paper --h 4 --l 3 --crossings -5", &["'-5' for '--crossings <M>'", "whole number"]),
     ("section --body paper --h 4 --l 3 --seed x", &["'x' for '--seed <K>'", "whole number"]),
+    (
+        "scan border --body paper --vary A2=1.1:1.1",
+        &["A2=1.1:1.1 is one value, at which nothing varies; write two different"],
+    ),
+    ("scan border --body paper --vary A2=1.2:1.1", &["A2=1.2:1.1 is empty; write the lower end first"]),
     ("section --body paper --h 4 --l 3 --max-time 0", &["'0' for '--max-time <T>'", "greater than zero"]),
     ("section --body paper --h 4.45 --l 3.25 --tol 1e-30", &["'1e-30' for '--tol <TOL>'", "1e-18 to 1e-2"]),
     ("section --body paper --h 4.45 --l 3.25 --integrator rk4", &["--integrator is gone", "--tol 1e-12", "Taylor"]),

@@ -77,6 +77,14 @@ pub enum ParseRangeError {
         /// As written.
         to: String,
     },
+    /// The ends are one number.
+    #[error("{parameter}={value}:{value} is one value, at which nothing varies; write two different ends")]
+    Equal {
+        /// Of which parameter.
+        parameter: BodyParameter,
+        /// As written.
+        value: String,
+    },
     /// The number of values is none.
     #[error("{parameter}: `{text}` is no number of grid values; write a whole number from 2 to 1000000")]
     Steps {
@@ -111,7 +119,10 @@ impl FromStr for ParameterRange {
         };
         let end = |text: &str| text.parse::<Number>().map_err(|source| ParseRangeError::End { parameter, source });
         let (from, to) = (end(from)?, end(to)?);
-        if from >= to {
+        if from == to {
+            return Err(ParseRangeError::Equal { parameter, value: from.text().to_owned() });
+        }
+        if from > to {
             let [from, to] = [from, to].map(|end| end.text().to_owned());
             return Err(ParseRangeError::Empty { parameter, from, to });
         }

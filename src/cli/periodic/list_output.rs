@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use bifdiag_body::Number;
 use bifdiag_documents::Subject;
 use bifdiag_numbers::decimal::counted;
 use bifdiag_schema::{
@@ -110,6 +111,13 @@ fn held(document: &PeriodicListDocument) -> (&'static str, &'static str) {
     if document.fixed_l.is_some() { ("l", "h") } else { ("h", "l") }
 }
 
+/// The value that is held along a family, as it was asked for: that of an orbit is this but for rounding.
+fn asked(document: &PeriodicListDocument, found: f64) -> f64 {
+    let texts = document.fixed_l.iter().chain(&document.fixed_h).flatten();
+    let values = texts.filter_map(|text| text.parse::<Number>().ok()).map(|number| number.to_f64());
+    values.min_by(|p, q| (p - found).abs().total_cmp(&(q - found).abs())).unwrap_or(found)
+}
+
 fn of_families(document: &PeriodicListDocument) -> Table {
     let (fixed, free) = held(document);
     let mut table = Table::new(&[fixed, "family", "orbits", "stable", free, "T", "end"]);
@@ -124,7 +132,7 @@ fn of_families(document: &PeriodicListDocument) -> Table {
             format!("{} … {}", significant(least, 4), significant(most, 4))
         };
         table.row([
-            significant(if fixed == "l" { family.l } else { family.h }, DIGITS),
+            significant(asked(document, if fixed == "l" { family.l } else { family.h }), DIGITS),
             name(family),
             if orbits.len() == family.followed {
                 orbits.len().to_string()
@@ -157,13 +165,16 @@ fn ending(end: &FamilyEndingDocument) -> String {
 fn of_orbits(document: &PeriodicListDocument) -> Table {
     let heading = ["family", "member", "h", "l", "T", "trace", "stability", "crossings", "symmetric", "action"];
     let mut table = Table::new(&heading);
+    let is_held_l = document.fixed_l.is_some();
     for family in &document.families {
         for ListedOrbitDocument { member, orbit } in &family.orbits {
+            let [h, l] =
+                if is_held_l { [orbit.h, asked(document, orbit.l)] } else { [asked(document, orbit.h), orbit.l] };
             table.row([
                 name(family),
                 member.to_string(),
-                significant(orbit.h, DIGITS),
-                significant(orbit.l, DIGITS),
+                significant(h, DIGITS),
+                significant(l, DIGITS),
                 significant(orbit.period, DIGITS),
                 significant(trace(orbit), DIGITS),
                 orbit.stability.word().to_owned(),

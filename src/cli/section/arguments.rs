@@ -104,7 +104,8 @@ pub struct SectionArguments {
     #[arg(long, value_name = "M", default_value = "500", allow_hyphen_values = true)]
     #[arg(value_parser = values::crossings, help_heading = "Orbits")]
     pub crossings: NonZeroU32,
-    /// Stop each orbit at time T even if it has fewer crossings, such as 1e4
+    /// Stop each orbit at time T even if it has fewer crossings, such as 1e4; the last step ends after T, the last crossing
+    /// does not lie there
     #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = values::duration)]
     #[arg(help_heading = "Orbits", hide_short_help = true)]
     pub max_time: Option<f64>,

@@ -156,7 +156,11 @@ fn legend(report: &mut Report, families: &[&SteadyFamilyDocument]) {
 pub fn exceptions(report: &mut Report, isolated: impl Iterator<Item = (String, IsolatedSpinDocument)>) {
     let mut lines: Vec<String> = Vec::new();
     for (name, IsolatedSpinDocument { spin, kind, verdict, why }) in isolated {
-        lines.push(format!("  {name}: {} rpm {}", significant(spin.rpm, 8), words::exception(kind, verdict, why)));
+        let line = format!("  {name}: {} rpm {}", significant(spin.rpm, 8), words::exception(kind, verdict, why));
+        // Both axes of a pair have the same.
+        if !lines.contains(&line) {
+            lines.push(line);
+        }
     }
     if lines.is_empty() {
         report.line("by Arnold's theorem: at each of these spins");

@@ -34,7 +34,7 @@ pub struct SpinDownArguments {
     /// The curve of the rotation, by its id in `bifdiag atlas`
     #[arg(long, value_name = "CURVE", help_heading = "Rotation")]
     pub from: String,
-    /// Its vertical angular momentum (default: the largest l of the curve; of one without end twice the l of the last event)
+    /// Its vertical angular momentum, whose sign changes nothing (default: the largest l of the curve; of one without end twice the l of the last event)
     #[arg(long = "l", value_name = "l", allow_hyphen_values = true, value_parser = values::number, help_heading = "Rotation")]
     pub momentum: Option<Number>,
     /// Draw the way over the diagram, to DIR/spin-down.svg
@@ -70,6 +70,12 @@ pub fn run(arguments: &SpinDownArguments, timings: &Timings) -> Result<(), Failu
         None if upper.is_finite() => upper,
         None => 2.0 * if last > 0.0 { atlas.momentum(last) } else { set.frame.momentum_unit },
     };
+    if let Some(given) = arguments.momentum.as_ref().filter(|given| given.to_f64() < 0.0) {
+        tracing::warn!(
+            "--l {given}: the way is that of l = {l}, but that l and omega have the other sign",
+            given = given.text()
+        );
+    }
     if !(lower < l && l <= upper) {
         if lower == upper && arguments.momentum.is_none() {
             let right = "it begins and ends at one l in doubles: give --from another curve";
