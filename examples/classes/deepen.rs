@@ -7,7 +7,7 @@ use bifdiag_body::Body;
 use bifdiag_diagram::class::ClassName;
 use bifdiag_exact::Accuracy;
 use bifdiag_survey::border::class_of;
-use bifdiag_survey::nearest::{NearestOptions, nearest};
+use bifdiag_survey::nearest::{NearestBorder, NearestOptions, nearest};
 use bifdiag_survey::space::{BodySet, ReducedBody, TangentBasis};
 
 use crate::chord::chord;
@@ -45,7 +45,7 @@ pub fn deepen(start: ReducedBody, class: &ClassName, steps: u32, options: &Neare
         let chart = TangentBasis::new(place);
         let options = NearestOptions { seed: options.seed.wrapping_add(u64::from(step)), ..*options };
         let mut around: Vec<(f64, Vec<f64>)> =
-            nearest(place, &options).into_iter().map(|border| (border.distance, border.direction)).collect();
+            around(place, &options).into_iter().map(|border| (border.distance, border.direction)).collect();
         around.extend(to_special(place, &chart));
         let distance = around.iter().map(|(distance, _)| *distance).fold(f64::INFINITY, f64::min);
         if distance > best.1 {
@@ -77,7 +77,7 @@ pub fn plain(place: ReducedBody, class: &ClassName, distance: f64, options: &Nea
     const KEPT: f64 = 0.9;
     let room = |values: [[f64; 3]; 2]| {
         let place = ReducedBody::of(values);
-        let borders = nearest(place, options).into_iter().map(|border| border.distance);
+        let borders = around(place, options).into_iter().map(|border| border.distance);
         let special = to_special(place, &TangentBasis::new(place)).into_iter().map(|(distance, _)| distance);
         borders.chain(special).fold(f64::INFINITY, f64::min)
     };
@@ -98,6 +98,15 @@ pub fn plain(place: ReducedBody, class: &ClassName, distance: f64, options: &Nea
         }
     }
     (place.values(), room(place.values()).min(distance))
+}
+
+/// The borders around a body; none where it has no class.
+fn around(place: ReducedBody, options: &NearestOptions) -> Vec<NearestBorder> {
+    let [a, r] = place.values();
+    let own = Body::from_f64(a, r)
+        .ok()
+        .and_then(|body| class_of(&body, Accuracy::Fast).or_else(|_open| class_of(&body, Accuracy::Exact)).ok());
+    own.map_or_else(Vec::new, |(_, class)| nearest(place, class, options))
 }
 
 fn is_of([a, r]: [[f64; 3]; 2], class: &ClassName, accuracy: Accuracy) -> bool {

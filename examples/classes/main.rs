@@ -165,7 +165,7 @@ fn deepen_all(path: &Path, steps: u32, shard: Shard) -> Result<(), Failure> {
             .map(|name| {
                 let node = &state.graph.nodes[name];
                 let domain = if node.physical { BodySet::Physical } else { BodySet::All };
-                let options = NearestOptions { lines: 8, improved: 3, set: domain, seed: 1 };
+                let options = NearestOptions { lines: Some(8), set: domain, seed: 1 };
                 let place = centre(ReducedBody::of(node.witness), name, LINES, domain, 1);
                 let (place, distance) = deepen(place, name, steps, &options);
                 (name, plain(place, name, distance, &NearestOptions { seed: 2, ..options }))

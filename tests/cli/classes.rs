@@ -106,16 +106,47 @@ const KNOWN_BORDERS: [(&str, &[(&str, f64)]); 8] = [
     ),
 ];
 
-/// The search goes to zeros of functions in place of bisecting on classes: it finds the same borders, and none farther away.
+/// The search goes to zeros of functions in place of bisecting on classes: it finds the same borders, and none farther away;
+/// what its own diagram does not suggest, random lines find.
 #[test]
 fn borders_are_those_that_bisection_found() {
     for (body, known) in KNOWN_BORDERS {
-        let found = bifdiag(&format!("classes --at {body} --json")).succeeds().json();
-        let borders = found["borders"].as_array().unwrap();
-        assert_eq!(borders.len(), known.len(), "{body} {found}");
-        for (border, (class, distance)) in borders.iter().zip(known) {
-            assert_eq!(border["class"], *class, "{body}");
-            assert!((border["distance"].as_f64().unwrap() / distance - 1.0).abs() < 1e-8, "{body} {border}");
+        let nearest = |lines: &str| {
+            let found = bifdiag(&format!("classes --at {body}{lines} --json")).succeeds().json();
+            let borders = found["borders"].as_array().unwrap().clone();
+            borders
+                .into_iter()
+                .map(|border| (border["class"].as_str().unwrap().to_owned(), border["distance"].as_f64().unwrap()))
+                .collect::<Vec<_>>()
+        };
+        let (alone, lines) = (nearest(""), nearest(" --lines 48"));
+        // The nearest one is found without lines.
+        for ((class, distance), (name, again)) in alone.iter().zip(&lines).take(1) {
+            assert!(class == name && (distance / again - 1.0).abs() < 1e-8, "{body} {alone:?} {lines:?}");
         }
+        assert_eq!(alone.is_empty(), lines.is_empty(), "{body}");
+        for (class, distance) in known {
+            let found =
+                lines.iter().find(|(name, _)| name == class).unwrap_or_else(|| panic!("{body} {class} {lines:?}"));
+            assert!(found.1 <= distance * (1.0 + 1e-8), "{body} {found:?}");
+        }
+    }
+}
+
+/// Beside a body on a border lies the class of its other side, whichever side has its own.
+#[test]
+fn a_body_on_a_border_has_both_of_its_classes() {
+    // The cusp of the pair over axis b reaches its pitchfork where r lies on axis c and 3 (c − b) = b.
+    for (body, beyond) in [
+        ("--A 4,4,3 --r 1,0,0", "68a872a3c6e2"),
+        ("--A 1,1,3/4 --r 0,1,0", "68a872a3c6e2"),
+        ("--A 4,3.5,3 --r 1,0,0", "aada7735f947"),
+        ("--A 4,2,3 --r 1,0,0", "3038266a24cb"),
+        ("--A 1.3,2.1,1.575 --r 0,1,0", "3038266a24cb"),
+    ] {
+        let found = bifdiag(&format!("classes --at {body}")).succeeds();
+        found
+            .printing(&format!("\n0                 {beyond}  the cusp of "))
+            .printing("the body is on a border of its class");
     }
 }

@@ -564,3 +564,22 @@ fn events_are_followed_from_border_to_border() {
     }
     assert!(seen > 12);
 }
+
+/// The border is A1 = 4 A2/3: the error that is printed holds the rounding of the value.
+#[test]
+fn the_error_of_a_border_holds_the_exact_value() {
+    for (body, vary, [above, below]) in [
+        ("10,17,3", "A1=18:30", [68.0, 3.0]),
+        ("5,4.1,3", "A1=5.2:6", [82.0, 15.0]),
+        ("5,2.2,1", "A1=2.5:3.5", [44.0, 15.0]),
+        ("5,4,3", "A1=4.5:5.5", [16.0, 3.0]),
+        ("1,7,2", "A1=7.1:10", [28.0, 3.0]),
+    ] {
+        let found = bifdiag(&format!("scan border --A {body} --r 1,0,0 --vary {vary} --json")).succeeds().json();
+        let at = &found["borders"][0]["at"][0];
+        let (value, error) = (at["value"].as_f64().unwrap(), at["error"].as_f64().unwrap());
+        // The product is exact but for one rounding.
+        let off = value.mul_add(below, -above).abs() / below;
+        assert!(off <= error && error < 1e-13, "{body}: {value} {off:e} {error:e}");
+    }
+}

@@ -264,10 +264,10 @@ fn moving_axes_have_the_verdict_of_the_normal_form() {
 #[test]
 fn the_footer_of_a_standing_says_what_was_not_looked_at() {
     let told = bifdiag("classes --at --body paper --lines 2").succeeds();
-    told.printing("what is special about the body (equal moments, zeros of r) stays so on each line")
+    told.printing("what is special about the body (equal moments, zeros of r) stays so on the way")
         .printing("bodies that are more special are not counted");
     let alone = bifdiag("classes --at --body euler --lines 1").succeeds().stdout();
-    assert!(alone.contains("no other class was met on the lines through it"), "{alone}");
+    assert!(alone.contains("no border of its class was found"), "{alone}");
 }
 
 /// At the pitchfork of the hanging body (Ω = 1) its equilibrium is neither minimum nor saddle: the sphere says so.

@@ -25,10 +25,13 @@ pub fn border(border: &Border, segment: &BodySegment, vary: &[ParameterRange], c
 fn found(border: &Border, segment: &BodySegment, vary: &[ParameterRange]) -> FoundBorderDocument {
     let value = |range: &ParameterRange| {
         let at = |t: f64| segment.value(range.parameter.place(), t);
+        let value = at(border.t);
+        // The value itself is rounded, unless it is exact.
+        let rounding = if border.error == 0.0 { 0.0 } else { f64::EPSILON * value.abs() };
         BorderValueDocument {
             parameter: range.parameter,
-            value: at(border.t),
-            error: border.error * (at(1.0) - at(0.0)).abs(),
+            value,
+            error: border.error * (at(1.0) - at(0.0)).abs() + rounding,
             enclosure: border.enclosure.map(at),
         }
     };

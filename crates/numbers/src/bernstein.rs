@@ -67,6 +67,12 @@ impl<const SIZE: usize> Form<SIZE> {
         }
     }
 
+    /// c_0 … c_n.
+    #[must_use]
+    pub fn coefficients(&self) -> &[f64] {
+        &self.coefficients[..=self.degree]
+    }
+
     /// Isolates the roots in 0 < u < 1; on no path to a coefficient, from the exact numbers on, are there more than
     /// `roundings`.
     #[must_use]

@@ -203,6 +203,29 @@ impl TangentBasis {
         BodyLine::new(self.body, change, set)
     }
 
+    /// A and r at these coordinates; |r| is not 1.
+    #[must_use]
+    pub fn at(&self, coordinates: &[f64]) -> [[f64; 3]; 2] {
+        let values = self.body.values();
+        self.basis.iter().zip(coordinates).fold(values, |sum, (basis, x)| combined(&sum, *x, basis))
+    }
+
+    /// A change of coordinates at a place for differences: small against its distances to special bodies.
+    #[must_use]
+    pub fn step(&self, coordinates: &[f64]) -> Option<f64> {
+        const LONGEST: f64 = 1e-6;
+        const SHARE: f64 = 1e-3;
+        let [a, r] = self.at(coordinates);
+        let distances = [a[0], a[1] - a[0], a[2] - a[1], r[0], r[1], r[2]];
+        let is_open = |k: usize| {
+            let [own, center] = self.body.values();
+            [own[0], own[1] - own[0], own[2] - own[1], center[0], center[1], center[2]][k] > 0.0
+        };
+        let open = (0..6).filter(|&k| is_open(k)).map(|k| distances[k]);
+        let nearest = open.fold(f64::INFINITY, f64::min);
+        (nearest > 0.0).then(|| LONGEST.min(SHARE * nearest))
+    }
+
     /// The coordinates of a change, projected on these directions.
     #[must_use]
     pub fn coordinates(&self, change: &[[f64; 3]; 2]) -> Vec<f64> {
@@ -224,6 +247,12 @@ impl TangentBasis {
         let change = [[first, first + d1, first + d1 + d2], std::array::from_fn(|k| g[2 + k] * r[k])];
         self.coordinates(&change)
     }
+}
+
+/// A vector of length 1; `None` for none.
+pub(crate) fn unit_vector(v: Vec<f64>) -> Option<Vec<f64>> {
+    let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
+    (length > 0.0 && length.is_finite()).then(|| v.into_iter().map(|x| x / length).collect())
 }
 
 /// A number in [0, 1).

@@ -2,6 +2,7 @@
 
 mod class;
 
+use bifdiag_diagram::class::Class;
 use bifdiag_exact::Accuracy;
 use bifdiag_schema::{ClassDocument, ClassesDocument, StandingDocument};
 use bifdiag_survey::border::class_of;
@@ -38,7 +39,7 @@ pub struct ClassesArguments {
     /// Only bodies that exist: A_i + A_j > A_k, or equality and r_k = 0
     #[arg(long, help_heading = "Work")]
     pub physical: bool,
-    /// With --at: random lines through the body, each in both directions (default: 48)
+    /// With --at: look along N random lines through the body, too (default: 48 where its own diagram suggests no border)
     #[arg(long, value_name = "N", help_heading = "Work", requires = "at")]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=1_000_000), hide_short_help = true)]
     pub lines: Option<u32>,
@@ -113,42 +114,26 @@ fn standing(arguments: &ClassesArguments) -> Result<(), Failure> {
     }
     let usual = NearestOptions::default();
     let options = NearestOptions {
-        lines: arguments.lines.unwrap_or(usual.lines),
+        lines: arguments.lines,
         seed: arguments.seed.unwrap_or(usual.seed),
         set: if arguments.physical { BodySet::Physical } else { BodySet::All },
-        ..usual
     };
     let class = class_of(&subject.body, Accuracy::Exact).map(|(_, class)| class);
-    let (own, borders): (Vec<_>, Vec<_>) = match &class {
-        // The search works with rounded numbers, which may lie beyond a border on which the body is: then the body's own
-        // class is found on the other side.
-        Ok(class) => nearest(ReducedBody::of_body(&subject.body), &options)
-            .into_iter()
-            .partition(|border| border.class.name() == class.name()),
-        Err(_) => Default::default(),
-    };
+    let around = |class: &Class| nearest(ReducedBody::of_body(&subject.body), class.clone(), &options);
+    let borders = class.as_ref().map_or_else(|_| Vec::new(), around);
     let command = subject
         .command("classes")
         .flag("at", true)
         .flag("physical", arguments.physical)
-        .option_if("lines", arguments.lines.filter(|lines| *lines != usual.lines))
+        .option_if("lines", arguments.lines)
         .option_if("seed", arguments.seed.filter(|seed| *seed != usual.seed));
-    let document = bifdiag_documents::standing(
-        &subject.body,
-        class.as_ref().ok().map(bifdiag_diagram::class::Class::name),
-        &borders,
-        command,
-    );
+    let name = class.as_ref().ok().map(Class::name);
+    let document = bifdiag_documents::standing(&subject.body, name, &borders, command);
     answer(arguments.json, &document, || {
         let mut text = Report::default();
         head(&subject, &mut text);
         match &class {
-            Ok(_) => {
-                standing_report(&mut text, &document);
-                if !own.is_empty() {
-                    text.line("the body is on a border of its class, or within rounding of one");
-                }
-            }
+            Ok(_) => standing_report(&mut text, &document),
             Err(error) => text.line(format!("the body has no class: {error}")),
         }
         text.text()
@@ -180,7 +165,7 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
         report.line(format!("generic bodies beside it (at a distance of 1e-6) have the class {}", beside.join(", ")));
     }
     if document.borders.is_empty() {
-        report.line("no other class was met on the lines through it");
+        report.line("no border of its class was found");
         return;
     }
     report.line("");
@@ -189,15 +174,19 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
         table.row([distance(border.distance), border.class.clone(), border.event.clone()]);
     }
     report.line(table.text());
+    if document.borders[0].distance < ROUNDING {
+        report.line("the body is on a border of its class, or within rounding of one");
+    }
     report.line(
-        "axes by rising moments; what is special about the body (equal moments, zeros of r) stays so on each line, and bodies that \
+        "axes by rising moments; what is special about the body (equal moments, zeros of r) stays so on the way, and bodies that \
          are more special are not counted",
     );
 }
 
+/// A few roundings of A with the sum 2 and of r with the length 1.
+const ROUNDING: f64 = 1e-15;
+
 /// A distance, as far as the body's own rounding leaves it.
 fn distance(distance: f64) -> String {
-    /// A few roundings of A with the sum 2 and of r with the length 1.
-    const ROUNDING: f64 = 1e-15;
     if distance < ROUNDING { "0".to_owned() } else { significant(distance, 4) }
 }

@@ -1,9 +1,14 @@
 //! Cusps and the inflection of the generic family, isolated completely.
 
+use super::curve::IntervalId;
 use super::families::{GenericState, Mu};
+use super::point::Gap;
 use bifdiag_body::{Axis, Frame};
+use bifdiag_numbers::UNIT_ROUNDOFF;
 use bifdiag_numbers::bernstein::{Cell, Form as FormOf, Isolation};
 use bifdiag_numbers::root::itp;
+use bifdiag_numbers::table::Id;
+use nalgebra::DMatrix;
 
 /// Of degree 10 at most: the cusp polynomial of three distinct moments.
 type Form = FormOf<11>;
@@ -174,6 +179,72 @@ pub fn cusps(frame: &Frame, interval: &MuInterval, active: &[Axis]) -> Cusps {
         }
     }
     found
+}
+
+/// Two roots of the cusp polynomial, real or a complex pair, in the coordinate ln t, t = u/(1 − u).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CuspPair {
+    /// The middle of the two.
+    pub middle: f64,
+    /// The square of half their difference: negative for a complex pair, which is no cusp, and 0 at a swallowtail, through
+    /// which it passes with a slope.
+    pub square: Gap,
+}
+
+/// The pairs of neighbouring cusps on an interval, and those that may be born: complex pairs of roots on the right of the
+/// complex plane.
+#[must_use]
+pub fn cusp_pairs(frame: &Frame, interval: IntervalId) -> Vec<CuspPair> {
+    /// Relative error of the square, near to 0.
+    const ERROR: f64 = 1e-13;
+    let active = frame.active();
+    let interval = MuInterval::numbered(&active, interval.index());
+    if interval.right.is_none() || active.len() < 2 {
+        return Vec::new();
+    }
+    let form = cusp_form(frame, &interval, &active);
+    let coefficients = form.coefficients();
+    let degree = coefficients.len() - 1;
+    let (first, last) = (coefficients[0], coefficients[degree]);
+    // So that the product of the roots has the size 1.
+    let scale = libm::exp(libm::log((first / last).abs()) / degree as f64);
+    if !(scale > 0.0 && scale.is_finite()) {
+        return Vec::new();
+    }
+    let mut factor = 1.0;
+    let mut scaled: Vec<f64> = Vec::with_capacity(degree);
+    for coefficient in coefficients {
+        scaled.push(coefficient * factor);
+        factor *= scale;
+    }
+    let leading = scaled[degree];
+    let companion = DMatrix::from_fn(degree, degree, |i, j| match (i, j) {
+        (0, j) => -scaled[degree - 1 - j] / leading,
+        (i, j) => f64::from(u8::from(i == j + 1)),
+    });
+    let roots = companion.complex_eigenvalues();
+    let mut real: Vec<f64> = roots.iter().filter(|t| t.im == 0.0 && t.re > 0.0).map(|t| libm::log(t.re)).collect();
+    real.sort_by(f64::total_cmp);
+    let unborn = roots.iter().filter(|t| t.im > 0.0 && t.re > 0.0);
+    let unborn = unborn.map(|t| (0.5 * libm::log(t.re * t.re + t.im * t.im), libm::atan2(t.im, t.re)));
+    let pairs = real.windows(2).map(|pair| (0.5 * (pair[0] + pair[1]), 0.5 * (pair[1] - pair[0]), 1.0));
+    pairs
+        .chain(unborn.map(|(middle, half)| (middle, half, -1.0)))
+        .map(|(middle, half, sign)| {
+            let square = Gap { value: sign * half * half, error: ERROR };
+            CuspPair { middle: middle + libm::log(scale), square }
+        })
+        .collect()
+}
+
+/// How near a cusp of the generic family is to the pitchfork of the pair over a moment a_i without r: T J + 4V at μ = a_i, as a
+/// part of what its terms add up to without their signs. It is 0 where they meet.
+#[must_use]
+pub fn cusp_at_pitchfork(frame: &Frame, axis: Axis) -> Gap {
+    let GenericState { gamma, j, mean_inverse, spread, .. } = GenericState::at(frame, Mu { base: axis, delta: 0.0 });
+    let term = |k: Axis| if frame.r[k] > 0.0 { gamma[k] * gamma[k] / frame.diff[axis][k].abs() } else { 0.0 };
+    let size = j * Axis::ALL.map(term).iter().sum::<f64>() + 4.0 * spread.abs();
+    Gap { value: (mean_inverse * j + 4.0 * spread) / size, error: ROUNDINGS * UNIT_ROUNDOFF }
 }
 
 /// Narrows [first, second] (one may be 0, one ∞) to a ratio of at most 4; `beyond(y)` says whether the root lies

@@ -8,7 +8,7 @@ use super::difference;
 use super::event::BorderEvent;
 use super::segment::BodySegment;
 use super::special::{explained, special as special_body};
-use super::vanishing::{self, ParameterRoot};
+use super::vanishing::{self, ParameterRoot, Vanishing};
 use bifdiag_body::{Body, Flags};
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::class::{Class, ClassName, Unclassified};
@@ -101,10 +101,10 @@ pub fn find(segment: &BodySegment, options: &BorderOptions) -> Result<Border, Bo
     let side = |t: f64, end| {
         ClassifiedBody::of(segment, t, options.accuracy).map_err(|source| BorderError::NoClass { end, source })
     };
-    between(segment, [side(0.0, "lower")?, side(1.0, "upper")?], options)
+    Ok(between(segment, [side(0.0, "lower")?, side(1.0, "upper")?], options)?.0)
 }
 
-/// The same where the atlases and classes of both ends are known.
+/// The same where the atlases and classes of both ends are known, with what vanishes at the border.
 ///
 /// # Errors
 /// [`BorderError::SameClass`].
@@ -112,11 +112,15 @@ pub(crate) fn find_between(
     segment: &BodySegment,
     [low, high]: [(Atlas, Class); 2],
     options: &BorderOptions,
-) -> Result<Border, BorderError> {
+) -> Result<(Border, Vanishing), BorderError> {
     between(segment, [ClassifiedBody::new(0.0, low), ClassifiedBody::new(1.0, high)], options)
 }
 
-fn between(segment: &BodySegment, ends: [ClassifiedBody; 2], options: &BorderOptions) -> Result<Border, BorderError> {
+fn between(
+    segment: &BodySegment,
+    ends: [ClassifiedBody; 2],
+    options: &BorderOptions,
+) -> Result<(Border, Vanishing), BorderError> {
     let mut bracket = ClassBracket::new(segment, ends, options)?;
     for looks in 1.. {
         let Some(t) = bracket.next() else { break };
@@ -145,7 +149,7 @@ fn between(segment: &BodySegment, ends: [ClassifiedBody; 2], options: &BorderOpt
     event.kind = kind;
     let ParameterRoot { t, error } = by_zero.unwrap_or(by_class);
     let reached = error <= wanted;
-    Ok(Border { enclosure, t, error, classes: [low.class, high.class], reached, event, atlases })
+    Ok((Border { enclosure, t, error, classes: [low.class, high.class], reached, event, atlases }, vanishing))
 }
 
 /// The borders of a segment in order: what [`find`] finds, and again behind it until the class is that of the upper end.

@@ -29,7 +29,7 @@ fn surplus(one: &BTreeMap<EventLabel, usize>, other: &BTreeMap<EventLabel, usize
 }
 
 /// What happens between two diagrams, and what vanishes there.
-pub(super) fn between(below: &Arrangement, above: &Arrangement) -> (BorderEvent, Vanishing) {
+pub(crate) fn between(below: &Arrangement, above: &Arrangement) -> (BorderEvent, Vanishing) {
     let (counts_below, counts_above) = (counts(below), counts(above));
     let vanish = surplus(&counts_below, &counts_above);
     let appear = surplus(&counts_above, &counts_below);
@@ -41,9 +41,9 @@ pub(super) fn between(below: &Arrangement, above: &Arrangement) -> (BorderEvent,
         let kind = BorderEventKind::PoleLinesAtInfinity { axis: axis_of_body(&below.set, Axis::ALL[1]) };
         Finding::nowhere(kind, Vanishing::MiddleMoment)
     } else if vanish.len() > appear.len() {
-        creation(&Surplus { side: below, more: &vanish, fewer: &appear, above: false })
+        creation(&Surplus { side: below, more: &vanish, fewer: &appear })
     } else {
-        creation(&Surplus { side: above, more: &appear, fewer: &vanish, above: true })
+        creation(&Surplus { side: above, more: &appear, fewer: &vanish })
     };
     let curves = group.as_ref().map_or_else(Vec::new, EventGroup::curves);
     let place = group.as_ref().map(EventGroup::place);
@@ -67,8 +67,6 @@ struct Surplus<'a, 'b> {
     more: &'b [EventLabel],
     /// The events that only the other side has.
     fewer: &'b [EventLabel],
-    /// True when the side that has more is the upper one.
-    above: bool,
 }
 
 /// The labels of each kind.
@@ -160,10 +158,9 @@ fn pitchforks<'a>(more: &ByKind, fewer: &ByKind) -> Option<Finding<'a>> {
 fn swallowtail<'a>(surplus: &Surplus<'a, '_>, mut branches: Vec<BranchName>) -> Finding<'a> {
     branches.dedup();
     let pair = nearest(&surplus.cusps()).map_or_else(Vec::new, Vec::from);
-    let vanishing = pair.first().map_or(Vanishing::Nothing, |cusp| Vanishing::TwoCusps {
-        branch: surplus.branch(cusp.change.curves()[0]),
-        near: surplus.near(cusp),
-        above: surplus.above,
+    let vanishing = pair.first().map_or(Vanishing::Nothing, |cusp| match surplus.branch(cusp.change.curves()[0]) {
+        Branch::Generic(interval) => Vanishing::Swallowtail { interval, middle: None },
+        _ => Vanishing::Nothing,
     });
     surplus.found(BorderEventKind::Swallowtail { branches }, pair, vanishing)
 }
@@ -193,7 +190,7 @@ fn two_crossings<'a>(surplus: &Surplus<'a, '_>) -> Option<Finding<'a>> {
         encounter: Encounter::PassesThrough,
         curves: vec![surplus.name(curve)],
     };
-    let vanishing = Vanishing::CuspOnCurve { cusp: branch, curve, near: surplus.near(cusp) };
+    let vanishing = Vanishing::CuspOnCurve { cusp: branch, curve, near: surplus.near(cusp), height: 0.0 };
     Some(surplus.found(kind, vec![*cusp, p, q], vanishing))
 }
 
@@ -224,5 +221,5 @@ fn at_pitchfork<'a>(surplus: &Surplus<'a, '_>) -> Option<Finding<'a>> {
     let EventLabel::Pitchfork(pitchfork) = label(surplus.side, &event) else { return None };
     let (encounter, curves) = (Encounter::PassesThrough, vec![surplus.name(curve)]);
     let kind = BorderEventKind::PitchforkOnCurve { pitchfork, encounter, curves };
-    Some(surplus.found(kind, vec![event, crossing], Vanishing::PitchforkOnCurve { axis, curve }))
+    Some(surplus.found(kind, vec![event, crossing], Vanishing::PitchforkOnCurve { axis, curve, height: 0.0 }))
 }

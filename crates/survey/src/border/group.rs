@@ -143,9 +143,22 @@ fn have_both_pole_lines(labels: &[EventLabel]) -> bool {
     has(Pole::Plus) && has(Pole::Minus)
 }
 
-/// What vanishes where events change places: the height of a third curve over one of them.
+/// What vanishes where events change places: the height of a third curve over one of them, or the distance of a cusp from a
+/// pitchfork.
 fn exchanged(side: &Arrangement, near: &[Event]) -> Option<Vanishing> {
     let branch = |c: CurveId| side.set.curves[c].branch;
+    if near.iter().any(|event| matches!(event.change, Change::Birth(_) | Change::Death(_))) {
+        let axis = near.iter().find_map(|event| match event.change {
+            Change::Open { pair, .. } | Change::Close { pair, .. } => match branch(pair) {
+                Branch::Symmetric(axis) => Some(axis),
+                _ => None,
+            },
+            _ => None,
+        });
+        if let Some(axis) = axis {
+            return Some(Vanishing::CuspAtPitchfork(axis));
+        }
+    }
     let place = |event: &Event| Neighbourhood::of(&side.set.frame, event.x, event.h);
     let (crossing, pair) = near.iter().find_map(|event| match event.change {
         Change::Swap(curves) => Some((event, curves.map(branch))),
@@ -157,15 +170,15 @@ fn exchanged(side: &Arrangement, near: &[Event]) -> Option<Vanishing> {
             Change::Open { through, pair } | Change::Close { through, pair } => {
                 let Branch::Symmetric(axis) = branch(pair) else { return None };
                 let curve = beside(&[branch(through[0]), branch(pair)])?;
-                return Some(Vanishing::PitchforkOnCurve { axis, curve });
+                return Some(Vanishing::PitchforkOnCurve { axis, curve, height: 0.0 });
             }
             Change::Birth([one, _]) | Change::Death([one, _]) => {
                 let (cusp, near) = (branch(one), place(event));
-                return Some(Vanishing::CuspOnCurve { cusp, curve: beside(&[cusp])?, near });
+                return Some(Vanishing::CuspOnCurve { cusp, curve: beside(&[cusp])?, near, height: 0.0 });
             }
             Change::Swap(_) => {}
         }
     }
     let curve = near.iter().flat_map(|event| event.change.curves()).map(branch).find(|other| !pair.contains(other))?;
-    Some(Vanishing::CurveOnCrossing { crossing: pair, curve, near: place(crossing) })
+    Some(Vanishing::CurveOnCrossing { crossing: pair, curve, near: place(crossing), height: 0.0 })
 }

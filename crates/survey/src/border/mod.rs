@@ -13,6 +13,8 @@ mod vanishing;
 
 pub(crate) use bisection::find_between;
 pub use bisection::{Border, BorderError, BorderOptions, NoClass, all, class_of, classes_of, find};
+pub(crate) use difference::between;
 pub use event::{BorderEvent, BorderEventKind, Encounter, EventLabel, EventLocation, NamedEvent, named_events};
 pub use segment::BodySegment;
 pub(crate) use special::special;
+pub(crate) use vanishing::{Neighbourhood, Vanishing};

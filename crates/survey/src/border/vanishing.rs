@@ -7,38 +7,45 @@
 use super::event::EventLocation;
 use super::segment::BodySegment;
 use bifdiag_body::{Axis, Frame};
-use bifdiag_diagram::arrangement::{Arrangement, Change};
-use bifdiag_equilibria::curves::{Branch, CriticalSet, CurveId, Gap, Point};
+use bifdiag_equilibria::curves::{
+    Branch, CriticalSet, Curve, CuspPair, Gap, IntervalId, Point, cusp_at_pitchfork, cusp_pairs,
+};
+use bifdiag_numbers::root::itp;
 
-/// What vanishes at a border.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Vanishing {
+/// What vanishes at a border. Of several curves of a branch at one x that one is meant over which the event has about the height
+/// given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Vanishing {
     /// The excess of the pair over this axis of the frame, an exact fraction: its cusp reaches its pitchfork.
     Excess(Axis),
     /// J_r − a of the middle axis, an exact fraction.
     MiddleMoment,
     /// The height of a cusp of one branch over a curve of another.
-    CuspOnCurve { cusp: Branch, curve: Branch, near: Neighbourhood },
+    CuspOnCurve { cusp: Branch, curve: Branch, near: Neighbourhood, height: f64 },
+    /// How near a cusp is to the pitchfork of the pair over this axis of the frame, on the curve that it leaves: see
+    /// [`cusp_at_pitchfork`].
+    CuspAtPitchfork(Axis),
     /// The height of the pitchfork of the pair over an axis over a curve.
-    PitchforkOnCurve { axis: Axis, curve: Branch },
+    PitchforkOnCurve { axis: Axis, curve: Branch, height: f64 },
     /// The height of a curve over the crossing of two others.
-    CurveOnCrossing { crossing: [Branch; 2], curve: Branch, near: Neighbourhood },
-    /// The squared difference of J at two cusps of one branch, which exist on one side only.
-    TwoCusps { branch: Branch, near: Neighbourhood, above: bool },
+    CurveOnCrossing { crossing: [Branch; 2], curve: Branch, near: Neighbourhood, height: f64 },
+    /// The square of the distance of two cusps on this interval of the generic family, with the place of their middle, if that
+    /// is known; otherwise those that are nearest to each other. See [`cusp_pairs`].
+    Swallowtail { interval: IntervalId, middle: Option<f64> },
     /// Nothing that is known.
     Nothing,
 }
 
 /// A place in the plane of (l²/2, h) in the body's units, near which an event is sought again.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Neighbourhood {
+pub(crate) struct Neighbourhood {
     pub x: f64,
     pub h: f64,
 }
 
 impl Neighbourhood {
     /// Of a point in the frame's units.
-    pub(super) fn of(frame: &Frame, x: f64, h: f64) -> Self {
+    pub(crate) fn of(frame: &Frame, x: f64, h: f64) -> Self {
         Self { x: x * frame.momentum_unit * frame.momentum_unit, h: h * frame.energy_unit }
     }
 
@@ -58,8 +65,7 @@ pub(crate) struct ParameterRoot {
 pub(super) fn root(segment: &BodySegment, vanishing: &Vanishing, t: [f64; 2]) -> Option<ParameterRoot> {
     match vanishing {
         Vanishing::Nothing => None,
-        Vanishing::TwoCusps { branch, near, above } => extrapolated(segment, *branch, near, *above, t),
-        _ => bisected(|t| value(segment, vanishing, t), t),
+        _ => bisected(|t| Some(vanishing.measured(segment.body(t).frame())?.0), t),
     }
 }
 
@@ -90,47 +96,131 @@ fn nearest_cusp(set: &CriticalSet, branch: Branch, near: &Neighbourhood) -> Opti
     on_branch.map(|found| found.point).min_by(|p, q| far(p).total_cmp(&far(q)))
 }
 
-fn value(segment: &BodySegment, vanishing: &Vanishing, t: f64) -> Option<Gap> {
-    let frame = segment.body(t).frame();
-    let exact = |value: f64| Some(Gap { value, error: 0.0 });
-    match vanishing {
-        Vanishing::Excess(axis) => return exact(frame.symmetric_sums[*axis].cusp_excess),
-        Vanishing::MiddleMoment => return exact(frame.offset[1]),
-        _ => {}
-    }
-    let set = CriticalSet::new(frame).ok()?;
-    match vanishing {
-        Vanishing::CuspOnCurve { cusp, curve, near } => height(&set, &nearest_cusp(&set, *cusp, near)?, *curve),
-        Vanishing::PitchforkOnCurve { axis, curve } => height(&set, &pitchfork(&set, *axis)?, *curve),
-        Vanishing::CurveOnCrossing { crossing, curve, near } => {
-            let arrangement = Arrangement::new(set);
-            let set = &arrangement.set;
-            let branch = |c: CurveId| set.curves[c].branch;
-            let found = arrangement
-                .events
-                .iter()
-                .filter(|event| match event.change {
-                    Change::Swap([a, b]) => [branch(a), branch(b)] == *crossing || [branch(b), branch(a)] == *crossing,
-                    _ => false,
-                })
-                .min_by(|p, q| {
-                    let far = |x: f64, h: f64| near.distance(&set.frame, x, h);
-                    far(p.x, p.h).total_cmp(&far(q.x, q.h))
-                })?;
-            let Change::Swap([a, _]) = found.change else { return None };
-            height(set, &set.curves[a].point(&set.frame, found.x), *curve)
+impl Vanishing {
+    /// What vanishes, at a body, and the same with its event and its curve where they are there; `None` where there is no such
+    /// event.
+    pub(crate) fn measured(self, frame: Frame) -> Option<(Gap, Self)> {
+        let exact = |value: f64| Some((Gap { value, error: 0.0 }, self));
+        match self {
+            Self::Nothing => return None,
+            Self::Excess(axis) => return exact(frame.symmetric_sums[axis].cusp_excess),
+            Self::MiddleMoment => return exact(frame.offset[1]),
+            Self::CuspAtPitchfork(axis) => {
+                let set = CriticalSet::new(frame).ok()?;
+                pitchfork(&set, axis)?;
+                return Some((cusp_at_pitchfork(&set.frame, axis), self));
+            }
+            Self::Swallowtail { interval, middle } => {
+                let far = |pair: &CuspPair| middle.map_or(pair.square.value, |middle| pair.middle - middle).abs();
+                let pair = cusp_pairs(&frame, interval).into_iter().min_by(|p, q| far(p).total_cmp(&far(q)))?;
+                return Some((pair.square, Self::Swallowtail { interval, middle: Some(pair.middle) }));
+            }
+            _ => {}
         }
-        _ => None,
+        self.followed(&CriticalSet::new(frame).ok()?)
+    }
+
+    /// The height of its event over its curve, and the same with both as they are.
+    fn followed(self, set: &CriticalSet) -> Option<(Gap, Self)> {
+        let at = |point: &Point| Neighbourhood::of(&set.frame, point.x, point.h());
+        match self {
+            Self::CuspOnCurve { cusp, curve, near, height } => {
+                let point = nearest_cusp(set, cusp, &near)?;
+                let gap = over(set, &point, curve, height)?;
+                Some((gap, Self::CuspOnCurve { cusp, curve, near: at(&point), height: gap.value }))
+            }
+            Self::PitchforkOnCurve { axis, curve, height } => {
+                let gap = over(set, &pitchfork(set, axis)?, curve, height)?;
+                Some((gap, Self::PitchforkOnCurve { axis, curve, height: gap.value }))
+            }
+            Self::CurveOnCrossing { crossing, curve, near, height } => {
+                let point = nearest_crossing(set, crossing, &near)?;
+                let gap = over(set, &point, curve, height)?;
+                Some((gap, Self::CurveOnCrossing { crossing, curve, near: at(&point), height: gap.value }))
+            }
+            _ => None,
+        }
     }
 }
 
-/// h of a point minus that of the nearest curve of a branch at the same x.
-fn height(set: &CriticalSet, point: &Point, branch: Branch) -> Option<Gap> {
+/// The crossing of curves of two branches that is nearest to a place, on the first of them.
+fn nearest_crossing(set: &CriticalSet, branches: [Branch; 2], near: &Neighbourhood) -> Option<Point> {
+    let frame = &set.frame;
+    let of = |branch: Branch| set.curves.pairs().filter(move |(_, curve)| curve.branch == branch);
+    let pairs = of(branches[0]).flat_map(|one| of(branches[1]).map(move |other| [one, other]));
+    let found = pairs.filter(|[one, other]| one.0 != other.0).filter_map(|[(_, one), (_, other)]| {
+        let x = crossing(frame, [one, other], near.x / (frame.momentum_unit * frame.momentum_unit))?;
+        Some(one.point(frame, x))
+    });
+    let far = |point: &Point| near.distance(frame, point.x, point.h());
+    found.min_by(|p, q| far(p).total_cmp(&far(q)))
+}
+
+/// The x near to a place at which two curves cross: by Newton's method, and where that leaves their range, at growing distances.
+fn crossing(frame: &Frame, [one, other]: [&Curve; 2], near: f64) -> Option<f64> {
+    const STEPS: u32 = 8;
+    /// Ends of curves are cusps and pitchforks, where two of them meet: they are no crossings.
+    const END: f64 = 1e-9;
+    let range = [one.x()[0].max(other.x()[0]) * (1.0 + END), one.x()[1].min(other.x()[1]) * (1.0 - END)];
+    let is_inside = |x: f64| range[0] < x && x < range[1];
+    let mut x = near;
+    for _ in 0..STEPS {
+        if !is_inside(x) {
+            break;
+        }
+        let points = [one, other].map(|curve| curve.point(frame, x));
+        let gap = Gap::between(frame, &points[0], &points[1]);
+        let next = x - gap.value / Gap::slope(frame, &points[0], &points[1]);
+        if gap.value.abs() <= gap.error || next == x {
+            return Some(x);
+        }
+        // Newton's method has left its root.
+        if (next - x).abs() > 0.5 * x {
+            break;
+        }
+        x = next;
+    }
+    bracketed_crossing(frame, [one, other], range, near)
+}
+
+/// The first x at which two curves cross, looked for at growing distances from a place.
+fn bracketed_crossing(frame: &Frame, [one, other]: [&Curve; 2], [low, high]: [f64; 2], near: f64) -> Option<f64> {
+    /// The first step, by how much the steps grow, and how many there are.
+    const STEP: f64 = 1e-3;
+    const GROWTH: f64 = 2.0;
+    const STEPS: u32 = 12;
+    if low >= high {
+        return None;
+    }
+    let above = |x: f64| Gap::between(frame, &one.point(frame, x), &other.point(frame, x)).value;
+    let start = near.clamp(low, high);
+    let mut ends = [(start, above(start)); 2];
+    let mut step = STEP;
+    for _ in 0..STEPS {
+        for (end, factor) in ends.iter_mut().zip([1.0 / (1.0 + step), 1.0 + step]) {
+            let (from, from_value) = *end;
+            let to = (from * factor).clamp(low, high);
+            if to == from {
+                continue;
+            }
+            let to_value = above(to);
+            if (to_value > 0.0) != (from_value > 0.0) {
+                return Some(itp(from, to, from_value, to_value, 0.0, above));
+            }
+            *end = (to, to_value);
+        }
+        step *= GROWTH;
+    }
+    None
+}
+
+/// h of a point minus that of a curve of a branch at the same x, of several that which is nearest to a height.
+fn over(set: &CriticalSet, point: &Point, branch: Branch, height: f64) -> Option<Gap> {
     set.curves
         .iter()
         .filter(|curve| curve.branch == branch && curve.x()[0] < point.x && point.x < curve.x()[1])
         .map(|curve| Gap::between(&set.frame, point, &curve.point(&set.frame, point.x)))
-        .min_by(|p, q| p.value.abs().total_cmp(&q.value.abs()))
+        .min_by(|p, q| (p.value - height).abs().total_cmp(&(q.value - height).abs()))
 }
 
 /// The zero between two signs, until rounding hides it: two steps of false position (Illinois), then one of bisection.
@@ -184,55 +274,4 @@ fn bisected(value: impl Fn(f64) -> Option<Gap>, [mut low, mut high]: [f64; 2]) -
 enum Stayed {
     Low,
     High,
-}
-
-/// Inverse interpolation of t over f = (J − J')² of the two cusps, beyond the side on which they exist: they part like the
-/// root of the distance from the border, so f is smooth there and vanishes with a slope.
-fn extrapolated(
-    segment: &BodySegment,
-    branch: Branch,
-    near: &Neighbourhood,
-    above: bool,
-    t: [f64; 2],
-) -> Option<ParameterRoot> {
-    const POINTS: usize = 6;
-    let width = (t[1] - t[0]).max(1e-7);
-    let mut known: Vec<(f64, f64)> = Vec::with_capacity(POINTS);
-    for k in 0..POINTS {
-        let step = 3.0 * width * k as f64;
-        let at = if above { t[1] + step } else { t[0] - step };
-        if !(0.0..=1.0).contains(&at) {
-            break;
-        }
-        let set = CriticalSet::new(segment.body(at).frame()).ok()?;
-        let mut cusps: Vec<Point> = set
-            .cusps
-            .iter()
-            .filter(|cusp| set.curves[cusp.curves[0]].branch == branch)
-            .map(|cusp| cusp.point)
-            .collect();
-        let far = |point: &Point| near.distance(&set.frame, point.x, point.h());
-        cusps.sort_by(|p, q| far(p).total_cmp(&far(q)));
-        let [p, q] = cusps.get(..2)? else { break };
-        let difference = (p.j - q.j) / set.frame.a[2];
-        known.push((difference * difference, at));
-    }
-    if known.len() < 3 {
-        return None;
-    }
-    let whole = neville(&known);
-    let fewer = neville(&known[..known.len() - 1]);
-    Some(ParameterRoot { t: whole, error: (whole - fewer).abs() + f64::EPSILON })
-}
-
-/// The value at 0 of the polynomial through (f, t).
-fn neville(known: &[(f64, f64)]) -> f64 {
-    let mut table: Vec<f64> = known.iter().map(|(_, t)| *t).collect();
-    for order in 1..known.len() {
-        for k in 0..known.len() - order {
-            let (from, to) = (known[k].0, known[k + order].0);
-            table[k] = (to * table[k] - from * table[k + 1]) / (to - from);
-        }
-    }
-    table[0]
 }

@@ -1,0 +1,234 @@
+//! The borders of classes around a body.
+
+mod foot;
+mod function;
+
+use std::collections::BTreeMap;
+
+use nalgebra::DVector;
+use rand_xoshiro::SplitMix64;
+use rand_xoshiro::rand_core::SeedableRng;
+
+use crate::border::{self, BodySegment, BorderEventKind, BorderOptions, Vanishing, class_of};
+use crate::parallel::each;
+use crate::space::{BodyLine, BodySet, ReducedBody, TangentBasis, unit_vector};
+use bifdiag_body::Body;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::class::{Class, ClassName};
+use bifdiag_exact::Accuracy;
+use foot::{Condition, Surroundings};
+
+/// How borders are sought.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NearestOptions {
+    /// Random lines through the body on which borders are sought, beside those that its own diagram suggests; without a number
+    /// [`LINES`] where it suggests none.
+    pub lines: Option<u32>,
+    /// Where lines end.
+    pub set: BodySet,
+    /// Chooses the lines.
+    pub seed: u64,
+}
+
+impl Default for NearestOptions {
+    fn default() -> Self {
+        Self { lines: None, set: BodySet::All, seed: 0 }
+    }
+}
+
+/// Lines where a diagram suggests no border.
+pub const LINES: u32 = 48;
+
+/// A border of the class of a body, as near to the body as it was found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NearestBorder {
+    /// The class beyond.
+    pub class: Class,
+    /// What happens there.
+    pub event: BorderEventKind,
+    /// How far it is: √(|ΔA|² + ∠²), for A with the sum 2 and the angle between the two r.
+    pub distance: f64,
+    /// The body on the border.
+    pub body: ReducedBody,
+    /// Coordinates of its direction in the body's [`TangentBasis`], of length 1.
+    pub direction: Vec<f64>,
+}
+
+/// The borders of a class around one of its bodies, each at the place that is nearest to the body, in the order of their
+/// distances: those where a function vanishes that its diagram suggests (see [`function`]), and those that are met by random
+/// lines through it. What is special about the body stays so on the way. `class` is the body's own; on a border, that of its
+/// rounded numbers may be another.
+///
+/// Each distance is that of a body on the border: the border is as near, and a nearer part of it may be unknown.
+#[must_use]
+pub fn nearest(body: ReducedBody, class: Class, options: &NearestOptions) -> Vec<NearestBorder> {
+    let rounded = Body::from_f64(body.a, body.r);
+    let atlas = |accuracy| bifdiag_exact::atlas(rounded.as_ref().ok()?, accuracy).ok();
+    let Some(atlas) = [Accuracy::Fast, Accuracy::Exact].into_iter().find_map(atlas) else { return Vec::new() };
+    let around = Surroundings { basis: TangentBasis::new(body), set: options.set };
+    let search = BorderSearch { around, own: (atlas, class) };
+    let mut found = search.suggested();
+    let lines = options.lines.unwrap_or(if found.is_empty() { LINES } else { 0 });
+    let mut rng = SplitMix64::seed_from_u64(options.seed);
+    let lines = (0..lines).map_while(|_| unit_vector(search.around.basis.random(&mut rng)));
+    let both_ways = lines.flat_map(|line| [1.0, -1.0].map(|sign| line.iter().map(|x| sign * x).collect()));
+    let directions: Vec<Vec<f64>> = both_ways.collect();
+    found.extend(each(&directions, |direction| search.first(direction)).into_iter().flatten());
+    let mut nearest: BTreeMap<(ClassName, String), NearestBorder> = BTreeMap::new();
+    for border in found {
+        let key = (border.class.name().clone(), border.event.to_string());
+        if nearest.get(&key).is_none_or(|known| border.distance < known.distance) {
+            nearest.insert(key, border);
+        }
+    }
+    let mut nearest: Vec<NearestBorder> = nearest.into_values().collect();
+    nearest.sort_by(|p, q| p.distance.total_cmp(&q.distance));
+    nearest
+}
+
+/// A function that vanishes on a border of the class, with its value at the body.
+#[derive(Clone, Copy, Debug)]
+struct Wall {
+    function: Vanishing,
+    value: f64,
+}
+
+/// The surroundings of one body.
+struct BorderSearch {
+    around: Surroundings,
+    /// The atlas of its rounded numbers, and its class.
+    own: (Atlas, Class),
+}
+
+impl BorderSearch {
+    /// The borders that the diagram suggests, nearest first.
+    fn suggested(&self) -> Vec<NearestBorder> {
+        let here = DVector::zeros(self.around.basis.dimensions());
+        let feet = each(&function::all(self.own.0.arrangement()), |function| {
+            let wall = Wall { function: *function, value: self.around.value(*function, &here)?.0 };
+            let foot = self.around.foot(&here, vec![Condition { function: *function, value: 0.0 }])?;
+            Some((wall, foot))
+        });
+        let mut feet: Vec<(Wall, DVector<f64>)> = feet.into_iter().flatten().collect();
+        feet.sort_by(|p, q| p.1.norm().total_cmp(&q.1.norm()));
+        let (mut walls, mut found) = (Vec::new(), Vec::new());
+        for (wall, foot) in feet {
+            if let Some(border) = self.within(&walls, wall, foot) {
+                found.push(border);
+                walls.push(wall);
+            }
+        }
+        found
+    }
+
+    /// The border on a wall: at its foot, or where that lies beyond other walls, at the nearest place just before those.
+    fn within(&self, walls: &[Wall], wall: Wall, mut foot: DVector<f64>) -> Option<NearestBorder> {
+        /// The part of a wall's value that is left before it.
+        const BEFORE: f64 = 1e-3;
+        let mut conditions = vec![Condition { function: wall.function, value: 0.0 }];
+        loop {
+            if let Some(border) = self.at(&foot) {
+                return Some(border);
+            }
+            if conditions.len() == foot.len() {
+                return None;
+            }
+            let is_beyond = |wall: &&Wall| {
+                self.around.value(wall.function, &foot).is_none_or(|(value, _)| value * wall.value <= 0.0)
+            };
+            let Wall { function, value } = *walls.iter().find(is_beyond)?;
+            conditions.push(Condition { function, value: BEFORE * value });
+            foot = self.around.foot(&foot, conditions.clone())?;
+        }
+    }
+
+    /// The border at a place, if the class of the body ends there.
+    fn at(&self, place: &DVector<f64>) -> Option<NearestBorder> {
+        /// How far from the place classes are asked, as a part of its distance.
+        const SIDE: f64 = 1e-6;
+        /// And that distance where the body itself is on the border.
+        const BESIDE: f64 = 1e-2;
+        let s = place.norm();
+        let is_here = s <= foot::HERE;
+        let direction: Vec<f64> = place.iter().map(|x| x / s).collect();
+        let line = self.around.basis.line(&direction, self.around.set)?;
+        let unit = if is_here { BESIDE * line.reach()[0].min(line.reach()[1]).min(1.0) } else { s };
+        let class = |s: f64| {
+            let body = body_at(&line, s)?;
+            class_of(&body, Accuracy::Fast).or_else(|_open| class_of(&body, Accuracy::Exact)).ok()
+        };
+        let (below, above) = (class(s - SIDE * unit)?, class(s + SIDE * unit)?);
+        // A body on a border has the class of one side.
+        let (own, beyond) = if is_here && above.1 == self.own.1 { (above, below) } else { (below, above) };
+        if own.1 != self.own.1 || beyond.1 == self.own.1 {
+            return None;
+        }
+        let (event, _) = border::between(own.0.arrangement(), beyond.0.arrangement());
+        Some(border_at(&line, if is_here { 0.0 } else { s }, beyond.1, event.kind, direction))
+    }
+
+    /// The first border in a direction that shows between bodies on the line, or that border where it is nearer.
+    fn first(&self, direction: &[f64]) -> Option<NearestBorder> {
+        let line = self.around.basis.line(direction, self.around.set)?;
+        // The last body of the same class.
+        let mut before = None;
+        for s in line.nodes(true, 0.5) {
+            let Some(found) = body_at(&line, s).and_then(|body| class_of(&body, Accuracy::Fast).ok()) else { continue };
+            if found.1 == self.own.1 {
+                before = Some((s, found));
+                continue;
+            }
+            let (last, same) = before.unwrap_or_else(|| (0.0, self.own.clone()));
+            let options = BorderOptions { tolerance: 1e-9, by_zeros: true, ..BorderOptions::default() };
+            let segment = BodySegment::new(same.0.body().clone(), found.0.body().clone());
+            let (met, vanishing) = border::find_between(&segment, [same, found], &options).ok()?;
+            let at = last + met.t * (s - last);
+            let [_, class] = met.classes;
+            let border = border_at(&line, at, class, met.event.kind, direction.to_vec());
+            let near = DVector::from_column_slice(direction) * at;
+            let foot = self.around.foot(&near, vec![Condition { function: vanishing, value: 0.0 }]);
+            let nearer = foot.and_then(|foot| self.at(&foot)).filter(|foot| {
+                foot.class == border.class && foot.event == border.event && foot.distance < border.distance
+            });
+            return Some(nearer.unwrap_or(border));
+        }
+        None
+    }
+}
+
+fn border_at(line: &BodyLine, s: f64, class: Class, event: BorderEventKind, direction: Vec<f64>) -> NearestBorder {
+    NearestBorder { class, event, distance: line.distance(s), body: ReducedBody::of(line.at(s)), direction }
+}
+
+/// The body at a place of a line.
+fn body_at(line: &BodyLine, s: f64) -> Option<Body> {
+    let [a, r] = line.at(s);
+    Body::from_f64(a, r).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where the border is known: J_r = A2 is a cone over r, and the nearest of its bodies is sought by other means.
+    #[test]
+    fn the_distance_to_the_middle_moment_is_found() {
+        let body = ReducedBody::of([[0.5, 0.6, 0.9], [0.6, 0.12, 0.45]]);
+        let (_, class) = class_of(&Body::from_f64(body.a, body.r).unwrap(), Accuracy::Fast).unwrap();
+        let borders = nearest(body, class, &NearestOptions::default());
+        let border = borders.iter().find(|border| matches!(border.event, BorderEventKind::PoleLinesAtInfinity { .. }));
+        let border = border.unwrap();
+        let excess = |body: &ReducedBody| (0..3).map(|k| (body.a[k] - body.a[1]) * body.r[k] * body.r[k]).sum::<f64>();
+        assert!(excess(&border.body).abs() < 1e-8, "{border:?}");
+        // First order: |excess| over the length of its gradient along the chart.
+        let basis = TangentBasis::new(body);
+        let step = 1e-6;
+        let slope = |k: usize| {
+            let mut y = vec![0.0; 4];
+            y[k] = step;
+            (excess(&ReducedBody::of(basis.line(&y, BodySet::All).unwrap().at(step))) - excess(&body)) / step
+        };
+        let estimate = excess(&body).abs() / (0..4).map(|k| slope(k) * slope(k)).sum::<f64>().sqrt();
+        assert!((border.distance / estimate - 1.0).abs() < 0.2, "{} {estimate}", border.distance);
+    }
+}
