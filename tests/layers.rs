@@ -27,7 +27,10 @@ const ORDER: [(&str, &str); 15] = [
     ("crates/dynamics/src", "field integrator motion section poincare"),
     ("crates/enclosure/src", "bound scalar field set step start integrals orbit return_map"),
     ("crates/chaos/src", "liouville share point cells block map"),
-    ("crates/periodic/src", "flow reversor shooting walk orbit family catalogue chart section_map proof list manifold"),
+    (
+        "crates/periodic/src",
+        "flow reversor chain shooting walk orbit family catalogue chart section_map proof list manifold",
+    ),
     (
         "crates/survey/src",
         "parallel parameter design signature scan border events path space strata nearest subdivision search tolerance",

@@ -19,13 +19,22 @@ pub struct Space {
     pub unit: f64,
 }
 
-/// Where the flow takes a point in a time.
+/// What all points of an orbit have in common, beside |γ| = 1, and all orbits of a family.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Level {
+    /// ⟨γ,l⟩ in units of the space.
+    Momentum(f64),
+    /// H.
+    Energy(f64),
+}
+
+/// Where the flow takes a node in a time.
 #[derive(Clone, Debug)]
 pub struct Passage {
     /// The point there.
     pub end: Phase,
-    /// The derivative with respect to the point where it began.
-    pub tangent: Tangent,
+    /// The derivative in the first three directions of the node's frame.
+    pub moved: [Phase; 3],
     /// The motion between.
     pub steps: Vec<TaylorStep>,
 }
@@ -86,63 +95,151 @@ impl Space {
         }))
     }
 
-    /// The flow over a time ≥ 0, with its derivative.
+    /// Where the flow takes points in a time ≥ 0.
     ///
     /// # Errors
-    /// [`StepError`] where the motion leaves the range of `f64`.
-    pub fn pass(&self, x: &Phase, time: f64) -> Result<Passage, StepError> {
-        let found = transport(&self.top, &self.state(x), time)?;
-        let size = |k: usize| if k < 3 { 1.0 } else { self.unit };
-        let tangent = Tangent::from_fn(|i, j| found.tangent[j][i] * size(j) / size(i));
-        Ok(Passage { end: self.point(&found.end), tangent, steps: found.steps })
+    /// [`StepError`] where a motion leaves the range of `f64`.
+    pub fn ends(&self, points: &[Phase], time: f64) -> Result<Vec<Phase>, StepError> {
+        let starts: Vec<_> = points.iter().map(|x| (self.state(x), [])).collect();
+        Ok(transport(&self.top, &starts, time)?.iter().map(|found| self.point(&found.end)).collect())
     }
 
-    /// What lies across the orbit at a point: see [`Frame`].
+    /// The same, with the derivatives in the directions of their frames.
+    ///
+    /// # Errors
+    /// [`StepError`] where a motion leaves the range of `f64`.
+    pub fn pass(&self, points: &[Phase], frames: &[Frame], time: f64) -> Result<Vec<Passage>, StepError> {
+        let directions = |frame: &Frame| [frame.across[0], frame.across[1], frame.beyond].map(|unit| self.state(&unit));
+        let starts: Vec<_> = points.iter().zip(frames).map(|(x, frame)| (self.state(x), directions(frame))).collect();
+        let passages = transport(&self.top, &starts, time)?.into_iter().map(|found| Passage {
+            end: self.point(&found.end),
+            moved: found.directions.map(|moved| self.point(&moved)),
+            steps: found.steps,
+        });
+        Ok(passages.collect())
+    }
+
+    /// The gradients of ⟨γ,γ⟩/2, of what is kept and of what is not: of ⟨γ,l⟩ in units of the space, and H.
+    fn gradients_at(&self, x: &Phase, level: Level) -> [Phase; 3] {
+        let [sphere, momentum, energy] = self.gradients(x);
+        let momentum = momentum / self.unit;
+        match level {
+            Level::Momentum(_) => [sphere, momentum, energy],
+            Level::Energy(_) => [sphere, energy, momentum],
+        }
+    }
+
+    /// How far a point is below a level.
     #[must_use]
-    pub fn frame(&self, x: &Phase) -> Option<Frame> {
+    pub fn missed(&self, x: &Phase, level: Level) -> f64 {
+        match level {
+            Level::Momentum(l) => l - x.fixed_rows::<3>(0).dot(&x.fixed_rows::<3>(3)),
+            Level::Energy(h) => h - self.top.energy(&self.state(x)),
+        }
+    }
+
+    /// The point beside a point with |γ| = 1 and on the level.
+    #[must_use]
+    pub fn onto(&self, mut x: Phase, level: Level) -> Phase {
+        const STEPS: usize = 6;
+        let mut last = f64::INFINITY;
+        for _ in 0..STEPS {
+            let [sphere, kept, _] = self.gradients_at(&x, level);
+            let missed = [0.5 * (1.0 - sphere.norm_squared()), self.missed(&x, level)];
+            let size = missed[0].abs() + missed[1].abs();
+            let [a, b, c] = [sphere.norm_squared(), sphere.dot(&kept), kept.norm_squared()];
+            let determinant = a * c - b * b;
+            // At rest the gradients are parallel; and rounding is no more than that.
+            if size == 0.0 || size >= 0.5 * last || determinant <= 1e-14 * a * c {
+                break;
+            }
+            last = size;
+            let [p, q] = [c * missed[0] - b * missed[1], a * missed[1] - b * missed[0]];
+            x += (sphere * p + kept * q) / determinant;
+        }
+        x
+    }
+
+    /// The [`Frame`] at a point; with directions across that are as near as possible to those of another one, if that is given.
+    /// `None` where there is no such frame, or none near the other one.
+    #[must_use]
+    pub fn frame(&self, x: &Phase, level: Level, like: Option<&Frame>) -> Option<Frame> {
         let field = self.field(x);
-        let mut known: Vec<Phase> = Vec::with_capacity(6);
-        for vector in self.gradients(x).into_iter().chain([field]) {
-            known.push(without(vector, &known)?);
+        let [sphere, kept, free] = self.gradients_at(x, level);
+        let mut known = [Phase::zeros(); 6];
+        for (k, vector) in [sphere, kept, free, field].into_iter().enumerate() {
+            known[k] = without(vector, &known[..k])?;
         }
-        let speed = field.norm();
-        let along = known.pop()?;
-        known.push(along);
-        let mut across = [Phase::zeros(); 2];
-        for vector in &mut across {
-            // The coordinate direction of which most is left.
-            let left = |j: usize| 1.0 - known.iter().map(|u| u[j] * u[j]).sum::<f64>();
-            let j = (0..6).max_by(|&i, &j| left(i).total_cmp(&left(j)))?;
-            let mut direction = Phase::zeros();
-            direction[j] = 1.0;
-            *vector = without(direction, &known)?;
-            known.push(*vector);
+        for k in 4..6 {
+            let vector = if let Some(like) = like {
+                like.across[k - 4]
+            } else {
+                // The coordinate direction of which most is left.
+                let left = |j: usize| 1.0 - known[..k].iter().map(|u| u[j] * u[j]).sum::<f64>();
+                Phase::ith((0..6).max_by(|&i, &j| left(i).total_cmp(&left(j)))?, 1.0)
+            };
+            known[k] = without(vector, &known[..k])?;
+            if like.is_some() && known[k].dot(&vector) < ALIKE {
+                return None;
+            }
         }
-        Some(Frame { along, across, speed })
+        let [_, _, beyond, along, first, second] = known;
+        Some(Frame { across: [first, second], beyond, along, speed: field.norm(), rise: beyond.dot(&free) })
     }
 }
 
-/// Right-angled directions at a point of an orbit: along it, and the two that neither it nor the gradients of the integrals
-/// have a part in. The derivative of the return to the point, seen in the latter two, has the orbit's nontrivial multipliers.
+/// The cosine of the angle by which the directions of neighbouring frames may differ.
+const ALIKE: f64 = 0.5;
+
+/// Right-angled directions at a point of an orbit: the two across it that neither it nor the gradients of the integrals have a
+/// part in, the one out of the surface of fixed h and l that keeps the level, and the one along the flow. The derivative of the
+/// return to the point, seen in the first two, has the orbit's nontrivial multipliers.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
+    /// Across the flow, on the surface of fixed h and l.
+    pub across: [Phase; 2],
+    /// Along the level, out of this surface.
+    pub beyond: Phase,
     /// Along the flow.
     pub along: Phase,
-    /// Across it, on the surface of fixed h and l.
-    pub across: [Phase; 2],
     /// |(γ̇, l̇)|.
     pub speed: f64,
+    /// How fast the integral that is not kept grows beyond.
+    pub rise: f64,
 }
 
-/// The unit vector of what is left of a vector without its parts along orthonormal ones, taken away twice so that rounding
-/// leaves none; `None` where nothing is left.
+/// The parts of a direction in a frame: two across, beyond and along.
+pub type Parts = SVector<f64, 4>;
+
+impl Frame {
+    /// The parts of a direction.
+    #[must_use]
+    pub fn parts(&self, vector: &Phase) -> Parts {
+        let [first, second] = self.across;
+        Parts::new(first.dot(vector), second.dot(vector), self.beyond.dot(vector), self.along.dot(vector))
+    }
+
+    /// The direction that has these parts.
+    #[must_use]
+    pub fn direction(&self, parts: &Parts) -> Phase {
+        self.across[0] * parts[0] + self.across[1] * parts[1] + self.beyond * parts[2] + self.along * parts[3]
+    }
+}
+
+/// The unit vector of what is left of a vector without its parts along orthonormal ones, taken away twice where rounding would
+/// leave some; `None` where nothing is left.
 fn without(vector: Phase, known: &[Phase]) -> Option<Phase> {
-    let mut left = vector;
+    let whole = vector.norm();
+    let (mut left, mut size) = (vector, whole);
     for _ in 0..2 {
+        let before = size;
         for unit in known {
             left -= unit * unit.dot(&left);
         }
+        size = left.norm();
+        if size > 0.7 * before {
+            break;
+        }
     }
-    let size = left.norm();
-    (size > 1e-14 * vector.norm()).then(|| left / size)
+    (size > 1e-14 * whole).then(|| left / size)
 }

@@ -1,6 +1,7 @@
 //! Periodic orbits: their families from the relative equilibria, and all short ones at a point of the (h, l) plane.
 
 pub mod catalogue;
+pub mod chain;
 pub mod chart;
 pub mod family;
 pub mod flow;

@@ -5,7 +5,7 @@ use bifdiag_dynamics::integrator::StepError;
 use bifdiag_schema::OrbitStability;
 use thiserror::Error;
 
-use crate::flow::{Phase, Space};
+use crate::flow::{Level, Phase, Space};
 use crate::reversor::{Reversor, all_are_symmetric, reversors};
 use crate::shooting::{Keep, Ring, ShootingError, Shot};
 use crate::walk::walk;
@@ -85,10 +85,10 @@ impl PeriodicOrbit {
     pub fn new(top: &HeavyTop, start: &State, period: f64) -> Result<Self, OrbitError> {
         let units = top.units();
         let (space, x, time) = reduced(top, start, period);
-        let shot = spread(&space, &Ring { nodes: vec![x], period: time })?.shoot(&space)?;
+        let shot = around(&space, &x, time)?;
         let l = dot(start.gamma, start.reduced(units).l);
-        let about = About { space: &space, reversors: &reversors(&space.top, l), places: &[] };
-        Ok(about.describe(&shot).0.restored(top))
+        let about = About { space: &space, reversors: &reversors(&space.top, l) };
+        Ok(about.describe(&shot).restored(top))
     }
 
     /// That of a reduced top as that of the top as given.
@@ -117,7 +117,7 @@ impl PeriodicOrbit {
 /// [`OrbitError`] at an equilibrium, and where the motion leaves the range of `f64`.
 pub fn unstable_direction(top: &HeavyTop, start: &State, period: f64) -> Result<(f64, Phase), OrbitError> {
     let (space, x, time) = reduced(top, start, period);
-    let shot = spread(&space, &Ring { nodes: vec![x], period: time })?.shoot(&space)?;
+    let shot = around(&space, &x, time)?;
     let reduced = shot.reduced();
     let (matrix, multiplier) = (reduced.matrix, reduced.multipliers()[0][0]);
     // (M − λ)v = 0, by the row that has more of it.
@@ -142,16 +142,13 @@ pub fn correct(top: &HeavyTop, start: &State, period: f64, fixed: Fixed) -> Resu
     let (space, x, time) = reduced(top, start, period);
     let (h, l) = (space.top.energy(&space.state(&x)), x.fixed_rows::<3>(0).dot(&x.fixed_rows::<3>(3)));
     let [_, of_l, of_h] = space.gradients(&x);
-    let place = |gradient: Phase| {
-        let unit = gradient.normalize();
-        Keep::Place(unit.push(0.0))
+    let place = |gradient: Phase| Keep::Place(gradient.normalize().push(0.0));
+    let (level, keep) = match fixed {
+        Fixed::Both => (Level::Momentum(l), Keep::Energy(h)),
+        Fixed::Momentum => (Level::Momentum(l), place(of_h)),
+        Fixed::Energy => (Level::Energy(h), place(of_l)),
     };
-    let keep = match fixed {
-        Fixed::Both => [Keep::Momentum(l), Keep::Energy(h)],
-        Fixed::Momentum => [Keep::Momentum(l), place(of_h)],
-        Fixed::Energy => [Keep::Energy(h), place(of_l)],
-    };
-    let shot = spread(&space, &Ring { nodes: vec![x], period: time })?.close(&space, keep)?;
+    let shot = around(&space, &x, time)?.ring.close(&space, level, keep, None)?;
     let state = space.state(&shot.ring.nodes[0]).restored(units);
     Ok((state, units.restore(shot.ring.period, Dimension::TIME)))
 }
@@ -164,33 +161,34 @@ fn reduced(top: &HeavyTop, start: &State, period: f64) -> (Space, Phase, f64) {
     (space, point, units.reduce(period, Dimension::TIME))
 }
 
+/// A ring has a multiple of this number of nodes: as many motions are followed at once where registers are widest.
+pub const NODES: usize = 8;
 /// More stretching than this from node to node costs digits.
 const STRETCH: f64 = 100.0;
 const MOST_NODES: usize = 64;
+
+/// The motion from a point during a period, as an orbit.
+fn around(space: &Space, start: &Phase, period: f64) -> Result<Shot, ShootingError> {
+    let mut nodes = vec![*start];
+    for k in 1..NODES {
+        nodes.extend(space.ends(&nodes[k - 1..], period / NODES as f64)?);
+    }
+    // (Any level will do: what is seen across an orbit does not depend on it.)
+    spread(space, Ring { nodes, period }.shoot(space, Level::Momentum(0.0), None)?)
+}
 
 /// The same orbit with as many nodes as its stretching needs.
 ///
 /// # Errors
 /// [`ShootingError::Step`].
-pub fn spread(space: &Space, ring: &Ring) -> Result<Ring, ShootingError> {
-    let mut ring = ring.clone();
-    loop {
-        let shot = ring.clone().shoot(space)?;
-        if shot.stretch() <= STRETCH || ring.nodes.len() >= MOST_NODES {
-            return Ok(ring);
-        }
-        ring = doubled(space, &ring)?;
+pub fn spread(space: &Space, mut shot: Shot) -> Result<Shot, ShootingError> {
+    while shot.chain().stretch() > STRETCH && shot.ring.nodes.len() < MOST_NODES {
+        let ring = &shot.ring;
+        let middles = space.ends(&ring.nodes, 0.5 * ring.period / ring.nodes.len() as f64)?;
+        let nodes = ring.nodes.iter().zip(&middles).flat_map(|(node, middle)| [*node, *middle]).collect();
+        shot = Ring { nodes, period: ring.period }.shoot(space, shot.level, None)?;
     }
-}
-
-/// The ring with a node more between any two.
-fn doubled(space: &Space, ring: &Ring) -> Result<Ring, ShootingError> {
-    let half = 0.5 * ring.period / ring.nodes.len() as f64;
-    let mut nodes = Vec::with_capacity(2 * ring.nodes.len());
-    for node in &ring.nodes {
-        nodes.extend([*node, space.pass(node, half)?.end]);
-    }
-    Ok(Ring { nodes, period: ring.period })
+    Ok(shot)
 }
 
 /// What the description of an orbit needs to know.
@@ -200,19 +198,17 @@ pub struct About<'a> {
     pub space: &'a Space,
     /// The reversors at its l.
     pub reversors: &'a [Reversor],
-    /// Places whose distance from the orbit is wanted.
-    pub places: &'a [Phase],
 }
 
 impl About<'_> {
-    /// Describes a closed orbit, in the units of the reduced top; and how near it comes to the places.
+    /// Describes a closed orbit, in the units of the reduced top.
     #[must_use]
-    pub fn describe(&self, shot: &Shot) -> (PeriodicOrbit, Vec<f64>) {
-        let Self { space, reversors, places } = *self;
-        let seen = walk(space, shot, reversors, places);
+    pub fn describe(&self, shot: &Shot) -> PeriodicOrbit {
+        let Self { space, reversors } = *self;
+        let seen = walk(space, shot, reversors);
         let reduced = shot.reduced();
         let state = space.state(&shot.ring.nodes[0]);
-        let orbit = PeriodicOrbit {
+        PeriodicOrbit {
             start: seen.maximum.unwrap_or(state),
             h: space.top.energy(&state),
             l: dot(state.gamma, state.l),
@@ -224,7 +220,6 @@ impl About<'_> {
             action: seen.action,
             symmetric: seen.symmetric || all_are_symmetric(&space.top),
             residual: shot.residual,
-        };
-        (orbit, seen.nearest)
+        }
     }
 }

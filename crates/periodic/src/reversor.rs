@@ -65,4 +65,15 @@ impl Reversor {
         let moved = space.point(&self.apply(state)) - space.point(state);
         (moved.iter().zip(LOOK).map(|(x, look)| x * look).sum(), moved.norm())
     }
+
+    /// The signed part of [`distance`](Self::distance), which is linear in the state.
+    #[must_use]
+    pub fn covector(&self, space: &Space) -> State {
+        let unit = |j: usize| State {
+            gamma: std::array::from_fn(|i| if i == j { 1.0 } else { 0.0 }),
+            l: std::array::from_fn(|i| if i + 3 == j { 1.0 } else { 0.0 }),
+        };
+        let of = |j: usize| self.distance(space, &unit(j)).0;
+        State { gamma: std::array::from_fn(of), l: std::array::from_fn(|i| of(i + 3)) }
+    }
 }

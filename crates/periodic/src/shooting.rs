@@ -2,14 +2,20 @@
 //!
 //! An orbit is a ring of nodes, equal times apart; its **defects** are the differences between where the flow takes a node
 //! and the next node. Between two nodes the flow stretches by a bounded factor, so that defects can be small for unstable
-//! orbits too. Since the flow keeps γ², ⟨γ,l⟩ and H, three of the six equations of closing say nothing: those that count are
-//! the parts of the last defect along and across the orbit; the others are replaced by what is to be kept.
+//! orbits too. All nodes have |γ| = 1 and lie on one level of l or h, which the flow keeps: of the six equations of closing, two say
+//! nothing then, and a third since the other integral is kept as well. What counts are the parts of the last defect along and
+//! across the orbit.
+//!
+//! The derivative costs several times as much as the flow alone. So an orbit is corrected with the derivative that is expected from
+//! its neighbours, as long as the defects shrink by it, and with its own where they do not; its own is computed at the end in any
+//! case, since the multipliers are to come from the orbit itself.
 
-use bifdiag_dynamics::integrator::StepError;
+use bifdiag_dynamics::integrator::{StepError, TaylorStep};
 use nalgebra::{SMatrix, SVector};
 use thiserror::Error;
 
-use crate::flow::{Frame, Passage, Phase, Space, Tangent};
+use crate::chain::{Chain, Link, Move, Reduced};
+use crate::flow::{Frame, Level, Parts, Passage, Phase, Space};
 
 /// A direction in the space of orbits: of the first node, and of the period as a part of the period.
 pub type Direction = SVector<f64, 7>;
@@ -23,12 +29,10 @@ pub struct Ring {
     pub period: f64,
 }
 
-/// What remains fixed while an orbit is corrected, beside |γ| = 1 and its phase; two of these determine it.
+/// What determines an orbit, beside its level and its phase.
 #[derive(Clone, Copy, Debug)]
 pub enum Keep {
-    /// ⟨γ,l⟩ in units of the space.
-    Momentum(f64),
-    /// H.
+    /// H, where the level is of ⟨γ,l⟩.
     Energy(f64),
     /// The place of the guess along this direction.
     Place(Direction),
@@ -46,7 +50,7 @@ pub enum ShootingError {
     /// Newton's method did not converge.
     #[error("Newton's method left a defect of {residual:e}")]
     Stalled {
-        /// The smallest defect.
+        /// The last defect.
         residual: f64,
     },
 }
@@ -56,14 +60,18 @@ pub enum ShootingError {
 pub struct Shot {
     /// The ring.
     pub ring: Ring,
-    /// From each node to the next.
-    pub passages: Vec<Passage>,
     /// Directions at each node.
     pub frames: Vec<Frame>,
+    /// The motion from each node to the next; empty if the derivative is not that of this ring.
+    pub steps: Vec<Vec<TaylorStep>>,
     /// The largest part of a defect.
     pub residual: f64,
-    /// Corrections that were made.
-    pub corrections: u32,
+    /// That of the guess from which it was corrected.
+    pub missed: f64,
+    /// The level of its nodes.
+    pub level: Level,
+    chain: Chain,
+    defects: Vec<Parts>,
 }
 
 /// How the nodes of an orbit, and its period, change along its family.
@@ -75,253 +83,250 @@ pub struct Slopes {
     pub period: f64,
 }
 
+/// The derivative beside a guess: frames near those of its nodes, and what is expected of its chain.
+#[derive(Clone, Debug)]
+pub struct Expected<'a> {
+    /// Of a neighbour.
+    pub frames: &'a [Frame],
+    /// Of the guess.
+    pub chain: Chain,
+}
+
 /// A defect that no correction has to better; the integrator rounds to a few 1e-16.
-const CLOSED: f64 = 1e-14;
+const CLOSED: f64 = 3e-15;
 /// The largest defect of an orbit that counts as closed.
 pub const RESIDUAL: f64 = 1e-13;
-const CORRECTIONS: u32 = 12;
+const CORRECTIONS: u32 = 20;
 /// A guess whose defect is larger than this is none.
 const LOST: f64 = 0.5;
+/// Where a correction leaves more than this share of a defect, the derivative is computed anew.
+const SLOW: f64 = 0.1;
+/// The share that one is taken to leave with the derivative that neighbours let expect.
+const NEIGHBOUR: f64 = 1e-2;
 
 impl Ring {
-    /// Follows the flow from node to node.
+    fn time(&self) -> f64 {
+        self.period / self.nodes.len() as f64
+    }
+
+    /// The same ring on a level.
+    fn onto(mut self, space: &Space, level: Level) -> Self {
+        for node in &mut self.nodes {
+            *node = space.onto(*node, level);
+        }
+        self
+    }
+
+    fn frames(&self, space: &Space, level: Level, like: Option<&[Frame]>) -> Result<Vec<Frame>, ShootingError> {
+        let frame = |(k, node)| space.frame(node, level, like.map(|frames| &frames[k])).ok_or(ShootingError::Singular);
+        self.nodes.iter().enumerate().map(frame).collect()
+    }
+
+    /// The defects in the frames, and the largest part of one.
+    fn defects<'a>(&self, frames: &[Frame], ends: impl Iterator<Item = &'a Phase>) -> (Vec<Parts>, f64) {
+        let mut residual = 0.0_f64;
+        let next = |k: usize| (k + 1) % self.nodes.len();
+        let defect = |(k, end): (usize, &Phase)| {
+            let missed = end - self.nodes[next(k)];
+            // (`max` would pass over what is no number.)
+            residual = if missed.amax() > residual || missed.amax().is_nan() { missed.amax() } else { residual };
+            frames[next(k)].parts(&missed)
+        };
+        let defects = ends.enumerate().map(defect).collect();
+        (defects, residual)
+    }
+
+    /// Follows the flow from node to node, with its derivative; in frames near those of a neighbour, if these are given.
     ///
     /// # Errors
     /// [`ShootingError::Step`], and [`ShootingError::Singular`] at an equilibrium.
-    pub fn shoot(self, space: &Space) -> Result<Shot, ShootingError> {
-        let count = self.nodes.len();
-        let time = self.period / count as f64;
-        let mut passages = Vec::with_capacity(count);
-        let mut frames = Vec::with_capacity(count);
-        let mut residual = 0.0_f64;
-        for (i, node) in self.nodes.iter().enumerate() {
-            let passage = space.pass(node, time)?;
-            residual = residual.max((passage.end - self.nodes[(i + 1) % count]).amax());
-            passages.push(passage);
-            frames.push(space.frame(node).ok_or(ShootingError::Singular)?);
-        }
-        Ok(Shot { ring: self, passages, frames, residual, corrections: 0 })
+    pub fn shoot(self, space: &Space, level: Level, like: Option<&[Frame]>) -> Result<Shot, ShootingError> {
+        let frames = self.frames(space, level, like)?;
+        let passages = space.pass(&self.nodes, &frames, self.time())?;
+        let link = |(k, passage): (usize, &Passage)| {
+            let to = &frames[(k + 1) % frames.len()];
+            let field = to.parts(&space.field(&passage.end));
+            let [first, second, third] = passage.moved.each_ref().map(|moved| to.parts(moved));
+            let tangent = SMatrix::from_columns(&[first, second, third, field / frames[k].speed]);
+            Link { tangent, of_period: field * self.time() }
+        };
+        let chain = Chain::new(passages.iter().enumerate().map(link).collect());
+        let (defects, residual) = self.defects(&frames, passages.iter().map(|passage| &passage.end));
+        let steps = passages.into_iter().map(|passage| passage.steps).collect();
+        Ok(Shot { ring: self, frames, steps, residual, missed: residual, level, chain, defects })
+    }
+
+    /// The same without the derivative, of which something is known.
+    fn look(self, space: &Space, level: Level, frames: Vec<Frame>, chain: Chain) -> Result<Shot, ShootingError> {
+        let ends = space.ends(&self.nodes, self.time())?;
+        let (defects, residual) = self.defects(&frames, ends.iter());
+        Ok(Shot { ring: self, frames, steps: Vec::new(), residual, missed: residual, level, chain, defects })
     }
 
     /// Corrects the orbit until its defects are those of rounding.
     ///
     /// # Errors
     /// [`ShootingError`].
-    pub fn close(self, space: &Space, keep: [Keep; 2]) -> Result<Shot, ShootingError> {
-        let mut best = self.shoot(space)?;
-        for corrections in 1..=CORRECTIONS {
-            if best.residual > LOST || !best.residual.is_finite() {
-                break;
+    pub fn close(
+        self,
+        space: &Space,
+        level: Level,
+        keep: Keep,
+        expected: Option<Expected<'_>>,
+    ) -> Result<Shot, ShootingError> {
+        let ring = self.onto(space, level);
+        let mut shot = match expected {
+            None => ring.shoot(space, level, None)?,
+            Some(Expected { frames, chain }) => {
+                let frames = ring.frames(space, level, Some(frames))?;
+                ring.look(space, level, frames, chain)?
             }
-            let (is_small, kept) = (best.residual <= RESIDUAL, best.kept(space, &keep));
+        };
+        let missed = shot.residual;
+        // What the last defect was, and which share of the next one a correction is expected to leave.
+        let (mut before, mut share) = (f64::INFINITY, shot.leaves());
+        let mut corrections = 0;
+        // (What is no number is larger than nothing.)
+        while corrections < CORRECTIONS && shot.residual <= LOST {
+            let off = shot.residual.max(shot.kept(space, &keep));
             // A guess is corrected once in any case: its defect may be small in a direction in which it is far off.
-            if corrections > 1 && best.residual <= CLOSED && kept <= CLOSED {
-                return Ok(best);
+            let is_closed = corrections > 0 && (off <= CLOSED || off.max(before) <= RESIDUAL);
+            if is_closed && shot.is_exact() {
+                shot.missed = missed;
+                return Ok(shot);
             }
-            let mut next = best.corrected(space, &keep)?.shoot(space)?;
-            next.corrections = corrections;
-            // Rounding is reached where a correction betters nothing.
-            if is_small && kept <= RESIDUAL && next.residual >= 0.5 * best.residual {
-                return Ok(if next.residual <= best.residual.max(CLOSED) { next } else { best });
+            if !shot.is_exact() && (is_closed || off > SLOW * before) {
+                shot = shot.ring.shoot(space, level, Some(&shot.frames))?;
+                (before, share) = (off, shot.leaves());
+                continue;
             }
-            best = next;
+            let ring = shot.corrected(space, &keep)?;
+            let next = if shot.residual * share <= 0.3 * CLOSED {
+                ring.shoot(space, level, Some(&shot.frames))?
+            } else {
+                ring.look(space, level, shot.frames.clone(), shot.chain.clone())?
+            };
+            corrections += 1;
+            let is_worse = next.residual > shot.residual.max(CLOSED);
+            let is_exact = shot.is_exact();
+            // What was expected was wrong, or it is rounding that was corrected: beside a crossing of families by a wide move.
+            if is_worse && (!is_exact || off <= RESIDUAL) {
+                if !is_exact {
+                    shot = shot.ring.shoot(space, level, Some(&shot.frames))?;
+                    share = shot.leaves();
+                }
+                before = off;
+                continue;
+            }
+            share = next.residual / shot.residual;
+            before = off;
+            shot = next;
         }
-        Err(ShootingError::Stalled { residual: best.residual })
+        Err(ShootingError::Stalled { residual: shot.residual })
     }
-}
-
-/// The defects of a ring, carried to its end: the last node comes to A δ + b δT/T + c beside the first, δ being the first
-/// one's move.
-struct Carried {
-    tangent: Tangent,
-    of_period: Phase,
-    defect: Phase,
 }
 
 impl Shot {
-    fn carried(&self, space: &Space) -> Vec<Carried> {
-        let count = self.ring.nodes.len();
-        let mut all = Vec::with_capacity(count + 1);
-        all.push(Carried { tangent: Tangent::identity(), of_period: Phase::zeros(), defect: Phase::zeros() });
-        for (i, passage) in self.passages.iter().enumerate() {
-            let last = &all[i];
-            let moved = space.field(&passage.end) * (self.ring.period / count as f64);
-            all.push(Carried {
-                tangent: passage.tangent * last.tangent,
-                of_period: passage.tangent * last.of_period + moved,
-                defect: passage.tangent * last.defect + passage.end - self.ring.nodes[(i + 1) % count],
-            });
-        }
-        all
+    /// The derivative is that of this ring.
+    fn is_exact(&self) -> bool {
+        !self.steps.is_empty()
     }
 
-    /// The five equations that every closed orbit satisfies, and the two that are kept.
-    fn equations(&self, space: &Space, last: &Carried, keep: &[Keep; 2]) -> (SMatrix<f64, 7, 7>, Direction) {
-        let first = &self.ring.nodes[0];
-        let frame = &self.frames[0];
-        let closing = last.tangent - Tangent::identity();
-        let mut matrix = SMatrix::<f64, 7, 7>::zeros();
-        let mut right = Direction::zeros();
-        let mut row = 0;
-        let mut set = |of_node: Phase, of_period: f64, value: f64| {
-            for j in 0..6 {
-                matrix[(row, j)] = of_node[j];
+    /// The share of its defect that a correction is expected to leave: the defect itself, with Newton's method.
+    fn leaves(&self) -> f64 {
+        if self.is_exact() { 10.0 * self.residual } else { NEIGHBOUR }
+    }
+
+    /// How far what is kept is from its value.
+    fn kept(&self, space: &Space, keep: &Keep) -> f64 {
+        match keep {
+            Keep::Energy(h) => {
+                let off = space.missed(&self.ring.nodes[0], Level::Energy(*h));
+                off.abs() / (h.abs() + space.top.center_norm())
             }
-            matrix[(row, 6)] = of_period;
-            right[row] = value;
-            row += 1;
+            Keep::Place(_) => 0.0,
+        }
+    }
+
+    /// One correction.
+    fn corrected(&self, space: &Space, keep: &Keep) -> Result<Ring, ShootingError> {
+        let (condition, value) = match keep {
+            Keep::Energy(h) => {
+                let missed = space.missed(&self.ring.nodes[0], Level::Energy(*h));
+                (Move::new(0.0, 0.0, self.frames[0].rise, 0.0), missed)
+            }
+            Keep::Place(direction) => (self.first_move(direction), 0.0),
         };
-        for unit in frame.across.iter().chain([&frame.along]) {
-            set(closing.transpose() * unit, unit.dot(&last.of_period), -unit.dot(&last.defect));
-        }
-        set(frame.along, 0.0, 0.0);
-        let [sphere, momentum, energy] = space.gradients(first);
-        set(sphere, 0.0, 0.5 * (1.0 - sphere.norm_squared()));
-        for condition in keep {
-            match condition {
-                Keep::Momentum(l) => set(momentum / space.unit, 0.0, l - self.momentum()),
-                Keep::Energy(h) => set(energy, 0.0, h - space.top.energy(&space.state(first))),
-                Keep::Place(direction) => {
-                    set(direction.fixed_rows::<6>(0).into_owned(), direction[6], 0.0);
-                }
-            }
-        }
-        (matrix, right)
-    }
-
-    /// ⟨γ,l⟩ at the first node.
-    fn momentum(&self) -> f64 {
-        let x = &self.ring.nodes[0];
-        x[0] * x[3] + x[1] * x[4] + x[2] * x[5]
-    }
-
-    /// How far |γ| and what is kept are from their values.
-    fn kept(&self, space: &Space, keep: &[Keep; 2]) -> f64 {
-        let first = &self.ring.nodes[0];
-        let sphere = (first.fixed_rows::<3>(0).norm_squared() - 1.0).abs();
-        keep.iter().fold(sphere, |most: f64, condition| {
-            most.max(match condition {
-                Keep::Momentum(l) => (l - self.momentum()).abs(),
-                Keep::Energy(h) => {
-                    (h - space.top.energy(&space.state(first))).abs() / (h.abs() + space.top.center_norm())
-                }
-                Keep::Place(_) => 0.0,
-            })
-        })
-    }
-
-    /// One step of Newton's method.
-    fn corrected(&self, space: &Space, keep: &[Keep; 2]) -> Result<Ring, ShootingError> {
-        let carried = self.carried(space);
-        let (matrix, right) = self.equations(space, &carried[self.passages.len()], keep);
-        let step = matrix.lu().solve(&right).ok_or(ShootingError::Singular)?;
+        let carried = self.chain.carry(&self.defects);
+        let step = self.chain.closing(&carried[self.ring.nodes.len()], (&condition, value));
+        let step = step.ok_or(ShootingError::Singular)?;
         // A guess that is so far from any orbit is none; nor is a step of singular equations that rounding left.
         if step.amax() > LOST || step.iter().any(|x| x.is_nan()) {
             return Err(ShootingError::Singular);
         }
-        Ok(self.moved(&carried, &step, 1.0))
+        let moved = self.moved(&step, 1.0, &carried);
+        Ok(moved.onto(space, self.level))
     }
 
-    /// The ring that has moved in a direction; `defects` is the share of the defects that is taken away.
-    fn moved(&self, carried: &[Carried], step: &Direction, defects: f64) -> Ring {
-        let first = step.fixed_rows::<6>(0).into_owned();
-        let nodes = self.ring.nodes.iter().zip(carried);
-        let nodes = nodes.map(|(node, c)| node + c.tangent * first + c.of_period * step[6] + c.defect * defects);
-        Ring { nodes: nodes.collect(), period: self.ring.period * (1.0 + step[6]) }
+    /// What a direction is to the first node, beside its part along.
+    fn first_move(&self, direction: &Direction) -> Move {
+        let parts = self.frames[0].parts(&direction.fixed_rows::<6>(0).into_owned());
+        Move::new(parts[0], parts[1], parts[2], direction[6])
     }
 
-    /// The direction of the family that keeps what is given, along `before`; of length 1.
+    /// The ring that has moved, a share of what is carried to each node taken with it.
+    fn moved(&self, step: &Move, share: f64, carried: &[Parts]) -> Ring {
+        let nodes = self.ring.nodes.iter().zip(&self.frames).zip(self.chain.moved(*step)).zip(carried);
+        let nodes = nodes.map(|(((node, frame), parts), defect)| node + frame.direction(&(parts + defect * share)));
+        Ring { nodes: nodes.collect(), period: self.ring.period * (1.0 + step[3]) }
+    }
+
+    /// The direction of the family on the level, along `before`; of length 1.
     #[must_use]
-    pub fn direction(&self, space: &Space, keep: Keep, before: &Direction) -> Option<Direction> {
-        let carried = self.carried(space);
-        let (matrix, _) = self.equations(space, &carried[self.passages.len()], &[keep, Keep::Place(*before)]);
-        let mut right = Direction::zeros();
-        right[6] = 1.0;
-        let direction = matrix.lu().solve(&right)?;
-        let size = direction.norm();
-        size.is_finite().then(|| direction / size)
+    pub fn direction(&self, before: &Direction) -> Option<Direction> {
+        let step = self.chain.closing(&Parts::zeros(), (&self.first_move(before), 1.0))?;
+        let node = self.frames[0].direction(&Parts::new(step[0], step[1], step[2], 0.0));
+        let size = step.norm();
+        size.is_finite().then(|| node.push(step[3]) / size)
     }
 
     /// The slopes in a direction.
     #[must_use]
-    pub fn slopes(&self, space: &Space, direction: &Direction) -> Slopes {
-        let first = direction.fixed_rows::<6>(0).into_owned();
-        let carried = self.carried(space);
-        let nodes = carried.iter().take(self.ring.nodes.len());
-        let nodes = nodes.map(|c| c.tangent * first + c.of_period * direction[6]);
+    pub fn slopes(&self, direction: &Direction) -> Slopes {
+        let moved = self.chain.moved(self.first_move(direction));
+        let nodes = self.frames.iter().zip(moved).map(|(frame, parts)| frame.direction(&parts));
         Slopes { nodes: nodes.collect(), period: self.ring.period * direction[6] }
     }
 
     /// The guess at a distance along a direction.
     #[must_use]
-    pub fn ahead(&self, space: &Space, direction: &Direction, distance: f64) -> Ring {
-        self.moved(&self.carried(space), &(direction * distance), 0.0)
+    pub fn ahead(&self, direction: &Direction, distance: f64) -> Ring {
+        let still = vec![Parts::zeros(); self.ring.nodes.len()];
+        self.moved(&(self.first_move(direction) * distance), 0.0, &still)
     }
 
     /// The same orbit from another node on, with the direction that it has there.
     #[must_use]
-    pub fn turned(mut self, space: &Space, by: usize, direction: &Direction) -> (Self, Direction) {
-        let carried = &self.carried(space)[by];
-        let first = direction.fixed_rows::<6>(0).into_owned();
-        let mut moved = carried.tangent * first + carried.of_period * direction[6];
-        let along = self.frames[by].along;
-        moved -= along * along.dot(&moved);
-        let direction = moved.push(direction[6]).normalize();
+    pub fn turned(mut self, by: usize, direction: &Direction) -> (Self, Direction) {
+        let there = self.chain.moved(self.first_move(direction)).nth(by).unwrap_or_default();
+        let node = self.frames[by].direction(&Parts::new(there[0], there[1], there[2], 0.0));
         self.ring.nodes.rotate_left(by);
-        self.passages.rotate_left(by);
         self.frames.rotate_left(by);
-        (self, direction)
+        self.steps.rotate_left(by);
+        self.defects.rotate_left(by);
+        self.chain = self.chain.turned(by);
+        (self, node.push(direction[6]).normalize())
     }
 
-    /// The largest factor by which the flow stretches from one node to the next.
+    /// The derivatives from node to node.
     #[must_use]
-    pub fn stretch(&self) -> f64 {
-        self.passages.iter().map(|passage| passage.tangent.norm()).fold(0.0, f64::max)
+    pub fn chain(&self) -> &Chain {
+        &self.chain
     }
 
-    /// The reduced derivative of the return to the first node: the trace of the product, and the product of the determinants
-    /// from node to node, which is 1 but for rounding.
+    /// The derivative of the return, across the orbit.
     #[must_use]
     pub fn reduced(&self) -> Reduced {
-        let count = self.frames.len();
-        let mut product = SMatrix::<f64, 2, 2>::identity();
-        let mut determinant = 1.0;
-        for (i, passage) in self.passages.iter().enumerate() {
-            let (from, to) = (&self.frames[i], &self.frames[(i + 1) % count]);
-            let part = SMatrix::<f64, 2, 2>::from_fn(|a, b| to.across[a].dot(&(passage.tangent * from.across[b])));
-            product = part * product;
-            determinant *= part.determinant();
-        }
-        Reduced { matrix: product, determinant }
-    }
-}
-
-/// The derivative of the return of an orbit, across it.
-#[derive(Clone, Copy, Debug)]
-pub struct Reduced {
-    /// In the directions across at the first node.
-    pub matrix: SMatrix<f64, 2, 2>,
-    /// Its determinant, without the cancellation of large entries.
-    pub determinant: f64,
-}
-
-impl Reduced {
-    /// Its trace: 2 at folds, −2 at doublings.
-    #[must_use]
-    pub fn trace(&self) -> f64 {
-        self.matrix.trace()
-    }
-
-    /// The multipliers, [re, im]: on the unit circle, or the larger first.
-    #[must_use]
-    pub fn multipliers(&self) -> [[f64; 2]; 2] {
-        let (half, product) = (0.5 * self.trace(), self.determinant);
-        let discriminant = half * half - product;
-        if discriminant < 0.0 {
-            let im = (-discriminant).sqrt();
-            return [[half, im], [half, -im]];
-        }
-        let larger = half + discriminant.sqrt().copysign(half);
-        if larger == 0.0 { [[0.0; 2]; 2] } else { [[larger, 0.0], [product / larger, 0.0]] }
+        self.chain.reduced()
     }
 }

@@ -1,7 +1,8 @@
 //! Once around a closed orbit: its crossings of P, its action, and the reversors that it is symmetric under.
 
-use bifdiag_dynamics::field::{HeavyTop, Integrals, State, dot};
+use bifdiag_dynamics::field::{Integrals, State, dot};
 use bifdiag_dynamics::integrator::TaylorStep;
+use bifdiag_dynamics::integrator::taylor::MAX_ORDER;
 use bifdiag_dynamics::section::SectionCondition;
 
 use crate::flow::{Phase, Space};
@@ -19,21 +20,29 @@ pub struct Walk {
     pub action: f64,
     /// Every reversor with a fixed point on the orbit takes it to itself.
     pub symmetric: bool,
-    /// For each of the places that were asked for, how near the orbit comes to it.
-    pub nearest: Vec<f64>,
 }
 
 /// Places in a step at which signs are looked at.
 const LOOKS: usize = 8;
+/// Where they lie: at the ends of as many parts.
+const PLACES: [f64; LOOKS + 1] = {
+    let mut places = [0.0; LOOKS + 1];
+    let mut k = 1;
+    while k <= LOOKS {
+        places[k] = k as f64 / LOOKS as f64;
+        k += 1;
+    }
+    places
+};
 /// A state that a reversor moves no further is one of its fixed points, and so far at most where the trace is nearly 2: the
 /// orbits beside one close nearly as well there, and it is known only to its defect over what the trace is off 2.
 const FIXED: [f64; 2] = [1e-6, 1e-4];
 /// |S| that is 0 all the way around, in its unit: the orbit lies in P.
 const FLAT: f64 = 1e-9;
 
-/// Goes once around along the steps of the passages, which begin anew at each node, so that errors do not grow on the way.
+/// Goes once around along the steps of the motion, which begin anew at each node, so that errors do not grow on the way.
 #[must_use]
-pub fn walk(space: &Space, shot: &Shot, reversors: &[Reversor], places: &[Phase]) -> Walk {
+pub fn walk(space: &Space, shot: &Shot, reversors: &[Reversor]) -> Walk {
     let top = &space.top;
     let begin = space.state(&shot.ring.nodes[0]);
     let energy = Integrals::of(top, &begin).energy;
@@ -42,7 +51,7 @@ pub fn walk(space: &Space, shot: &Shot, reversors: &[Reversor], places: &[Phase]
         space,
         fixed: known.clamp(FIXED[0], FIXED[1]),
         reversors,
-        places,
+        covectors: reversors.iter().map(|reversor| reversor.covector(space)).collect(),
         largest: 0.0,
         found: Walk {
             crossings: 0,
@@ -50,16 +59,21 @@ pub fn walk(space: &Space, shot: &Shot, reversors: &[Reversor], places: &[Phase]
             // Twice the kinetic energy is 2(H + ⟨γ,r⟩).
             action: 2.0 * energy * shot.ring.period,
             symmetric: false,
-            nearest: vec![f64::INFINITY; places.len()],
         },
     };
-    let first = walker.seen(begin);
+    let first = Seen {
+        height: SectionCondition::Height.value(top, &begin),
+        rate: SectionCondition::Height.rate(top, &begin),
+        moved: reversors.iter().map(|reversor| reversor.distance(space, &begin).0).collect(),
+    };
     let mut last = first.clone();
-    let count = shot.passages.len();
-    for (number, passage) in shot.passages.iter().enumerate() {
-        // It ends as it began: a zero there is seen once, whatever its sign is rounded to.
-        let closing = (number + 1 == count).then_some(&first);
-        last = walker.part(&passage.steps, last, closing);
+    let count = shot.steps.len();
+    for (number, steps) in shot.steps.iter().enumerate() {
+        for (k, step) in steps.iter().enumerate() {
+            // It ends as it began: a zero there is seen once, whatever its sign is rounded to.
+            let closing = (number + 1 == count && k + 1 == steps.len()).then_some(&first);
+            walker.step(step, &mut last, closing);
+        }
     }
     let Walker { mut found, largest, .. } = walker;
     if largest <= FLAT * SectionCondition::Height.scale(top, energy) {
@@ -68,13 +82,27 @@ pub fn walk(space: &Space, shot: &Shot, reversors: &[Reversor], places: &[Phase]
     found
 }
 
+/// For each of some places, how near a closed orbit comes to it.
+#[must_use]
+pub fn nearest(space: &Space, shot: &Shot, places: &[Phase]) -> Vec<f64> {
+    let mut nearest = vec![f64::INFINITY; places.len()];
+    for state in shot.steps.iter().flatten().flat_map(looks) {
+        let here = space.point(&state);
+        for (nearest, place) in nearest.iter_mut().zip(places) {
+            *nearest = nearest.min((here - place).norm());
+        }
+    }
+    nearest
+}
+
 /// On the way.
 struct Walker<'a> {
     space: &'a Space,
     /// What a reversor may move its fixed points.
     fixed: f64,
     reversors: &'a [Reversor],
-    places: &'a [Phase],
+    /// What makes of a state how far each reversor moves it, signed.
+    covectors: Vec<State>,
     /// The largest |S| so far.
     largest: f64,
     found: Walk,
@@ -83,7 +111,6 @@ struct Walker<'a> {
 /// What is seen at a place.
 #[derive(Clone)]
 struct Seen {
-    state: State,
     /// S.
     height: f64,
     /// Ṡ.
@@ -93,87 +120,130 @@ struct Seen {
 }
 
 impl Walker<'_> {
-    fn seen(&self, state: State) -> Seen {
-        let top = &self.space.top;
-        // Where the orbit is known to be symmetric nobody asks any more.
-        let asked: &[Reversor] = if self.found.symmetric { &[] } else { self.reversors };
-        Seen {
-            height: SectionCondition::Height.value(top, &state),
-            rate: SectionCondition::Height.rate(top, &state),
-            moved: asked.iter().map(|reversor| reversor.distance(self.space, &state).0).collect(),
-            state,
+    /// A step, from what was last seen on; `closing` is what is seen at its end if that is known.
+    fn step(&mut self, step: &TaylorStep, last: &mut Seen, closing: Option<&Seen>) {
+        let center = self.space.top.center();
+        // S is the derivative of ⟨γ,r⟩ by time.
+        let way = Polynomial::of(step, |state| dot(state.gamma, center));
+        self.found.action += 2.0 * way.integral() * step.length();
+        let slope = way.derivative(step.length());
+        let bend = slope.derivative(step.length());
+        let (mut heights, rates) = (slope.looks(last.height), bend.looks(last.rate));
+        if let Some(closing) = closing {
+            heights[LOOKS] = closing.height;
         }
-    }
-
-    /// From a node to the next; `closing` is what is seen at the end if that is known.
-    fn part(&mut self, steps: &[TaylorStep], mut last: Seen, closing: Option<&Seen>) -> Seen {
-        for (number, step) in steps.iter().enumerate() {
-            self.found.action += 2.0 * height_along(&self.space.top, step);
-            for (k, state) in looks(step).into_iter().enumerate() {
-                let ends = [k, k + 1].map(|k| k as f64 / LOOKS as f64);
-                let mut next = self.seen(state);
-                if let Some(closing) = closing.filter(|_| number + 1 == steps.len() && k + 1 == LOOKS) {
-                    next.height = closing.height;
-                    next.moved.clone_from(&closing.moved);
-                }
-                self.look(step, ends, [&last, &next]);
-                last = next;
+        (last.height, last.rate) = (heights[LOOKS], rates[LOOKS]);
+        for k in 0..LOOKS {
+            let ends = [PLACES[k], PLACES[k + 1]];
+            let (values, rates) = ([heights[k], heights[k + 1]], [rates[k], rates[k + 1]]);
+            self.largest = self.largest.max(values[1].abs());
+            if is_change(values) {
+                self.crossing(step, ends, values);
+            } else if is_change(rates) {
+                // Between two looks S may go to 0 and back.
+                let middle = zero(|x| bend.at(x), ends, rates);
+                let value = slope.at(middle);
+                self.crossing(step, [ends[0], middle], [values[0], value]);
+                self.crossing(step, [middle, ends[1]], [value, values[1]]);
             }
         }
-        last
+        self.reverse(step, last, closing);
     }
 
-    /// Between two looks.
-    fn look(&mut self, step: &TaylorStep, ends: [f64; 2], seen: [&Seen; 2]) {
-        let top = &self.space.top;
-        let height = |x: f64| SectionCondition::Height.value(top, &at(step, x));
-        let rate = |x: f64| SectionCondition::Height.rate(top, &at(step, x));
-        let (values, rates) = (seen.map(|seen| seen.height), seen.map(|seen| seen.rate));
-        self.largest = self.largest.max(values[1].abs());
-        if is_change(values) {
-            self.crossing(step, ends, values, height);
-        } else if is_change(rates) {
-            // Between two looks S may go to 0 and back.
-            let middle = zero(rate, ends, rates);
-            let value = height(middle);
-            self.crossing(step, [ends[0], middle], [values[0], value], height);
-            self.crossing(step, [middle, ends[1]], [value, values[1]], height);
-        }
-        if !self.found.symmetric {
-            let fixed = |(number, reversor): (usize, &Reversor)| {
-                let from = |x: f64| reversor.distance(self.space, &at(step, x));
-                let moved = seen.map(|seen| seen.moved[number]);
-                is_change(moved) && from(zero(|x| from(x).0, ends, moved)).1 < self.fixed
-            };
-            self.found.symmetric = self.reversors.iter().enumerate().any(fixed);
-        }
-        let here = self.space.point(&seen[0].state);
-        for (nearest, place) in self.found.nearest.iter_mut().zip(self.places) {
-            *nearest = nearest.min((here - place).norm());
+    /// Looks for fixed points of reversors in a step. Where the orbit is known to be symmetric nobody asks any more.
+    fn reverse(&mut self, step: &TaylorStep, last: &mut Seen, closing: Option<&Seen>) {
+        for (number, reversor) in self.reversors.iter().enumerate() {
+            if self.found.symmetric {
+                return;
+            }
+            let covector = self.covectors[number];
+            let from = Polynomial::of(step, |state| dot(covector.gamma, state.gamma) + dot(covector.l, state.l));
+            let mut moved = from.looks(last.moved[number]);
+            if let Some(closing) = closing {
+                moved[LOOKS] = closing.moved[number];
+            }
+            last.moved[number] = moved[LOOKS];
+            self.found.symmetric = (0..LOOKS).any(|k| {
+                let (ends, values) = ([PLACES[k], PLACES[k + 1]], [moved[k], moved[k + 1]]);
+                is_change(values) && {
+                    let there = at(step, zero(|x| from.at(x), ends, values));
+                    reversor.distance(self.space, &there).1 < self.fixed
+                }
+            });
         }
     }
 
     /// Counts a zero of S, if there is one between the ends.
-    fn crossing(&mut self, step: &TaylorStep, ends: [f64; 2], values: [f64; 2], height: impl Fn(f64) -> f64) {
+    fn crossing(&mut self, step: &TaylorStep, ends: [f64; 2], values: [f64; 2]) {
         if is_change(values) {
             self.found.crossings += 1;
             if values[1] < values[0] && self.found.maximum.is_none() {
+                let height = |x: f64| SectionCondition::Height.value(&self.space.top, &at(step, x));
                 self.found.maximum = Some(at(step, zero(height, ends, values)));
             }
         }
     }
 }
 
+/// What depends linearly on the state, along a step: a polynomial in parts of it.
+struct Polynomial {
+    coefficients: [f64; MAX_ORDER + 1],
+    order: usize,
+}
+
+impl Polynomial {
+    fn of(step: &TaylorStep, functional: impl Fn(&State) -> f64) -> Self {
+        let mut found = Self { coefficients: [0.0; MAX_ORDER + 1], order: step.coefficients().len() - 1 };
+        for (coefficient, state) in found.coefficients.iter_mut().zip(step.coefficients()) {
+            *coefficient = functional(state);
+        }
+        found
+    }
+
+    fn terms(&self) -> &[f64] {
+        &self.coefficients[..=self.order]
+    }
+
+    /// The derivative by time, of a step so long.
+    fn derivative(&self, length: f64) -> Self {
+        let mut found = Self { coefficients: [0.0; MAX_ORDER + 1], order: self.order.saturating_sub(1) };
+        for k in 1..=self.order {
+            found.coefficients[k - 1] = self.coefficients[k] * (k as f64 / length);
+        }
+        found
+    }
+
+    /// Over the whole step.
+    fn integral(&self) -> f64 {
+        self.terms().iter().enumerate().map(|(k, c)| c / (k + 1) as f64).sum()
+    }
+
+    fn at(&self, x: f64) -> f64 {
+        self.terms().iter().rev().fold(0.0, |sum, c| sum * x + c)
+    }
+
+    /// At the places where signs are looked at; at the first one it is known.
+    fn looks(&self, first: f64) -> [f64; LOOKS + 1] {
+        let mut values = [0.0; LOOKS + 1];
+        for c in self.terms().iter().rev() {
+            for (value, place) in values.iter_mut().zip(&PLACES) {
+                *value = *value * place + c;
+            }
+        }
+        values[0] = first;
+        values
+    }
+}
+
 /// The states at the places where signs are looked at: what [`at`] gives, all at once.
 fn looks(step: &TaylorStep) -> [State; LOOKS] {
-    let places: [f64; LOOKS] = std::array::from_fn(|k| (k + 1) as f64 / LOOKS as f64);
     let mut states = [State::default(); LOOKS];
     for i in 0..3 {
         let (mut gamma, mut l) = ([0.0; LOOKS], [0.0; LOOKS]);
         for coefficient in step.coefficients().iter().rev() {
-            for k in 0..LOOKS {
-                gamma[k] = gamma[k] * places[k] + coefficient.gamma[i];
-                l[k] = l[k] * places[k] + coefficient.l[i];
+            for (k, place) in PLACES[1..].iter().enumerate() {
+                gamma[k] = gamma[k] * place + coefficient.gamma[i];
+                l[k] = l[k] * place + coefficient.l[i];
             }
         }
         for k in 0..LOOKS {
@@ -217,10 +287,4 @@ fn zero(value: impl Fn(f64) -> f64, mut ends: [f64; 2], mut values: [f64; 2]) ->
         }
     }
     0.5 * (ends[0] + ends[1])
-}
-
-/// ∫⟨γ, r⟩ dt over a step, of its polynomial.
-fn height_along(top: &HeavyTop, step: &TaylorStep) -> f64 {
-    let terms = step.coefficients().iter().enumerate();
-    terms.map(|(k, c)| dot(c.gamma, top.center()) / (k + 1) as f64).sum::<f64>() * step.length()
 }

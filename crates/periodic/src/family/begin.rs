@@ -9,6 +9,7 @@ use super::follow::{Course, steady_state};
 use super::member::Member;
 use super::model::{FamilyError, Stretch};
 use crate::flow::{Phase, Tangent};
+use crate::orbit::NODES;
 use crate::shooting::{Direction, Ring};
 
 /// Size of the first orbit around an equilibrium, γ being of length 1.
@@ -39,13 +40,17 @@ impl Course<'_> {
         if resonant {
             return Ok(Stretch::none(FamilyEnd::Resonant));
         }
-        let Some(direction) = oscillation(&self.space.linearised(&point), frequency) else {
+        let turn = self.space.linearised(&point);
+        let Some(direction) = oscillation(&turn, frequency) else {
             return Ok(Stretch::none(FamilyEnd::Resonant));
         };
-        // Two nodes, half a turn apart: a family may end at orbits of half its period, where they meet.
-        let nodes = vec![point + direction * FIRST, point - direction * FIRST];
-        let guess = Ring { nodes, period: std::f64::consts::TAU / frequency };
-        match self.setting().close(guess, &direction.push(0.0)) {
+        // (Of an even number of nodes: a family may end at orbits of half its period, where those half a turn apart meet.)
+        let node = |k: usize| {
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * k as f64 / NODES as f64);
+            point + (direction * cos + turn * direction * (sin / frequency)) * FIRST
+        };
+        let guess = Ring { nodes: (0..NODES).map(node).collect(), period: std::f64::consts::TAU / frequency };
+        match self.setting().close(guess, &direction.push(0.0), None) {
             Ok(first) => self.follow(first, 0.5 * FIRST, false),
             Err(_) => Ok(Stretch::none(FamilyEnd::Lost)),
         }
@@ -68,17 +73,17 @@ impl Course<'_> {
         let once = &special.shot.ring;
         let nodes: Vec<Phase> = (0..laps).flat_map(|_| once.nodes.iter().copied()).collect();
         let ring = Ring { nodes, period: f64::from(laps) * once.period };
-        let Ok(several) = ring.shoot(&self.space) else { return Ok(Vec::new()) };
+        let Ok(several) = ring.shoot(&self.space, self.setting().level, None) else { return Ok(Vec::new()) };
         let across = special.shot.frames[0].across;
         let look = |distance: f64, [x, y]: [f64; 2]| {
             let direction: Direction = (across[0] * x + across[1] * y).push(0.0);
-            let guess = several.ahead(&self.space, &direction, distance);
-            let member = self.setting().close(guess, &direction).ok()?;
+            let guess = several.ahead(&direction, distance);
+            let member = self.setting().close(guess, &direction, None).ok()?;
             // Newton's method may have fallen back onto the family that is left.
             let is_new = match kind {
                 OrbitEventKind::Doubling => member.distance_from_half() > distance,
                 OrbitEventKind::Tripling => member.distance_from_third() > distance,
-                _ => is_symmetric && !self.describe(&member).0.symmetric,
+                _ => is_symmetric && !self.describe(&member).symmetric,
             };
             is_new.then_some(member)
         };

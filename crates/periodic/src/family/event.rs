@@ -33,7 +33,7 @@ type Test = fn(&Setting<'_>, &Member) -> f64;
 
 /// What vanishes where the free parameter turns back.
 fn turning(setting: &Setting<'_>, member: &Member) -> f64 {
-    member.rate(setting.space, setting.held)
+    member.rate(setting.space, setting.level)
 }
 
 /// What vanishes where two families meet.
@@ -90,7 +90,7 @@ fn locate(
     test: Test,
     kind: OrbitEventKind,
 ) -> Located {
-    let parameter = |member: &Member| member.parameter(setting.space, setting.held);
+    let parameter = |member: &Member| member.parameter(setting.space, setting.level);
     let mut ends = [0.0, 1.0];
     let mut values = [test(setting, from), test(setting, to)];
     let mut best: Option<Located> = None;

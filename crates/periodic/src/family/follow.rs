@@ -9,11 +9,10 @@ use bifdiag_schema::{FamilyEnd, OrbitEventKind};
 use super::event::{events, is_turn_explained};
 use super::member::{Member, Setting};
 use super::model::{End, FamilyError, FamilyOptions, Held, OrbitEvent, Stretch, number};
-use crate::flow::{Phase, Space};
+use crate::flow::{Level, Phase, Space};
 use crate::orbit::{About, PeriodicOrbit};
 use crate::reversor::{Reversor, reversors};
-use crate::shooting::Keep;
-use crate::walk::walk;
+use crate::walk::nearest;
 
 /// The way of a family.
 pub(super) struct Course<'a> {
@@ -21,7 +20,7 @@ pub(super) struct Course<'a> {
     pub units: TopUnits,
     /// Of the top as given.
     pub moments: [f64; 3],
-    held: Keep,
+    level: Level,
     reversors: Vec<Reversor>,
     known: &'a RelativeEquilibria<'a>,
     /// The equilibria at l, where that is held.
@@ -42,8 +41,6 @@ struct Places {
 struct Accepted {
     member: Member,
     orbit: PeriodicOrbit,
-    /// How near it comes to the equilibria.
-    nearest: Vec<f64>,
 }
 
 /// Steps along a family: γ, l in their unit and the logarithm of the period count.
@@ -88,18 +85,18 @@ impl<'a> Course<'a> {
         let units = top.units();
         let h = units.reduce(equilibrium.h, Dimension::ENERGY);
         let space = Space::new(top, h);
-        let (held, at) = match options.held {
+        let (level, at) = match options.held {
             Held::Momentum => {
                 let l = units.reduce(equilibrium.l, Dimension::MOMENTUM);
-                (Keep::Momentum(l / space.unit), equilibrium.l)
+                (Level::Momentum(l / space.unit), equilibrium.l)
             }
-            Held::Energy => (Keep::Energy(h), f64::NAN),
+            Held::Energy => (Level::Energy(h), f64::NAN),
         };
         let mut course = Self {
             space,
             units,
             moments: top.moments(),
-            held,
+            level,
             reversors: reversors(&space.top, at),
             known,
             places: Places::default(),
@@ -110,7 +107,7 @@ impl<'a> Course<'a> {
     }
 
     pub fn setting(&self) -> Setting<'_> {
-        Setting { space: &self.space, held: self.held }
+        Setting { space: &self.space, level: self.level }
     }
 
     /// The equilibria at an l in the units of the top as given; none where l is not a number.
@@ -153,7 +150,7 @@ impl<'a> Course<'a> {
             };
             let mut joins = false;
             for located in events(&setting, before, &next, step) {
-                let Accepted { member, orbit, .. } = self.accept(located.member);
+                let Accepted { member, orbit } = self.accept(located.member);
                 // Beyond it come the mirror images of the orbits before it.
                 joins |= located.kind == OrbitEventKind::Branch && orbit.symmetric && !last.orbit.symmetric;
                 let mut branches = Vec::new();
@@ -175,30 +172,29 @@ impl<'a> Course<'a> {
                 break;
             }
             let (from, to) = (&last.member, &next.member);
-            let pace = pace(to.corrections).min(0.7 * TURN / turn(from, to)).min(towards_two(from, to));
+            let pace = pace(to.shot.missed).min(0.7 * TURN / turn(from, to)).min(towards_two(from, to));
             step = (step * pace).min(LONGEST).min(longest_step(from, to));
             last = next;
         }
         Ok(found)
     }
 
-    /// What there is to say of a member, and how near it comes to the equilibria.
-    pub fn describe(&self, member: &Member) -> (PeriodicOrbit, Vec<f64>) {
-        About { space: &self.space, reversors: &self.reversors, places: &self.places.points }.describe(&member.shot)
+    /// What there is to say of a member.
+    pub fn describe(&self, member: &Member) -> PeriodicOrbit {
+        About { space: &self.space, reversors: &self.reversors }.describe(&member.shot)
     }
 
     fn accept(&self, member: Member) -> Accepted {
-        let (orbit, nearest) = self.describe(&member);
-        Accepted { member, orbit, nearest }
+        Accepted { orbit: self.describe(&member), member }
     }
 
     /// The equilibria at the momentum of a member, and how near it comes to each.
     fn nearest(&self, accepted: &Accepted) -> Result<(Places, Vec<f64>), FamilyError> {
-        if self.options.held == Held::Momentum {
-            return Ok((self.places.clone(), accepted.nearest.clone()));
-        }
-        let places = self.places_at(self.units.restore(accepted.orbit.l, Dimension::MOMENTUM))?;
-        let nearest = walk(&self.space, &accepted.member.shot, &[], &places.points).nearest;
+        let places = match self.options.held {
+            Held::Momentum => self.places.clone(),
+            Held::Energy => self.places_at(self.units.restore(accepted.orbit.l, Dimension::MOMENTUM))?,
+        };
+        let nearest = nearest(&self.space, &accepted.member.shot, &places.points);
         Ok((places, nearest))
     }
 
@@ -268,12 +264,13 @@ fn towards_two(before: &Member, member: &Member) -> f64 {
     if is < was && is > MEET { 0.5 * is / (was - is) } else { f64::INFINITY }
 }
 
-/// How much longer the next step may be.
-fn pace(corrections: u32) -> f64 {
-    match corrections {
-        0..=2 => 1.7,
-        3 => 1.3,
-        4 => 1.0,
+/// How much longer the next step may be, by how far the guess was off: where Newton's method would take two corrections, three,
+/// four or more.
+fn pace(missed: f64) -> f64 {
+    match missed {
+        ..5e-5 => 1.7,
+        ..2e-3 => 1.3,
+        ..1.5e-2 => 1.0,
         _ => 0.6,
     }
 }

@@ -1,5 +1,6 @@
 //! Guesses of the next member: of order four, from the last two members and how their nodes change along the family.
 
+use crate::chain::Chain;
 use crate::flow::{Phase, Space};
 use crate::shooting::{Direction, Ring, Slopes};
 
@@ -8,6 +9,7 @@ use crate::shooting::{Direction, Ring, Slopes};
 pub(super) struct Past {
     ring: Ring,
     slopes: Slopes,
+    chain: Chain,
     distance: f64,
 }
 
@@ -20,6 +22,7 @@ pub(super) struct Place<'a> {
     pub ring: &'a Ring,
     pub direction: &'a Direction,
     pub slopes: &'a Slopes,
+    pub chain: &'a Chain,
 }
 
 impl Past {
@@ -36,7 +39,8 @@ impl Past {
         let late = (first - old).dot(&flow) / speed;
         let slope = |node: &Phase, slope: &Phase| slope + space.linearised(node) * slope * late;
         let rate = -slope(old, &before.slopes.nodes[0]).dot(&flow) / speed;
-        let mut moved = Self { ring: before.ring.clone(), slopes: before.slopes.clone(), distance: 0.0 };
+        let (ring, slopes, chain) = (before.ring.clone(), before.slopes.clone(), before.chain.clone());
+        let mut moved = Self { ring, slopes, chain, distance: 0.0 };
         for (node, along) in moved.ring.nodes.iter_mut().zip(&mut moved.slopes.nodes) {
             let field = space.field(node);
             *along = slope(node, along) + field * rate;
@@ -49,12 +53,24 @@ impl Past {
         moved.slopes.period /= turned;
         (turned > 0.5 && moved.distance != 0.0).then_some(moved)
     }
+
+    fn reaches(&self, ahead: f64) -> bool {
+        ahead.abs() <= AHEAD * self.distance.abs()
+    }
+}
+
+/// The chain at a distance from a member: along the line through those of both, or its own.
+pub(super) fn chain(here: &Place<'_>, past: Option<&Past>, ahead: f64) -> Chain {
+    match past.filter(|past| past.reaches(ahead)) {
+        Some(past) => here.chain.beyond(&past.chain, ahead / past.distance),
+        None => here.chain.clone(),
+    }
 }
 
 /// The guess at a distance from a member: the cubic with the places and the slopes of both, or the line of its own.
 pub(super) fn guess(here: &Place<'_>, past: Option<&Past>, ahead: f64) -> Ring {
     let Place { ring, slopes, .. } = here;
-    let Some(past) = past.filter(|past| ahead.abs() <= AHEAD * past.distance.abs()) else {
+    let Some(past) = past.filter(|past| past.reaches(ahead)) else {
         let nodes = ring.nodes.iter().zip(&slopes.nodes).map(|(node, slope)| node + slope * ahead);
         return Ring { nodes: nodes.collect(), period: ring.period + slopes.period * ahead };
     };
@@ -79,7 +95,8 @@ mod tests {
 
     use super::super::member::{Member, Setting};
     use super::*;
-    use crate::shooting::Keep;
+    use crate::flow::Level;
+    use crate::orbit::NODES;
 
     /// A body without symmetry that swings about its lowest position: the guess of an orbit is closed but for the fourth power
     /// of the distance from the one that is known, and the line but for the square.
@@ -96,16 +113,19 @@ mod tests {
         direction /= direction.norm();
         let frequency = (turn * direction).norm() / direction.norm();
         let frequency = ((turn * turn * direction).norm() / (turn * direction).norm() * frequency).sqrt();
-        let setting = Setting { space: &space, held: Keep::Momentum(0.0) };
-        let nodes = vec![rest + direction * 1e-3, rest - direction * 1e-3];
-        let ring = Ring { nodes, period: std::f64::consts::TAU / frequency };
-        let mut member = setting.close(ring, &direction.push(0.0)).unwrap();
+        let setting = Setting { space: &space, level: Level::Momentum(0.0) };
+        let node = |k: usize| {
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * k as f64 / NODES as f64);
+            rest + (direction * cos + turn * direction * (sin / frequency)) * 1e-3
+        };
+        let ring = Ring { nodes: (0..NODES).map(node).collect(), period: std::f64::consts::TAU / frequency };
+        let mut member = setting.close(ring, &direction.push(0.0), None).unwrap();
         for _ in 0..30 {
             member = setting.ahead(&member, 0.01).unwrap();
         }
         let missed = |step: f64| {
             let next = setting.ahead(&setting.ahead(&member, step).unwrap(), step).unwrap();
-            let missed = |member: &Member| member.guess(step).shoot(&space).unwrap().residual;
+            let missed = |member: &Member| member.guess(step).shoot(&space, setting.level, None).unwrap().residual;
             let mut alone = next.clone();
             alone.past = None;
             [missed(&next), missed(&alone)]

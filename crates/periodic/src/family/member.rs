@@ -2,10 +2,10 @@
 
 use bifdiag_dynamics::field::dot;
 
-use super::guess::{Past, Place, guess};
-use crate::flow::Space;
+use super::guess::{Past, Place, chain, guess};
+use crate::flow::{Level, Space};
 use crate::orbit::spread;
-use crate::shooting::{Direction, Keep, Ring, ShootingError, Shot, Slopes};
+use crate::shooting::{Direction, Expected, Keep, Ring, ShootingError, Shot, Slopes};
 
 /// A closed orbit, with the direction in which its family goes on.
 #[derive(Clone, Debug)]
@@ -20,8 +20,6 @@ pub(super) struct Member {
     same_nodes: bool,
     /// The sum of its multipliers.
     pub trace: f64,
-    /// Corrections that closed it.
-    pub corrections: u32,
     /// The cosine of the angle between its direction and that in which it was looked for.
     pub straight: f64,
 }
@@ -30,42 +28,46 @@ pub(super) struct Member {
 #[derive(Clone, Copy)]
 pub(super) struct Setting<'a> {
     pub space: &'a Space,
-    pub held: Keep,
+    pub level: Level,
 }
 
 /// Nodes may move so much more slowly than the fastest one before the ring is begun there.
 const SLOW: f64 = 0.3;
-/// More stretching than this from node to node costs digits.
-const STRETCH: f64 = 100.0;
 
 impl Setting<'_> {
     /// Closes a guess that was made along a direction.
-    pub fn close(&self, guess: Ring, before: &Direction) -> Result<Member, ShootingError> {
-        let mut shot = guess.close(self.space, [self.held, Keep::Place(*before)])?;
-        let corrections = shot.corrections;
-        let mut same_nodes = true;
-        if shot.stretch() > STRETCH {
-            same_nodes = false;
-            shot = spread(self.space, &shot.ring)?.shoot(self.space)?;
-        }
-        let mut direction = shot.direction(self.space, self.held, before).ok_or(ShootingError::Singular)?;
+    pub fn close(
+        &self,
+        guess: Ring,
+        before: &Direction,
+        expected: Option<Expected<'_>>,
+    ) -> Result<Member, ShootingError> {
+        let closed = guess.close(self.space, self.level, Keep::Place(*before), expected)?;
+        let (count, missed) = (closed.ring.nodes.len(), closed.missed);
+        let mut shot = spread(self.space, closed)?;
+        shot.missed = missed;
+        let mut same_nodes = shot.ring.nodes.len() == count;
+        let mut direction = shot.direction(before).ok_or(ShootingError::Singular)?;
         let straight = direction.dot(before) / before.norm();
         let speed = |k: usize| shot.frames[k].speed;
         let fastest = (0..shot.frames.len()).max_by(|&i, &j| speed(i).total_cmp(&speed(j))).unwrap_or(0);
         if speed(0) < SLOW * speed(fastest) {
             same_nodes = false;
-            (shot, direction) = shot.turned(self.space, fastest, &direction);
+            (shot, direction) = shot.turned(fastest, &direction);
         }
-        let slopes = shot.slopes(self.space, &direction);
+        let slopes = shot.slopes(&direction);
         let trace = shot.reduced().trace();
-        Ok(Member { shot, direction, slopes, past: None, same_nodes, trace, corrections, straight })
+        Ok(Member { shot, direction, slopes, past: None, same_nodes, trace, straight })
     }
 
     /// The member at a distance from another one.
     pub fn ahead(&self, member: &Member, distance: f64) -> Result<Member, ShootingError> {
-        let mut found = self.close(member.guess(distance), &member.direction)?;
+        let place = member.place();
+        let chain = chain(&place, member.past.as_ref(), distance);
+        let expected = Expected { frames: &member.shot.frames, chain };
+        let mut found = self.close(member.guess(distance), &member.direction, Some(expected))?;
         if found.same_nodes {
-            found.past = Past::new(self.space, member.place(), found.place());
+            found.past = Past::new(self.space, place, found.place());
         }
         Ok(found)
     }
@@ -73,7 +75,7 @@ impl Setting<'_> {
 
 impl Member {
     fn place(&self) -> Place<'_> {
-        Place { ring: &self.shot.ring, direction: &self.direction, slopes: &self.slopes }
+        Place { ring: &self.shot.ring, direction: &self.direction, slopes: &self.slopes, chain: self.shot.chain() }
     }
 
     /// The orbit at a distance, before it is closed.
@@ -109,15 +111,15 @@ impl Member {
     }
 
     /// What is not held.
-    pub fn parameter(&self, space: &Space, held: Keep) -> f64 {
+    pub fn parameter(&self, space: &Space, level: Level) -> f64 {
         let state = space.state(&self.shot.ring.nodes[0]);
-        if matches!(held, Keep::Energy(_)) { dot(state.gamma, state.l) } else { space.top.energy(&state) }
+        if matches!(level, Level::Energy(_)) { dot(state.gamma, state.l) } else { space.top.energy(&state) }
     }
 
     /// How fast it changes along the family.
-    pub fn rate(&self, space: &Space, held: Keep) -> f64 {
+    pub fn rate(&self, space: &Space, level: Level) -> f64 {
         let [_, of_l, of_h] = space.gradients(&self.shot.ring.nodes[0]);
-        let gradient = if matches!(held, Keep::Energy(_)) { of_l } else { of_h };
+        let gradient = if matches!(level, Level::Energy(_)) { of_l } else { of_h };
         gradient.dot(&self.direction.fixed_rows::<6>(0))
     }
 }

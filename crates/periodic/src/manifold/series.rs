@@ -268,7 +268,7 @@ mod tests {
             let time = 1.5 / fastest;
             for angle in [0.0, 0.4, 1.3, 2.7, 3.1, 4.4, 6.0] {
                 let [begin, end] = [-time, 0.0].map(|time| series.at(series.coordinates(angle, time)));
-                let missed = (space.pass(&begin, time).unwrap().end - end).norm();
+                let missed = (space.ends(&[begin], time).unwrap()[0] - end).norm();
                 assert!(missed < 2e-15 && (end - begin).norm() > 1e-4, "{missed:e}");
             }
         }
@@ -287,7 +287,7 @@ mod tests {
                     let angles = [0.3, 0.9, 2.0, 2.9, 3.8, 5.1];
                     let off = angles.map(|angle| {
                         let [begin, end] = [-time, 0.0].map(|time| series.at(series.coordinates(angle, time)));
-                        (space.pass(&begin, time).unwrap().end - end).norm()
+                        (space.ends(&[begin], time).unwrap()[0] - end).norm()
                     });
                     off.into_iter().fold(0.0, f64::max)
                 };

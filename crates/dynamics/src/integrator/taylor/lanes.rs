@@ -129,6 +129,14 @@ impl<S: Simd> Lanes<S> {
     /// Computes the series, the steps and the states at the steps' ends.
     #[inline(always)]
     pub fn expand(&mut self, simd: S) {
+        self.expand_only(simd);
+        self.sum_series(simd);
+    }
+
+    /// Computes the series and the steps; these may be [shortened](Self::shorten_step) before the series are
+    /// [summed](Self::sum_series).
+    #[inline(always)]
+    pub fn expand_only(&mut self, simd: S) {
         self.series.expand(simd, &self.constants, self.order);
         let last = [self.coefficient_norm(simd, self.order)];
         let before_last = [self.coefficient_norm(simd, self.order - 1)];
@@ -136,14 +144,13 @@ impl<S: Simd> Lanes<S> {
         for (lane, step) in lane_values_mut::<S>(&mut self.step).iter_mut().enumerate() {
             *step = self.rule.step(last[lane], before_last[lane]);
         }
-        self.sum_series(simd);
     }
 
-    /// Ends the steps of all lanes, which [`expand`](Self::expand) has computed, after this shorter time.
+    /// Ends a lane's step after this time, if that is shorter.
     #[inline(always)]
-    pub fn shorten(&mut self, simd: S, step: f64) {
-        self.step = [simd.splat_f64s(step)];
-        self.sum_series(simd);
+    pub fn shorten_step(&mut self, lane: usize, longest: f64) {
+        let step = &mut lane_values_mut::<S>(&mut self.step)[lane];
+        *step = step.min(longest);
     }
 
     /// The step that the norms of the last two coefficients allow.
@@ -175,7 +182,7 @@ impl<S: Simd> Lanes<S> {
 
     /// x(t + step) = x₀ + Σ_{k≥1} x_k stepᵏ, with the rounding error of the sum carried along.
     #[inline(always)]
-    fn sum_series(&mut self, simd: S) {
+    pub fn sum_series(&mut self, simd: S) {
         let t = self.step[0];
         for (part, slope) in self.slopes(simd, t).into_iter().enumerate() {
             for i in 0..3 {

@@ -67,22 +67,28 @@ impl<S: Simd> TangentLanes<S> {
     #[inline(always)]
     pub fn advance_roughly(&mut self, simd: S, lanes: &Lanes<S>, order: usize) {
         let order = order.min(lanes.order());
-        self.expand_to(simd, lanes, order);
+        Self::expand_all(std::slice::from_mut(self), simd, lanes, order);
         self.sum_to(simd, lanes.step[0], order);
     }
 
     /// Computes the series of the tangent vectors, beside those of the orbits.
     #[inline(always)]
     pub fn expand(&mut self, simd: S, lanes: &Lanes<S>) {
-        self.expand_to(simd, lanes, lanes.order());
+        Self::expand_all(std::slice::from_mut(self), simd, lanes, lanes.order());
     }
 
+    /// The same for several vectors a lane. A row of each in turn: the processor can start that of the next vector while it
+    /// still finishes this one's.
     #[inline(always)]
-    fn expand_to(&mut self, simd: S, lanes: &Lanes<S>, order: usize) {
-        self.omega[0] = lanes.constants.angular_velocity(simd, self.l[0]);
+    pub fn expand_all(all: &mut [Self], simd: S, lanes: &Lanes<S>, order: usize) {
+        for tangent in all.iter_mut() {
+            tangent.omega[0] = lanes.constants.angular_velocity(simd, tangent.l[0]);
+        }
         for k in 0..order {
-            let products = self.products(simd, &lanes.series, k);
-            self.set_row(simd, &lanes.constants, k + 1, products);
+            for tangent in all.iter_mut() {
+                let products = tangent.products(simd, &lanes.series, k);
+                tangent.set_row(simd, &lanes.constants, k + 1, products);
+            }
         }
     }
 
@@ -93,18 +99,20 @@ impl<S: Simd> TangentLanes<S> {
         [simd.max_f64s(largest(simd, self.gamma[k]), l)]
     }
 
-    /// The longest step that keeps the truncation error of every tangent vector within the orbit's tolerance. That of the
-    /// orbit can be too long: near an equilibrium the orbit may not feel what is fast there.
+    /// Shortens the lanes' steps to those that keep the truncation errors of the tangent vectors within the orbits' tolerance.
+    /// Those of the orbits can be too long: near an equilibrium an orbit may not feel what is fast there.
     #[inline(always)]
-    pub fn longest_step(&self, simd: S, lanes: &Lanes<S>) -> f64 {
+    pub fn shorten_steps(&self, simd: S, lanes: &mut Lanes<S>) {
         let order = lanes.order();
         let (start, before_last, last) = (self.norm(simd, 0), self.norm(simd, order - 1), self.norm(simd, order));
         let of = |registers: &[S::f64s; 1], lane: usize| lane_values::<S>(registers)[lane];
-        let step = |lane: usize| {
-            let start = of(&start, lane);
-            lanes.step_for(of(&last, lane) / start, of(&before_last, lane) / start)
-        };
-        (0..S::F64_LANES).filter(|&lane| of(&start, lane) > 0.0).map(step).fold(f64::INFINITY, f64::min)
+        for lane in 0..S::F64_LANES {
+            let size = of(&start, lane);
+            if size > 0.0 {
+                let longest = lanes.step_for(of(&last, lane) / size, of(&before_last, lane) / size);
+                lanes.shorten_step(lane, longest);
+            }
+        }
     }
 
     /// A lane's vector (δγ, δl).
