@@ -55,7 +55,7 @@ pub struct NearestBorder {
 }
 
 /// The borders of a class around one of its bodies, each at the place that is nearest to the body, in the order of their
-/// distances: those where a function vanishes that its diagram suggests (see [`function`]), and those that are met by random
+/// distances: those where a function vanishes that its diagram suggests, and those that are met by random
 /// lines through it. What is special about the body stays so on the way. `class` is the body's own; on a border, that of its
 /// rounded numbers may be another.
 ///
