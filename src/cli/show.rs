@@ -74,9 +74,10 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
             show_curve(&mut report, &document, curve);
         }
         // S2 is the name of a branch and of a surface.
-        if is_surface(&id) && !regions_with(&document, &id).is_empty() {
+        let found = if is_surface(&id) { regions_with(&document, &id) } else { Vec::new() };
+        if !found.is_empty() {
             report.line("");
-            show_surface(&mut report, &document, &id);
+            show_surface(&mut report, &found, &id);
         }
     } else if id == "L=0" && subject.body.is_euler() {
         // Without weight every curve begins at h = l = 0.
@@ -84,7 +85,7 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
         report.line("l=0: at rest every orientation is an equilibrium, and h = 0");
         report.line(format!("at h = l = 0 the forbidden region and {} meet", regions.join(", ")));
     } else if is_surface(&id) {
-        show_surface(&mut report, &document, &id);
+        show_surface(&mut report, &regions_with(&document, &id), &id);
     } else {
         return Err(unknown(&arguments.id, &document));
     }
@@ -135,8 +136,7 @@ fn regions_with<'a>(document: &'a AtlasDocument, name: &str) -> Vec<&'a RegionDo
 }
 
 /// These regions in words.
-fn show_surface(report: &mut Report, document: &AtlasDocument, name: &str) {
-    let found = regions_with(document, name);
+fn show_surface(report: &mut Report, found: &[&RegionDocument], name: &str) {
     // As the program writes it, whatever was typed.
     let name = if is_type(name) { name.to_ascii_lowercase() } else { name.to_ascii_uppercase().replace('X', "x") };
     report.line(match found.len() {

@@ -218,7 +218,7 @@ class Equilibria(Table):
         return f"<table><tr>{heads}</tr>{rows}</table>{more}"
 
     def __repr__(self) -> str:
-        lines = [f"Equilibria: {len(self)} rows [{', '.join(self.columns)}, meta]"]
+        lines = [self._head()]
         for row in self[:12]:
             stable = {True: "stable", False: "unstable", None: "open"}[row["stable"]]
             why = f"{stable} ({row['stable_by']})"

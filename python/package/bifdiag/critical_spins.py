@@ -56,7 +56,7 @@ class SpinRanges(Table):
     isolated: Ints
 
     def __repr__(self) -> str:
-        lines = [f"SpinRanges: {len(self)} rows [{', '.join(self.columns)}, meta]"]
+        lines = [self._head()]
         for row in self:
             told = f"{row['rpm_from']:.6g} to {row['rpm_to']:.6g} rpm: {row['stability']}, {_word(row['stable'])}"
             lines.append(f"  {_name(row)}, {told}")
@@ -94,7 +94,7 @@ class SpinBounds(Table):
     widest_rpm: Floats
 
     def __repr__(self) -> str:
-        lines = [f"SpinBounds: {len(self)} rows [{', '.join(self.columns)}, meta]"]
+        lines = [self._head()]
         for row in self:
             told = f"{row['rpm_from']:.6g} to {row['rpm_to']:.6g} rpm, {row['below'] or '–'} to {row['above'] or '–'}"
             lines.append(f"  {row['up']} up, {told}")
@@ -179,7 +179,7 @@ class CriticalSpins(Table):
         return SpinBounds(_table([*spin_rows.bounds(told["ranges"])], SpinBounds), self._meta)
 
     def __repr__(self) -> str:
-        lines = [f"CriticalSpins: {len(self)} rows [{', '.join(self.columns)}, ranges, bounds, meta]"]
+        lines = [self._head("ranges", "bounds")]
         for row in self[:12]:
             told = f"{row['rpm']:.6g} rpm: {row['kind']}" + (f" ({row['event']})" if row["event"] else "")
             before, after = _side(row, "below"), _side(row, "above")

@@ -115,6 +115,10 @@ class Table:
         """The names of the columns."""
         return tuple(self._columns)
 
+    def _head(self, *beside: str) -> str:
+        """What it is, how many rows it has and what can be asked of it: the first line of a repr."""
+        return f"{type(self).__name__}: {len(self)} rows [{', '.join((*self.columns, *beside, 'meta'))}]"
+
     def flat(self) -> dict[str, npt.NDArray[Any]]:
         """The columns, with vectors and complex numbers split: ``gamma_1``, ``gamma_2``, ``gamma_3``."""
         out: dict[str, npt.NDArray[Any]] = {}

@@ -34,7 +34,8 @@ pub struct SpinDownArguments {
     /// The curve of the rotation, by its id in `bifdiag atlas`
     #[arg(long, value_name = "CURVE", help_heading = "Rotation")]
     pub from: String,
-    /// Its vertical angular momentum, whose sign changes nothing (default: the largest l of the curve; of one without end twice the l of the last event)
+    /// Its vertical angular momentum, whose sign changes nothing (default: the largest l of the curve; of one without end
+    /// twice the l of the last event)
     #[arg(long = "l", value_name = "l", allow_hyphen_values = true, value_parser = values::number, help_heading = "Rotation")]
     pub momentum: Option<Number>,
     /// Draw the way over the diagram, to DIR/spin-down.svg

@@ -195,7 +195,7 @@ pub struct CuspPair {
 /// complex plane.
 #[must_use]
 pub fn cusp_pairs(frame: &Frame, interval: IntervalId) -> Vec<CuspPair> {
-    /// Relative error of the square, near to 0.
+    /// Error of the square where it is near to 0.
     const ERROR: f64 = 1e-13;
     let active = frame.active();
     let interval = MuInterval::numbered(&active, interval.index());

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::event::{BorderEvent, BorderEventKind, Encounter, EventLabel, sort_by_text};
 use super::group::{EventGroup, Finding, distance, exchange, label, nearest};
-use super::vanishing::{Neighbourhood, Vanishing};
+use super::vanishing::{EventOfBranches, Neighbourhood, Vanishing};
 use bifdiag_body::{Axis, BodyAxis};
 use bifdiag_diagram::arrangement::{Arrangement, Change, Event};
 use bifdiag_equilibria::curves::{Branch, BranchName, CriticalSet, CurveId};
@@ -190,7 +190,8 @@ fn two_crossings<'a>(surplus: &Surplus<'a, '_>) -> Option<Finding<'a>> {
         encounter: Encounter::PassesThrough,
         curves: vec![surplus.name(curve)],
     };
-    let vanishing = Vanishing::CuspOnCurve { cusp: branch, curve, near: surplus.near(cusp), height: 0.0 };
+    let event = EventOfBranches::Cusp { branch, near: surplus.near(cusp) };
+    let vanishing = Vanishing::Height { event, curve, height: 0.0 };
     Some(surplus.found(kind, vec![*cusp, p, q], vanishing))
 }
 
@@ -221,5 +222,6 @@ fn at_pitchfork<'a>(surplus: &Surplus<'a, '_>) -> Option<Finding<'a>> {
     let EventLabel::Pitchfork(pitchfork) = label(surplus.side, &event) else { return None };
     let (encounter, curves) = (Encounter::PassesThrough, vec![surplus.name(curve)]);
     let kind = BorderEventKind::PitchforkOnCurve { pitchfork, encounter, curves };
-    Some(surplus.found(kind, vec![event, crossing], Vanishing::PitchforkOnCurve { axis, curve, height: 0.0 }))
+    let vanishing = Vanishing::Height { event: EventOfBranches::Pitchfork(axis), curve, height: 0.0 };
+    Some(surplus.found(kind, vec![event, crossing], vanishing))
 }

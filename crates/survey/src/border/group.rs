@@ -1,7 +1,7 @@
 //! Events of one diagram that draw together at a border, and borders at which they only change places.
 
 use super::event::{BorderEventKind, Encounter, EventLabel, EventLocation, sort_by_text};
-use super::vanishing::{Neighbourhood, Vanishing};
+use super::vanishing::{EventOfBranches, Neighbourhood, Vanishing};
 use bifdiag_diagram::arrangement::{Arrangement, Change, Event};
 use bifdiag_equilibria::curves::{Branch, BranchName, CurveId, CurveName, Pole};
 
@@ -147,38 +147,34 @@ fn have_both_pole_lines(labels: &[EventLabel]) -> bool {
 /// pitchfork.
 fn exchanged(side: &Arrangement, near: &[Event]) -> Option<Vanishing> {
     let branch = |c: CurveId| side.set.curves[c].branch;
-    if near.iter().any(|event| matches!(event.change, Change::Birth(_) | Change::Death(_))) {
-        let axis = near.iter().find_map(|event| match event.change {
-            Change::Open { pair, .. } | Change::Close { pair, .. } => match branch(pair) {
-                Branch::Symmetric(axis) => Some(axis),
-                _ => None,
-            },
-            _ => None,
-        });
-        if let Some(axis) = axis {
-            return Some(Vanishing::CuspAtPitchfork(axis));
-        }
-    }
     let place = |event: &Event| Neighbourhood::of(&side.set.frame, event.x, event.h);
+    let pitchfork = near.iter().find_map(|event| match event.change {
+        Change::Open { through, pair } | Change::Close { through, pair } => match branch(pair) {
+            Branch::Symmetric(axis) => Some((axis, [branch(through[0]), branch(pair)])),
+            _ => None,
+        },
+        _ => None,
+    });
+    let cusp = near.iter().find_map(|event| match event.change {
+        Change::Birth([one, _]) | Change::Death([one, _]) => Some((branch(one), place(event))),
+        _ => None,
+    });
+    if let (Some((axis, _)), Some(_)) = (pitchfork, cusp) {
+        return Some(Vanishing::CuspAtPitchfork(axis));
+    }
     let (crossing, pair) = near.iter().find_map(|event| match event.change {
         Change::Swap(curves) => Some((event, curves.map(branch))),
         _ => None,
     })?;
     let beside = |own: &[Branch]| pair.into_iter().find(|branch| !own.contains(branch));
-    for event in near {
-        match event.change {
-            Change::Open { through, pair } | Change::Close { through, pair } => {
-                let Branch::Symmetric(axis) = branch(pair) else { return None };
-                let curve = beside(&[branch(through[0]), branch(pair)])?;
-                return Some(Vanishing::PitchforkOnCurve { axis, curve, height: 0.0 });
-            }
-            Change::Birth([one, _]) | Change::Death([one, _]) => {
-                let (cusp, near) = (branch(one), place(event));
-                return Some(Vanishing::CuspOnCurve { cusp, curve: beside(&[cusp])?, near, height: 0.0 });
-            }
-            Change::Swap(_) => {}
-        }
-    }
-    let curve = near.iter().flat_map(|event| event.change.curves()).map(branch).find(|other| !pair.contains(other))?;
-    Some(Vanishing::CurveOnCrossing { crossing: pair, curve, near: place(crossing), height: 0.0 })
+    let (event, curve) = if let Some((axis, own)) = pitchfork {
+        (EventOfBranches::Pitchfork(axis), beside(&own)?)
+    } else if let Some((branch, near)) = cusp {
+        (EventOfBranches::Cusp { branch, near }, beside(&[branch])?)
+    } else {
+        let others = near.iter().flat_map(|event| event.change.curves()).map(branch);
+        let event = EventOfBranches::Crossing { branches: pair, near: place(crossing) };
+        (event, others.into_iter().find(|other| !pair.contains(other))?)
+    };
+    Some(Vanishing::Height { event, curve, height: 0.0 })
 }

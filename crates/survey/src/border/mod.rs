@@ -17,4 +17,4 @@ pub(crate) use difference::between;
 pub use event::{BorderEvent, BorderEventKind, Encounter, EventLabel, EventLocation, NamedEvent, named_events};
 pub use segment::BodySegment;
 pub(crate) use special::special;
-pub(crate) use vanishing::{Neighbourhood, Vanishing};
+pub(crate) use vanishing::{EventOfBranches, Neighbourhood, Vanishing};

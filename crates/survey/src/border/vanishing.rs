@@ -12,28 +12,35 @@ use bifdiag_equilibria::curves::{
 };
 use bifdiag_numbers::root::itp;
 
-/// What vanishes at a border. Of several curves of a branch at one x that one is meant over which the event has about the height
-/// given.
+/// What vanishes at a border.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Vanishing {
     /// The excess of the pair over this axis of the frame, an exact fraction: its cusp reaches its pitchfork.
     Excess(Axis),
     /// J_r − a of the middle axis, an exact fraction.
     MiddleMoment,
-    /// The height of a cusp of one branch over a curve of another.
-    CuspOnCurve { cusp: Branch, curve: Branch, near: Neighbourhood, height: f64 },
     /// How near a cusp is to the pitchfork of the pair over this axis of the frame, on the curve that it leaves: see
     /// [`cusp_at_pitchfork`].
     CuspAtPitchfork(Axis),
-    /// The height of the pitchfork of the pair over an axis over a curve.
-    PitchforkOnCurve { axis: Axis, curve: Branch, height: f64 },
-    /// The height of a curve over the crossing of two others.
-    CurveOnCrossing { crossing: [Branch; 2], curve: Branch, near: Neighbourhood, height: f64 },
+    /// The height of an event over a curve of a branch: of several at one x over that one over which it has about the height
+    /// given.
+    Height { event: EventOfBranches, curve: Branch, height: f64 },
     /// The square of the distance of two cusps on this interval of the generic family, with the place of their middle, if that
     /// is known; otherwise those that are nearest to each other. See [`cusp_pairs`].
     Swallowtail { interval: IntervalId, middle: Option<f64> },
     /// Nothing that is known.
     Nothing,
+}
+
+/// An event that is found again in the diagrams of other bodies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum EventOfBranches {
+    /// The cusp of a branch that is nearest to a place.
+    Cusp { branch: Branch, near: Neighbourhood },
+    /// The pitchfork of the pair over an axis of the frame.
+    Pitchfork(Axis),
+    /// The crossing of two branches that is nearest to a place.
+    Crossing { branches: [Branch; 2], near: Neighbourhood },
 }
 
 /// A place in the plane of (l²/2, h) in the body's units, near which an event is sought again.
@@ -74,8 +81,9 @@ pub(super) fn root(segment: &BodySegment, vanishing: &Vanishing, t: [f64; 2]) ->
 pub(super) fn place(segment: &BodySegment, vanishing: &Vanishing, root: &ParameterRoot) -> Option<EventLocation> {
     let set = CriticalSet::new(segment.body(root.t).frame()).ok()?;
     let point = match vanishing {
-        Vanishing::Excess(axis) | Vanishing::PitchforkOnCurve { axis, .. } => pitchfork(&set, *axis)?,
-        Vanishing::CuspOnCurve { cusp, near, .. } => nearest_cusp(&set, *cusp, near)?,
+        Vanishing::Excess(axis) => pitchfork(&set, *axis)?,
+        Vanishing::Height { event: EventOfBranches::Crossing { .. }, .. } => return None,
+        Vanishing::Height { event, .. } => event.followed(&set)?.0,
         _ => return None,
     };
     let frame = &set.frame;
@@ -102,43 +110,43 @@ impl Vanishing {
     pub(crate) fn measured(self, frame: Frame) -> Option<(Gap, Self)> {
         let exact = |value: f64| Some((Gap { value, error: 0.0 }, self));
         match self {
-            Self::Nothing => return None,
-            Self::Excess(axis) => return exact(frame.symmetric_sums[axis].cusp_excess),
-            Self::MiddleMoment => return exact(frame.offset[1]),
+            Self::Nothing => None,
+            Self::Excess(axis) => exact(frame.symmetric_sums[axis].cusp_excess),
+            Self::MiddleMoment => exact(frame.offset[1]),
             Self::CuspAtPitchfork(axis) => {
                 let set = CriticalSet::new(frame).ok()?;
                 pitchfork(&set, axis)?;
-                return Some((cusp_at_pitchfork(&set.frame, axis), self));
+                Some((cusp_at_pitchfork(&set.frame, axis), self))
+            }
+            Self::Height { event, curve, height } => {
+                let set = CriticalSet::new(frame).ok()?;
+                let (point, event) = event.followed(&set)?;
+                let gap = over(&set, &point, curve, height)?;
+                Some((gap, Self::Height { event, curve, height: gap.value }))
             }
             Self::Swallowtail { interval, middle } => {
                 let far = |pair: &CuspPair| middle.map_or(pair.square.value, |middle| pair.middle - middle).abs();
                 let pair = cusp_pairs(&frame, interval).into_iter().min_by(|p, q| far(p).total_cmp(&far(q)))?;
-                return Some((pair.square, Self::Swallowtail { interval, middle: Some(pair.middle) }));
+                Some((pair.square, Self::Swallowtail { interval, middle: Some(pair.middle) }))
             }
-            _ => {}
         }
-        self.followed(&CriticalSet::new(frame).ok()?)
     }
+}
 
-    /// The height of its event over its curve, and the same with both as they are.
-    fn followed(self, set: &CriticalSet) -> Option<(Gap, Self)> {
+impl EventOfBranches {
+    /// Its point in the diagram of a body, and the same event as it is there.
+    fn followed(self, set: &CriticalSet) -> Option<(Point, Self)> {
         let at = |point: &Point| Neighbourhood::of(&set.frame, point.x, point.h());
         match self {
-            Self::CuspOnCurve { cusp, curve, near, height } => {
-                let point = nearest_cusp(set, cusp, &near)?;
-                let gap = over(set, &point, curve, height)?;
-                Some((gap, Self::CuspOnCurve { cusp, curve, near: at(&point), height: gap.value }))
+            Self::Cusp { branch, near } => {
+                let point = nearest_cusp(set, branch, &near)?;
+                Some((point, Self::Cusp { branch, near: at(&point) }))
             }
-            Self::PitchforkOnCurve { axis, curve, height } => {
-                let gap = over(set, &pitchfork(set, axis)?, curve, height)?;
-                Some((gap, Self::PitchforkOnCurve { axis, curve, height: gap.value }))
+            Self::Pitchfork(axis) => Some((pitchfork(set, axis)?, self)),
+            Self::Crossing { branches, near } => {
+                let point = nearest_crossing(set, branches, &near)?;
+                Some((point, Self::Crossing { branches, near: at(&point) }))
             }
-            Self::CurveOnCrossing { crossing, curve, near, height } => {
-                let point = nearest_crossing(set, crossing, &near)?;
-                let gap = over(set, &point, curve, height)?;
-                Some((gap, Self::CurveOnCrossing { crossing, curve, near: at(&point), height: gap.value }))
-            }
-            _ => None,
         }
     }
 }

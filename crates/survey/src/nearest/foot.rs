@@ -6,9 +6,9 @@ use crate::border::Vanishing;
 use crate::space::{BodySet, TangentBasis};
 use bifdiag_body::Body;
 
-/// A function of bodies and the value that it is to have.
+/// A function of bodies and a value of it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Condition {
+pub(super) struct Level {
     pub function: Vanishing,
     pub value: f64,
 }
@@ -23,10 +23,10 @@ pub(super) struct Surroundings {
 }
 
 impl Surroundings {
-    /// The nearest place where all conditions hold, looked for from a place on. Each step leads to the nearest place where the
+    /// The nearest place where all functions have their values, looked for from a place on. Each step leads to the nearest place where the
     /// functions would have these values if they were as linear as they are here. `None` where the steps leave the set or do
     /// not settle.
-    pub fn foot(&self, from: &DVector<f64>, mut conditions: Vec<Condition>) -> Option<DVector<f64>> {
+    pub fn foot(&self, from: &DVector<f64>, mut conditions: Vec<Level>) -> Option<DVector<f64>> {
         const STEPS: u32 = 16;
         const SETTLED: f64 = 1e-6;
         /// The part of the way to the end of the set to which a step is cut that leads beyond it, and how often that is done.
@@ -65,7 +65,7 @@ impl Surroundings {
     }
 
     /// The slopes of the functions at a place, a row for each, and what they lack; the events of the functions are followed.
-    fn linear(&self, place: &DVector<f64>, conditions: &mut [Condition]) -> Option<(DMatrix<f64>, DVector<f64>)> {
+    fn linear(&self, place: &DVector<f64>, conditions: &mut [Level]) -> Option<(DMatrix<f64>, DVector<f64>)> {
         let step = self.basis.step(place.as_slice())?;
         let mut slopes = DMatrix::zeros(conditions.len(), place.len());
         let mut missing = DVector::zeros(conditions.len());

@@ -1,7 +1,7 @@
 //! Functions of the body that vanish where its class ends, as its diagram suggests them: the heights of all its events over the
 //! curves beneath and above them, the distances of cusps from each other and from pitchforks, and two exact excesses.
 
-use crate::border::{Neighbourhood, Vanishing};
+use crate::border::{EventOfBranches, Neighbourhood, Vanishing};
 use bifdiag_diagram::arrangement::{Arrangement, Change, Event};
 use bifdiag_equilibria::curves::{Branch, CriticalSet, CurveId, cusp_pairs};
 
@@ -48,21 +48,18 @@ fn height(set: &CriticalSet, event: &Event, over: CurveId) -> Option<Vanishing> 
     let curve = branch(over);
     let near = Neighbourhood::of(&set.frame, event.x, event.h);
     let height = event.h - set.curves[over].point(&set.frame, event.x).h();
-    match event.change {
-        Change::Birth([one, _]) | Change::Death([one, _]) => {
-            Some(Vanishing::CuspOnCurve { cusp: branch(one), curve, near, height })
-        }
+    let event = match event.change {
+        Change::Birth([one, _]) | Change::Death([one, _]) => EventOfBranches::Cusp { branch: branch(one), near },
         Change::Open { pair, through } | Change::Close { pair, through } => {
             let Branch::Symmetric(axis) = branch(pair) else { return None };
-            let is_own = [branch(pair), branch(through[0])].contains(&curve);
-            (!is_own).then_some(Vanishing::PitchforkOnCurve { axis, curve, height })
+            if [branch(pair), branch(through[0])].contains(&curve) {
+                return None;
+            }
+            EventOfBranches::Pitchfork(axis)
         }
         // Where three curves meet, each two of them cross nearby: one of the three crossings is enough.
-        Change::Swap(curves) => (curves[0].max(curves[1]) < over).then_some(Vanishing::CurveOnCrossing {
-            crossing: curves.map(branch),
-            curve,
-            near,
-            height,
-        }),
-    }
+        Change::Swap(curves) if curves[0].max(curves[1]) > over => return None,
+        Change::Swap(curves) => EventOfBranches::Crossing { branches: curves.map(branch), near },
+    };
+    Some(Vanishing::Height { event, curve, height })
 }

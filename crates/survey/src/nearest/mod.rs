@@ -9,14 +9,14 @@ use nalgebra::DVector;
 use rand_xoshiro::SplitMix64;
 use rand_xoshiro::rand_core::SeedableRng;
 
-use crate::border::{self, BodySegment, BorderEventKind, BorderOptions, Vanishing, class_of};
+use crate::border::{self, BodySegment, BorderEventKind, BorderOptions, class_of};
 use crate::parallel::each;
 use crate::space::{BodyLine, BodySet, ReducedBody, TangentBasis, unit_vector};
 use bifdiag_body::Body;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::class::{Class, ClassName};
 use bifdiag_exact::Accuracy;
-use foot::{Condition, Surroundings};
+use foot::{Level, Surroundings};
 
 /// How borders are sought.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,9 +55,9 @@ pub struct NearestBorder {
 }
 
 /// The borders of a class around one of its bodies, each at the place that is nearest to the body, in the order of their
-/// distances: those where a function vanishes that its diagram suggests, and those that are met by random
-/// lines through it. What is special about the body stays so on the way. `class` is the body's own; on a border, that of its
-/// rounded numbers may be another.
+/// distances: those where a function vanishes that its diagram suggests, and those that are met by random lines through it.
+/// What is special about the body stays so on the way. `class` is the body's own; on a border, that of its rounded numbers may
+/// be another.
 ///
 /// Each distance is that of a body on the border: the border is as near, and a nearer part of it may be unknown.
 #[must_use]
@@ -86,13 +86,6 @@ pub fn nearest(body: ReducedBody, class: Class, options: &NearestOptions) -> Vec
     nearest
 }
 
-/// A function that vanishes on a border of the class, with its value at the body.
-#[derive(Clone, Copy, Debug)]
-struct Wall {
-    function: Vanishing,
-    value: f64,
-}
-
 /// The surroundings of one body.
 struct BorderSearch {
     around: Surroundings,
@@ -105,11 +98,10 @@ impl BorderSearch {
     fn suggested(&self) -> Vec<NearestBorder> {
         let here = DVector::zeros(self.around.basis.dimensions());
         let feet = each(&function::all(self.own.0.arrangement()), |function| {
-            let wall = Wall { function: *function, value: self.around.value(*function, &here)?.0 };
-            let foot = self.around.foot(&here, vec![Condition { function: *function, value: 0.0 }])?;
-            Some((wall, foot))
+            let foot = self.around.foot(&here, vec![Level { function: *function, value: 0.0 }])?;
+            Some((Level { function: *function, value: self.around.value(*function, &here)?.0 }, foot))
         });
-        let mut feet: Vec<(Wall, DVector<f64>)> = feet.into_iter().flatten().collect();
+        let mut feet: Vec<(Level, DVector<f64>)> = feet.into_iter().flatten().collect();
         feet.sort_by(|p, q| p.1.norm().total_cmp(&q.1.norm()));
         let (mut walls, mut found) = (Vec::new(), Vec::new());
         for (wall, foot) in feet {
@@ -121,11 +113,11 @@ impl BorderSearch {
         found
     }
 
-    /// The border on a wall: at its foot, or where that lies beyond other walls, at the nearest place just before those.
-    fn within(&self, walls: &[Wall], wall: Wall, mut foot: DVector<f64>) -> Option<NearestBorder> {
+    /// The border on a wall, a function with its value at the body: at its foot, or where that lies beyond other walls, at the nearest place just before those.
+    fn within(&self, walls: &[Level], wall: Level, mut foot: DVector<f64>) -> Option<NearestBorder> {
         /// The part of a wall's value that is left before it.
         const BEFORE: f64 = 1e-3;
-        let mut conditions = vec![Condition { function: wall.function, value: 0.0 }];
+        let mut conditions = vec![Level { function: wall.function, value: 0.0 }];
         loop {
             if let Some(border) = self.at(&foot) {
                 return Some(border);
@@ -133,11 +125,11 @@ impl BorderSearch {
             if conditions.len() == foot.len() {
                 return None;
             }
-            let is_beyond = |wall: &&Wall| {
+            let is_beyond = |wall: &&Level| {
                 self.around.value(wall.function, &foot).is_none_or(|(value, _)| value * wall.value <= 0.0)
             };
-            let Wall { function, value } = *walls.iter().find(is_beyond)?;
-            conditions.push(Condition { function, value: BEFORE * value });
+            let Level { function, value } = *walls.iter().find(is_beyond)?;
+            conditions.push(Level { function, value: BEFORE * value });
             foot = self.around.foot(&foot, conditions.clone())?;
         }
     }
@@ -186,7 +178,7 @@ impl BorderSearch {
             let [_, class] = met.classes;
             let border = border_at(&line, at, class, met.event.kind, direction.to_vec());
             let near = DVector::from_column_slice(direction) * at;
-            let foot = self.around.foot(&near, vec![Condition { function: vanishing, value: 0.0 }]);
+            let foot = self.around.foot(&near, vec![Level { function: vanishing, value: 0.0 }]);
             let nearer = foot.and_then(|foot| self.at(&foot)).filter(|foot| {
                 foot.class == border.class && foot.event == border.event && foot.distance < border.distance
             });
