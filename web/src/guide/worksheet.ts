@@ -84,19 +84,23 @@ function worksheetDialog(session: Session, words: Guide["dialog"]): () => void {
   const dialog = make("dialog", { attributes: { "aria-label": words.title }, data: { testid: "task-dialog" } }, make("header", {}, make("h2", {}, words.title), close), form);
   close.addEventListener("click", () => dialog.close());
   document.body.append(dialog);
+  const refresh = () => {
+    const { A, r, point } = session.state;
+    shown.textContent = words.begins(`A = ${A.join(", ")}; r = ${r.join(", ")}`, point ? `h = ${point.h}, l = ${point.l}` : words.pointless);
+    show();
+  };
+  // What the page learns while the dialog is open, such as that there is no section, holds for the link too.
+  session.on(["body", "point", "section", "message", "address"], () => dialog.open && refresh());
   // With what is shown now; the texts of before, or of the task that is open, to go on with.
   return () => {
-    const { A, r, point, task } = session.state;
-    shown.textContent = words.begins(`A = ${A.join(", ")}; r = ${r.join(", ")}`, point ? `h = ${point.h}, l = ${point.l}` : words.pointless);
+    const { task } = session.state;
     if (task && question.value === "") [heading.value, question.value, choices.value, because.value] = [task.heading, task.question, choiceLines(task), task.explanation];
-    show();
+    refresh();
     dialog.showModal();
   };
 }
 
 let open: (() => void) | undefined;
 
-/** Opens the dialog over the page. */
-export function openWorksheet(session: Session, words: Guide["dialog"]): void {
-  (open ??= worksheetDialog(session, words))();
-}
+/** What opens the dialog over the page. */
+export const worksheet = (session: Session, words: Guide["dialog"]): (() => void) => (open ??= worksheetDialog(session, words));

@@ -41,7 +41,15 @@ export function takePanel(session: Session, sheets: Sheets): HTMLElement {
     event.preventDefault();
     void navigator.clipboard?.writeText(location.href).then(() => (link.textContent = texts.take.linked));
   });
-  const task = button(texts.take.task, texts.take.taskHelp, () => void Promise.all([import("../guide/worksheet"), guideTexts()]).then(([{ openWorksheet }, { dialog }]) => openWorksheet(session, dialog)), { testid: "task-open" });
+  // Loaded once: what opens again must not show for a moment what it said before.
+  let openTask: (() => void) | null = null;
+  const task = button(texts.take.task, texts.take.taskHelp, async () => {
+    if (!openTask) {
+      const [{ worksheet }, { dialog }] = await Promise.all([import("../guide/worksheet"), guideTexts()]);
+      openTask = worksheet(session, dialog);
+    }
+    openTask();
+  }, { testid: "task-open" });
   const shell = make("code", { data: { testid: "command-line" } });
   const python = make("code", { data: { testid: "python-lines" } });
   const refresh = () => {

@@ -1,7 +1,7 @@
 /** A lecturer makes a link to a task; a student opens it. */
 import { expect, test } from "vitest";
 import type { Page } from "playwright-core";
-import { data, open, ready, serve } from "./open";
+import { data, go, open, ready, serve } from "./open";
 
 serve();
 
@@ -77,6 +77,27 @@ test("a task with one panel alone, on a page of the lecturer's own; without a se
   expect(card.y + card.height).toBeLessThanOrEqual(section.y);
   expect(section.height).toBeGreaterThan(200);
   await alone.close();
+});
+
+test("the dialog says what holds now: when it is opened again, and when an answer comes while it is open", async () => {
+  const page = await open("A=2,1.1,1&r=0.94868,0,0.61623&h=-5&l=1");
+  await page.getByTestId("task-open").click();
+  await write(page, { question: "Start three orbits." });
+  await page.getByTestId("task-view").selectOption("embed=section");
+  expect(await hint(page)).toContain("There is no section at this point");
+  await page.keyboard.press("Escape");
+  await go(page, POINT);
+  // In the same moment, not when something was loaded again.
+  const again = await page.getByTestId("task-open").evaluate((button) => {
+    (button as HTMLElement).click();
+    return document.querySelector("[data-testid=task-hint]")!.textContent;
+  });
+  expect(again).toMatch(/^\d+ characters$/);
+  await go(page, "A=2,1.1,1&r=0.94868,0,0.61623&h=-5&l=1");
+  expect(await page.getByTestId("task-dialog").isVisible()).toBe(true);
+  expect(await hint(page)).toContain("There is no section at this point");
+  expect(await page.getByTestId("task-link").isVisible()).toBe(false);
+  await page.close();
 });
 
 test("a student can start again; a link that came over broken is told to be so", async () => {
