@@ -14,6 +14,7 @@ Examples
 
 from ._core import __version__
 from .atlas import Atlas
+from .atlas_document import verify
 from .body import Body, bodies
 from .chaos import ChaosMap
 from .critical import Equilibria
@@ -45,8 +46,10 @@ from .records import (
     Tail,
     VerdictChange,
 )
+from .scan_rows import Scan
+from .scans import merge, scan
+from .search import Witness, find
 from .section import Section
-from .survey import Scan, Witness, find, merge, scan, verify
 from .units import Units
 
 __all__ = [

@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from . import exact
 from .errors import InputError
+from .optional import needed
 
 INVALID = -4
 """The place of a point with a number that is missing, infinite or out of range."""
@@ -65,6 +66,46 @@ class Points:
                     where = np.argwhere(self.valid)[values.index(found[1])].tolist()
                     raise InputError(f"{_place(name, where)}: {error}") from None
             raise
+
+
+class Labels:
+    """The labels of an array of l of pandas or xarray."""
+
+    def __init__(self, index: Any, template: Any) -> None:
+        self._index, self._template = index, template
+
+    @classmethod
+    def of(cls, given: Points) -> "Labels | None":
+        """Those of what was given; None of plain arrays and of scalars."""
+        if given.index is None and (given.template is None or not given.template.ndim):
+            return None
+        return cls(given.index, given.template)
+
+    def columns(self, places: npt.NDArray[np.int64]) -> dict[str, Any]:
+        """For each of some places in the flat array of l its labels, by their names."""
+        if self._index is not None:
+            taken = self._index.take(places)
+            names = [name or "label" for name in taken.names]
+            return {str(name): taken.get_level_values(level).to_numpy() for level, name in enumerate(names)}
+        sizes = self._template.sizes
+        where = dict(zip(sizes, np.unravel_index(places, tuple(sizes.values())), strict=True))
+        out = {str(name): place for name, place in where.items()}
+        for name, coordinate in self._template.coords.items():
+            if coordinate.dims:
+                out[str(name)] = coordinate.to_numpy()[tuple(where[dim] for dim in coordinate.dims)]
+        return out
+
+    def index(self, places: npt.NDArray[np.int64]) -> Any:
+        """For each of some places its label, as an index of pandas."""
+        if self._index is not None:
+            return self._index.take(places)
+        columns = self.columns(places)
+        named = {str(name): columns[str(name)] for name in self._template.sizes}
+        pd = needed("pandas", "tables")
+        if len(named) == 1:
+            ((name, values),) = named.items()
+            return pd.Index(values, name=name)
+        return pd.MultiIndex.from_arrays(list(named.values()), names=list(named))
 
 
 def points(h: Any, l: Any, invalid: str) -> Points:

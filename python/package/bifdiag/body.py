@@ -7,10 +7,10 @@ from collections.abc import Iterable
 from typing import Any
 
 from . import _core, exact
-from .atlas import Atlas
 from .diagrams import Diagrams
 from .errors import BodyWarning
 from .exact import Number
+from .given import Given
 from .motions import Motions
 from .real_parts import RealParts
 
@@ -98,4 +98,4 @@ def bodies() -> dict[str, Body]:
     return {name: Body.preset(name) for name, _ in _core.Body.presets()}
 
 
-Atlas._body_of = Body._of_document
+Given._made_of = Body._of_document

@@ -9,6 +9,7 @@ import numpy.typing as npt
 from . import _core, exact, pictures
 from .errors import InputError
 from .exact import Number
+from .given import body_of
 from .optional import needed
 from .records import ChaosPoint
 from .tables import StoredTable
@@ -133,9 +134,7 @@ class ChaosMap(StoredTable):
     @property
     def body(self) -> "Body":
         """The body of the map."""
-        from .body import Body
-
-        return Body._of_document(self.meta)
+        return body_of(self.meta)
 
     def axes(self) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
         """The centres of the cells along h and along l."""

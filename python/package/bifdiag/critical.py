@@ -8,21 +8,13 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core, arrays, exact
-from .errors import RangeError
-from .optional import needed
+from .arrays import Labels
 from .tables import Table, frame_of
+from .verdicts import LATER, VERDICTS, Columns, deferred, place, worded
 
 if TYPE_CHECKING:
     import pandas
     import xarray
-
-VERDICTS = ("stable", "stable_by", "verdict")
-"""Columns that are computed when they are first read."""
-
-LATER = -1
-"""In place of a verdict that was not asked for."""
-
-Columns = dict[str, npt.NDArray[Any]]
 
 
 class Equilibria(Table):
@@ -103,7 +95,7 @@ class Equilibria(Table):
     _quick: Columns
 
     def __init__(
-        self, columns: Columns, meta: str, later: Callable[[], Columns] | None = None, labels: "Labels | None" = None
+        self, columns: Columns, meta: str, later: Callable[[], Columns] | None = None, labels: Labels | None = None
     ) -> None:
         self._later, self._labels = later, labels
         super().__init__(columns, meta)
@@ -121,10 +113,10 @@ class Equilibria(Table):
         meta = json.dumps(about | {"invalid": np.flatnonzero(~given.valid).tolist()})
         words = found.pop("words")
         codes = found["branch"], found["verdict"], found["stable_by"]
-        verdicts = _worded(codes[1], codes[2], words)
+        verdicts = worded(codes[1], codes[2], words)
         later = None
         if (codes[1] == LATER).any():
-            later = _deferred(body, asked, found["l_index"], words, codes, count)
+            later = deferred(body, asked, found["l_index"], words, codes, count)
         found["l_index"] = places[found["l_index"]]
         return cls(_columns(found, words, None if later else verdicts, scalar), meta, later, Labels.of(given))
 
@@ -132,7 +124,7 @@ class Equilibria(Table):
     def _columns(self) -> Columns:
         if self._later is not None:
             quick, later = self._quick, self._later()
-            before, after = list(quick)[: _place(quick)], list(quick)[_place(quick) :]
+            before, after = list(quick)[: place(quick)], list(quick)[place(quick) :]
             ordered = [*before, *VERDICTS, *after]
             self._quick = {name: later[name] if name in VERDICTS else quick[name] for name in ordered}
             self._later = None
@@ -147,7 +139,7 @@ class Equilibria(Table):
         """The names of the columns."""
         names = list(self._quick)
         if self._later is not None:
-            names[_place(self._quick) : _place(self._quick)] = VERDICTS
+            names[place(self._quick) : place(self._quick)] = VERDICTS
         return tuple(names)
 
     @property
@@ -229,59 +221,8 @@ class Equilibria(Table):
         return "\n".join([*lines, *(["  …"] if len(self) > 12 else []), *(told if without else [])])
 
 
-class Labels:
-    """The labels of an array of l of pandas or xarray."""
-
-    def __init__(self, index: Any, template: Any) -> None:
-        self._index, self._template = index, template
-
-    @classmethod
-    def of(cls, given: arrays.Points) -> "Labels | None":
-        """Those of what was given; None of plain arrays and of scalars."""
-        if given.index is None and (given.template is None or not given.template.ndim):
-            return None
-        return cls(given.index, given.template)
-
-    def columns(self, places: npt.NDArray[np.int64]) -> dict[str, Any]:
-        """For each of some places in the flat array of l its labels, by their names."""
-        if self._index is not None:
-            taken = self._index.take(places)
-            names = [name or "label" for name in taken.names]
-            return {str(name): taken.get_level_values(level).to_numpy() for level, name in enumerate(names)}
-        sizes = self._template.sizes
-        where = dict(zip(sizes, np.unravel_index(places, tuple(sizes.values())), strict=True))
-        out = {str(name): place for name, place in where.items()}
-        for name, coordinate in self._template.coords.items():
-            if coordinate.dims:
-                out[str(name)] = coordinate.to_numpy()[tuple(where[dim] for dim in coordinate.dims)]
-        return out
-
-    def index(self, places: npt.NDArray[np.int64]) -> Any:
-        """For each of some places its label, as an index of pandas."""
-        if self._index is not None:
-            return self._index.take(places)
-        columns = self.columns(places)
-        named = {str(name): columns[str(name)] for name in self._template.sizes}
-        pd = needed("pandas", "tables")
-        if len(named) == 1:
-            ((name, values),) = named.items()
-            return pd.Index(values, name=name)
-        return pd.MultiIndex.from_arrays(list(named.values()), names=list(named))
-
-
 def _cell(value: Any) -> str:
     return f"{value:.6g}" if isinstance(value, float) else str(value)
-
-
-def _place(columns: Columns) -> int:
-    """Where the verdicts stand."""
-    return list(columns).index("stability") + 1
-
-
-def _worded(verdict: npt.NDArray[Any], why: npt.NDArray[Any], words: dict[str, Any]) -> Columns:
-    told = np.array(words["verdict"])[verdict]
-    stable = np.ma.MaskedArray(told == "stable", mask=told == "open")
-    return {"stable": stable, "stable_by": np.array(words["stable_by"])[why], "verdict": told}
 
 
 def _columns(found: dict[str, Any], words: dict[str, Any], verdicts: Columns | None, scalar: bool) -> Columns:
@@ -296,33 +237,3 @@ def _columns(found: dict[str, Any], words: dict[str, Any], verdicts: Columns | N
     out["eigenvalues"] = pairs.view(np.complex128)
     out["eigenvalue_error"] = found["eigenvalue_error"]
     return out | {"branch": np.array(ids)[found["branch"]], "branch_name": np.array(names)[found["branch"]]}
-
-
-def _deferred(
-    body: _core.Body,
-    asked: Any,
-    l_index: npt.NDArray[np.int64],
-    words: dict[str, Any],
-    codes: tuple[npt.NDArray[Any], ...],
-    threads: int,
-) -> Callable[[], Columns]:
-    """Asks once more, with verdicts, for the momenta at which some are missing."""
-
-    def complete() -> Columns:
-        branch, verdict, why = codes
-        missing = np.zeros(len(asked), dtype=bool)
-        missing[l_index[verdict == LATER]] = True
-        places = np.flatnonzero(missing)
-        again = [asked[place] for place in places] if isinstance(asked, list) else asked[places]
-        found = _core.critical(body, again, True, threads)
-        rows = missing[l_index]
-        ids = {number: name for number, (name, _) in enumerate(words["branches"])}
-        theirs = {number: name for number, (name, _) in enumerate(found["words"]["branches"])}
-        ours = [ids[number] for number in branch[rows].tolist()]
-        if ours != [theirs[number] for number in found["branch"].tolist()]:
-            raise RangeError("the verdicts do not belong to these rows; ask for fewer l at a time")
-        verdict, why = verdict.copy(), why.copy()
-        verdict[rows], why[rows] = found["verdict"], found["stable_by"]
-        return _worded(verdict, why, words)
-
-    return complete

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import inspect
 import json
-from collections.abc import Iterable
-from typing import Any
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 import numpy.typing as npt
@@ -14,6 +14,9 @@ from . import _core, exact
 from .behaviour import table
 from .errors import InputError
 from .units import Exact, Units
+
+if TYPE_CHECKING:
+    from .body import Body
 
 
 class Concise(type):
@@ -43,6 +46,8 @@ class Given(metaclass=Concise):
     _given: tuple[str, ...]
     # What made a part with ±, to make it again: a function of the compiled part, and its arguments.
     _source: tuple[str, tuple[Any, ...]] | None
+    # Makes the body of a document. The module of bodies sets it, which comes after all that has a body.
+    _made_of: ClassVar[Callable[[dict[str, Any]], Body]]
 
     def _exactly(self) -> _core.Body:
         """The compiled body, unless its numbers are known to within so much only."""
@@ -154,6 +159,11 @@ class Given(metaclass=Concise):
     def _repr_html_(self) -> str:
         moments, center = self._told()
         return table([("A", moments), ("r", center), *([("units", self.part["units"])] if self.part else [])])
+
+
+def body_of(document: dict[str, Any]) -> Body:
+    """The body of a document."""
+    return Given._made_of(document)
 
 
 def _floats(texts: Iterable[str]) -> npt.NDArray[np.float64]:

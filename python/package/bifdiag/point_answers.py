@@ -1,17 +1,16 @@
 """What an atlas says of points, one or many."""
 
 import json
-from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias, overload
+from typing import Any, Literal, TypeAlias, overload
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _core, arrays, exact
-from .collection import Regions
+from . import arrays, exact
+from .atlas_document import AtlasDocument
 from .exact import Number
 from .points import Classifications
-from .records import Classification, Region
+from .records import Classification
 
 Numbers: TypeAlias = npt.NDArray[Any] | list[Any] | tuple[Any, ...]
 """Arrays of numpy, and what becomes one; those of xarray and pandas keep their labels."""
@@ -20,14 +19,8 @@ Policy: TypeAlias = Literal["mark", "raise"]
 """What becomes of an invalid point."""
 
 
-class PointAnswers:
+class PointAnswers(AtlasDocument):
     """Regions, types and margins of points; `Atlas` is one."""
-
-    _inner: _core.Atlas
-    if TYPE_CHECKING:
-
-        @cached_property
-        def regions(self) -> Regions[Region]: ...
 
     @overload
     def region(self, h: Number, l: Number, *, threads: int | None = None, invalid: Policy = "mark") -> int: ...

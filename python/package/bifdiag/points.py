@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from . import exact
 from .arrays import INVALID, Points
 from .collection import Regions
 from .optional import needed
@@ -155,6 +156,4 @@ class Classifications:
 
 
 def _rounded(text: str) -> float:
-    from .exact import value
-
-    return float(value(text))
+    return float(exact.value(text))
