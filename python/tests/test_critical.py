@@ -103,8 +103,19 @@ def test_equilibria_are_handed_on(paper):
     table = found.to_arrow()
     assert table["stable"].null_count == (found.verdict == "open").sum() and pa.table(found).equals(table)
     data = found.to_xarray()
-    assert data["gamma"].dims == ("row", "axis") and data["eigenvalues"].dims == ("row", "pair")
+    assert data["gamma"].dims == ("row", "axis") and data["eigenvalues_im"].dims == ("row", "pair")
+    assert (data["eigenvalues_re"] + 1j * data["eigenvalues_im"]).to_numpy().tolist() == found.eigenvalues.tolist()
     assert isinstance(data, xr.Dataset) and isinstance(frame, pd.DataFrame) and json.loads(data.attrs["meta"])["complete"]
+
+
+def test_datasets_are_stored(paper, tmp_path):
+    xr = pytest.importorskip("xarray")
+    pytest.importorskip("scipy")
+    data = paper.critical([0.5, 3.25]).to_xarray()
+    # The oldest format, which has neither complex numbers nor bools.
+    data.to_netcdf(tmp_path / "found.nc", engine="scipy")
+    with xr.open_dataset(tmp_path / "found.nc", engine="scipy") as again:
+        assert again["eigenvalues_im"].to_numpy().tolist() == data["eigenvalues_im"].to_numpy().tolist()
 
 
 def test_ten_thousand_momenta_are_quick(paper):

@@ -1,5 +1,6 @@
 """Pictures: on the axes that are given, with names where they belong."""
 
+import itertools
 import re
 from xml.etree import ElementTree
 
@@ -391,3 +392,27 @@ def test_a_notebook_shows_the_points_of_a_section(section):
     places = np.array([part.split("h")[0].split() for part in drawn], dtype=float)
     assert (places >= 0).all() and (places[:, 1] <= 120).all() and ((places[:, 0] <= 240) | (places[:, 0] >= 256)).all()
     assert (places[:, 0] > 250).sum() == (section.sheet == -1).sum()
+
+
+def test_a_legend_stands_below_the_axes_that_are_given(atlas):
+    figure, panels = plt.subplots(1, 2, layout="constrained", figsize=(12, 5))
+    for panel, view in zip(panels, ("plane", "straight"), strict=True):
+        atlas.plot(panel, view=view, legend=True)
+    figure.canvas.draw()
+    assert not figure.legends
+    told = [panel.get_legend().get_window_extent() for panel in panels]
+    for panel, box in zip(panels, told, strict=True):
+        assert panel.get_window_extent().x0 <= box.x0 and box.y1 < panel.xaxis.label.get_window_extent().y0
+    assert told[0].x1 < told[1].x0 and told[1].x1 < figure.bbox.x1
+
+
+def test_numbers_and_names_of_a_straightened_plane_have_room():
+    for body, width in ((ASYMMETRIC, 6.4), (bifdiag.Body(["3.4", 2.9, "1.3"], [0.2, -0.7, 0.45]), 4.5)):
+        ax = body.atlas().plot(view="straight", figsize=(width, 4.8))
+        ax.figure.canvas.draw()
+        boxes = sorted((text.get_window_extent() for text in ax.get_xticklabels()), key=lambda box: box.x0)
+        assert len(boxes) > 4 and all(one.x1 < other.x0 for one, other in itertools.pairwise(boxes))
+        boxes = sorted((text.get_window_extent() for text in ax.get_yticklabels()), key=lambda box: box.y0)
+        assert len(boxes) > 4 and all(one.y1 <= other.y0 + 3 for one, other in itertools.pairwise(boxes))
+        own = ax.get_window_extent()
+        assert all(own.x0 - 1 <= box.x0 and box.x1 <= own.x1 + 1 for box in (text.get_window_extent() for text in ax.texts))

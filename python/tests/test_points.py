@@ -103,6 +103,24 @@ def test_the_index_of_pandas_is_kept(atlas):
     assert frame.index.tolist() == list("abc") and frame.loc["b", "signature"] == "S2+T2"
 
 
+def test_the_labels_of_a_data_frame_are_kept(atlas):
+    pd = pytest.importorskip("pandas")
+    h = pd.DataFrame({"p": [0, 3.8], "q": [5, None]}, index=["a", "b"])
+    found = atlas.region(h, 3.25)
+    assert found.loc["a"].tolist() == [-1, atlas.region(5, 3.25)] and found.loc["b"].to_dict() == {"p": 4, "q": -4}
+    l = pd.DataFrame({"q": [1, 2.0], "p": [3.25, 3]}, index=["b", "a"])
+    assert atlas.margin(h, l).at["a", "p"] == atlas.margin(0, 3) and atlas.margin(l=l, h=h).at["b", "p"] == atlas.margin(
+        3.8, 3.25
+    )
+    assert atlas.region(h.astype("Float64"), l).at["b", "p"] == atlas.region(3.8, l.at["b", "p"])
+    table = atlas.classify(h, l).to_pandas()
+    assert table.index.tolist() == [("a", "p"), ("a", "q"), ("b", "p"), ("b", "q")]
+    assert table.loc[("b", "p"), "l"] == l.at["b", "p"]
+    for other in (pd.Series([1, 2], index=["a", "b"]), np.array([1, 2])):
+        with pytest.raises(bifdiag.InputError, match="two tables, or a number"):
+            atlas.region(h, other)
+
+
 def test_types_are_handed_to_arrow(atlas, points):
     pa = pytest.importorskip("pyarrow")
     table = pa.table(atlas.classify(*points))

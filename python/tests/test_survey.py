@@ -157,7 +157,8 @@ def test_interrupted_scans_of_own_bodies_go_on(tmp_path):
     ("bodies", "message"),
     [
         ([[1, 2, 3]], "shape"),
-        ({"A1": [1]}, "A2"),
+        ({"A1": [1]}, "no column A2"),
+        (np.zeros(3, dtype=[("A1", float), ("A2", float)]), "no column A3"),
         ([], "shape"),
         ([[1, 1, 1, 1, np.nan, 0]], r"bodies\[0\]: r2 = nan is no finite number; no other body"),
         ([["x"] * 6], "could not convert"),
@@ -305,6 +306,10 @@ def test_gaps_of_frames_have_rows():
     found = bifdiag.scan(bodies=frame.rename_axis("rotor").to_xarray())
     assert found.to_pandas().index.tolist() == list("wxyz") and found.to_pandas().index.name == "rotor"
     assert found[1:3].to_xarray()["rotor"].to_numpy().tolist() == ["x", "y"]
-    pl = pytest.importorskip("polars")
+    pl, pa = pytest.importorskip("polars"), pytest.importorskip("pyarrow")
+    part = frame.drop(columns="r3")
+    for wrong in (part, pl.DataFrame(part), pa.table(part), part.to_xarray()):
+        with pytest.raises(bifdiag.InputError, match="bodies has no column r3"):
+            bifdiag.scan(bodies=wrong)
     found = bifdiag.scan(bodies=pl.DataFrame(frame.where(frame.notna(), None).to_dict("list")))
     assert found.meta["invalid"] == [1] and pl.DataFrame(found)["plane"].null_count() == 1

@@ -187,6 +187,8 @@ def _undressed(h: Any, l: Any) -> tuple[Any, Any, Callable[[npt.NDArray[Any], st
         first, second = xr.broadcast(*arrays)
         first = first.assign_coords({name: other for name, other in second.coords.items() if name not in first.coords})
         return first.to_numpy(), second.to_numpy(), lambda out, name: first.copy(data=out).rename(name), None, first
+    if pd is not None and any(isinstance(value, pd.DataFrame) for value in (h, l)):
+        return _of_frames(pd, h, l)
     if pd is not None and any(isinstance(value, pd.Series) for value in (h, l)):
         if isinstance(h, pd.Series) and isinstance(l, pd.Series) and not h.index.equals(l.index):
             h, l = h.align(l)
@@ -200,6 +202,18 @@ def _undressed(h: Any, l: Any) -> tuple[Any, Any, Callable[[npt.NDArray[Any], st
     return h, l, lambda out, name: out if out.ndim else out.item(), None, None
 
 
+def _of_frames(pd: Any, h: Any, l: Any) -> tuple[Any, Any, Callable[[npt.NDArray[Any], str], Any], Any, Any]:
+    """The same of tables, of which answers have the index and the columns."""
+    if isinstance(h, pd.DataFrame) and isinstance(l, pd.DataFrame):
+        h, l = h.align(l)
+    elif any(np.ndim(value) and not isinstance(value, pd.DataFrame) for value in (h, l)):
+        raise InputError("one of h and l is a DataFrame, and the other an array or a Series; give two tables, or a number")
+    table = h if isinstance(h, pd.DataFrame) else l
+    index = pd.MultiIndex.from_product([table.index, table.columns])
+    h, l = (_unpacked(value) if isinstance(value, pd.DataFrame) else value for value in (h, l))
+    return h, l, lambda out, name: pd.DataFrame(out, index=table.index, columns=table.columns), index, None
+
+
 def _labelled(xr: Any, value: Any) -> Any:
     """A scalar beside an array with dimensions."""
     if np.ndim(value):
@@ -209,9 +223,10 @@ def _labelled(xr: Any, value: Any) -> Any:
     return xr.DataArray(value)
 
 
-def _unpacked(series: Any) -> npt.NDArray[Any]:
-    """The values of a Series; of a nullable one with NaN for NA."""
-    if series.dtype.kind in "fiu" and not isinstance(series.dtype, np.dtype):
-        found: npt.NDArray[Any] = series.to_numpy(dtype=np.float64, na_value=np.nan)
+def _unpacked(given: Any) -> npt.NDArray[Any]:
+    """The values of a Series or a table; of nullable ones with NaN for NA."""
+    kinds = given.dtypes.tolist() if given.ndim > 1 else [given.dtype]
+    if all(kind.kind in "fiu" for kind in kinds) and not all(isinstance(kind, np.dtype) for kind in kinds):
+        found: npt.NDArray[Any] = given.to_numpy(dtype=np.float64, na_value=np.nan)
         return found
-    return np.asarray(series.to_numpy())
+    return np.asarray(given.to_numpy())

@@ -189,7 +189,10 @@ class Equilibria(Table):
         return frame
 
     def to_xarray(self) -> "xarray.Dataset":
-        """A Dataset over ``row``; if l had coordinates or an index, these are coordinates of the rows, too."""
+        """A Dataset over ``row``; if l had coordinates or an index, these are coordinates of the rows, too.
+
+        Eigenvalues are two variables, ``eigenvalues_re`` and ``eigenvalues_im``, which every file can store.
+        """
         data = super().to_xarray()
         if self._labels is None:
             return data

@@ -94,6 +94,16 @@ def _has_columns(bodies: Any) -> bool:
     return isinstance(bodies, Mapping) or hasattr(bodies, "columns")
 
 
+def _require_columns(bodies: Any) -> None:
+    """Each of the packages of tables has an error of its own for a column that is not there."""
+    # Of a table of Arrow, `columns` are arrays.
+    names = getattr(bodies, "column_names", getattr(bodies, "columns", None))
+    known = getattr(bodies, "dtype", np.dtype(float)).names or (bodies if names is None else names)
+    missing = [name for name in COLUMNS if name not in known]
+    if missing:
+        raise InputError(f"bodies has no column {missing[0]}; give a table with the columns {', '.join(COLUMNS)}")
+
+
 def labels(bodies: Any) -> Any:
     """The index of pandas that bodies have: that of a frame, or of the one dimension of a Dataset; else None."""
     if isinstance(bodies, Mapping):
@@ -112,6 +122,7 @@ def _numbers(bodies: Any) -> tuple[Floats, npt.NDArray[np.bool_]]:
             bodies = [[float(exact.value(text)) for text in (*one.A, *one.r)] for one in bodies]
     try:
         if _has_columns(bodies) or getattr(bodies, "dtype", np.dtype(float)).names:
+            _require_columns(bodies)
             columns = [_floats(bodies[name]) for name in COLUMNS]
             numbers = np.stack([column for column, _ in columns], axis=-1)
             masked = np.stack([mask for _, mask in columns], axis=-1)

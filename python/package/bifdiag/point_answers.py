@@ -42,7 +42,7 @@ class PointAnswers(AtlasDocument):
         h, l : number, or array of them
             Energies and vertical angular momenta, of shapes that broadcast. The floats of an array mean their shortest
             decimals, as scalars do. Arrays of Fraction or str are exact. The sign of l does not matter. A
-            ``xarray.DataArray`` broadcasts by its dimensions, and a ``pandas.Series`` by its index.
+            ``xarray.DataArray`` broadcasts by its dimensions, and a ``pandas.Series`` or ``DataFrame`` by its labels.
         threads : int, optional
             None: one; 0: one per core. The result does not depend on it.
         invalid : {"mark", "raise"}
@@ -51,7 +51,7 @@ class PointAnswers(AtlasDocument):
 
         Returns
         -------
-        int, or array of int, or as h and l a DataArray or a Series
+        int, or array of int, or as h and l a DataArray, a Series or a DataFrame
             Indices into `regions`; −1 forbidden, −2 on a curve, −3 undecided (only with the accuracy ``"fast"``), −4
             invalid.
 
@@ -153,7 +153,7 @@ class PointAnswers(AtlasDocument):
 
         Returns
         -------
-        float, or array of float, or as h and l a DataArray or a Series
+        float, or array of float, or as h and l a DataArray, a Series or a DataFrame
             ``|h − h_c|``; NaN where the point is invalid. `classify` also names the curve, and bounds the error.
 
         Raises

@@ -122,7 +122,7 @@ class Classifications:
 
     def to_pandas(self) -> "pandas.DataFrame":
         """A DataFrame with a row for each point, with the index of h or l if these were of pandas."""
-        index = self._index if self._index is not None and self.shape == (len(self._index),) else None
+        index = self._index if self._index is not None and self.code.size == len(self._index) else None
         return frame_of(self.flat(), index)
 
     def to_arrow(self) -> "pyarrow.Table":

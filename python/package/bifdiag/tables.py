@@ -143,11 +143,15 @@ class Table:
         return arrow_of(self.flat())
 
     def to_xarray(self) -> "xarray.Dataset":
-        """A Dataset with the columns over ``row`` (and ``axis`` for vectors); ``bifdiag[tables]`` installs xarray."""
+        """A Dataset with the columns over ``row`` (and ``axis`` for vectors); ``bifdiag[tables]`` installs xarray.
+
+        Complex numbers are two variables, ``eigenvalues_re`` and ``eigenvalues_im``, which every file can store.
+        """
         variables = {}
         for name, column in self._columns.items():
             second = {4: "component", 2: "pair"}.get(column.shape[-1], "axis") if column.ndim == 2 else "axis"
-            variables[name] = (("row", second)[: column.ndim], _with_nan(column))
+            for part, values in _split(name, column).items():
+                variables[part] = (("row", second)[: column.ndim], _with_nan(values))
         data: xarray.Dataset = needed("xarray", "tables").Dataset(variables, attrs={"meta": self._meta})
         return data
 
@@ -230,7 +234,7 @@ def _cell(value: Any) -> str:
 
 def _split(name: str, values: npt.NDArray[Any]) -> dict[str, npt.NDArray[Any]]:
     """A column, or the real and imaginary parts of one."""
-    return {f"{name}_re": np.real(values), f"{name}_im": np.imag(values)} if values.dtype.kind == "c" else {name: values}
+    return {f"{name}_re": values.real, f"{name}_im": values.imag} if values.dtype.kind == "c" else {name: values}
 
 
 def _with_nan(column: npt.NDArray[Any]) -> npt.NDArray[Any]:

@@ -74,8 +74,8 @@ def diagram(
     events : bool or "ids"
         Whether cusps (diamonds), pitchforks (triangles) and crossings (rings) are marked, or also named.
     insets, legend : bool, optional
-        Whether what is small is magnified beside the plane, as in the command's picture, and whether a legend stands below;
-        by default both on a new figure, unless ranges are given, and neither on axes that are given.
+        Whether what is small is magnified beside the plane, as in the command's picture, and whether a legend stands below
+        the figure, or below axes that are given; by default both on a new figure, unless ranges are given, else neither.
     **line
         Whatever ``Axes.plot`` knows, for the curves.
 
@@ -133,7 +133,7 @@ def diagram(
     if is_new and not has_ranges:
         ax.set_title(drawn["title"], loc="left", fontsize="medium")
     if legend or (legend is None and is_new and not has_ranges):
-        lines.legend(ax, drawn)
+        lines.legend(ax, drawn, of_figure=is_new)
     return ax
 
 

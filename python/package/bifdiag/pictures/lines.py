@@ -24,6 +24,12 @@ STRIPE = 5 / 96
 REACH = 40.0
 """How far stripes reach, in inches."""
 
+COLUMN = 2.1
+"""Width of a column of the legend in inches."""
+
+BELOW = 5.5
+"""How far the legend of given axes stands below them, in heights of its letters: numbers and a name are between."""
+
 SHAPES = {"diamond": "D", "triangle": "^", "ring": "o", "dot": "."}
 """Marks by the names of their shapes."""
 
@@ -127,8 +133,8 @@ def label(ax: "Axes", found: tuple[Any, ...], region: str, drawn: dict[str, Any]
     )
 
 
-def legend(ax: "Axes", drawn: dict[str, Any]) -> None:
-    """Says below the axes what lines, marks and grounds mean."""
+def legend(ax: "Axes", drawn: dict[str, Any], *, of_figure: bool) -> None:
+    """Says what lines, marks and grounds mean: below all of a figure, or below these axes."""
     from matplotlib.legend_handler import HandlerTuple
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
@@ -143,17 +149,14 @@ def legend(ax: "Axes", drawn: dict[str, Any]) -> None:
             handles.append(tuple(Line2D([], [], **style) for style in styles(*line)))
     figure: Any = ax.figure
     texts = [text for *_, text in drawn["legend"]]
-    columns = max(1, int(figure.get_size_inches()[0] // 2.1))
-    figure.legend(
-        handles,
-        texts,
-        loc="outside lower left",
-        ncols=columns,
-        fontsize="x-small",
-        frameon=False,
-        handlelength=2.6,
-        handler_map={tuple: HandlerTuple(ndivide=1, pad=0)},
-    )
+    style: dict[str, Any] = {"fontsize": "x-small", "frameon": False, "handlelength": 2.6}
+    style["handler_map"] = {tuple: HandlerTuple(ndivide=1, pad=0)}
+    inches = figure.get_size_inches()[0] if of_figure else ax.get_window_extent().width / figure.dpi
+    style["ncols"] = max(1, int(inches // COLUMN))
+    if of_figure:
+        figure.legend(handles, texts, loc="outside lower left", **style)
+    else:
+        ax.legend(handles, texts, loc="upper left", bbox_to_anchor=(0, 0), borderaxespad=BELOW, **style)
 
 
 def closed(outline: Array) -> Array:

@@ -124,6 +124,7 @@ def body(given: "Body", ax: Any = None, *, figsize: Size | None = None, **surfac
     if length > 0:
         ax.plot(*np.outer(center / length * half.min(), [0, 1]), "o-", color="C3", markevery=[1], label="centre of mass")
     ax.set(xlabel="$x_1$", ylabel="$x_2$", zlabel="$x_3$", aspect="equal")
+    ax.locator_params(nbins=4)
     return ax
 
 
