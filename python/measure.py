@@ -7,6 +7,7 @@ import _thread
 import argparse
 import os
 import random
+import resource
 import threading
 import time
 from collections.abc import Callable
@@ -72,6 +73,21 @@ def tables(paper: bifdiag.Body) -> None:
     rng = np.random.default_rng(0)
     h, l, atlas = rng.uniform(-1, 9, 10**5), rng.uniform(0.01, 6, 10**5), paper.atlas()
     say("a classified point of an array", f"{best(lambda: atlas.classify(h, l)) * 10:.3f} µs")
+
+
+def scans(count: int) -> None:
+    """Scans of own bodies, by a process of its own."""
+
+    def children() -> float:
+        used = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return used.ru_utime + used.ru_stime
+
+    x, y, z = np.random.default_rng(1).uniform(0.05, 1, (3, count))
+    moments = np.stack([y + z, z + x, x + y], axis=1)
+    centers = np.random.default_rng(2).uniform(-1, 1, (count, 3))
+    begin = children()
+    bifdiag.scan(bodies=(moments, centers))
+    say(f"a scan of {count} own bodies", f"{count / (children() - begin):.0f} a second (goal 5000)")
 
 
 def pairs(count: int) -> None:
@@ -163,6 +179,7 @@ def main() -> None:
     paper = bifdiag.Body.preset("paper")
     arrays(paper.atlas())
     tables(paper)
+    scans(options.bodies // 10)
     pairs(options.bodies // 20)
     bodies(options.bodies)
     interrupts(paper)

@@ -1,6 +1,7 @@
 """The package's modules: each of a size that can be read, and each importing only what stands before it."""
 
 import ast
+import re
 from graphlib import TopologicalSorter
 from pathlib import Path
 
@@ -43,3 +44,11 @@ def test_imports_have_no_circle():
 @pytest.mark.parametrize("path", [path for path in MODULES if path.name != WRITTEN], ids=str)
 def test_a_module_is_short(path):
     assert len((FOLDER.parent / path).with_suffix(".py").read_text("utf-8").splitlines()) <= 300
+
+
+def test_the_texts_say_how_long_a_source_build_takes():
+    texts = [(Path(__file__).parents[1] / name).read_text("utf-8") for name in ("README.md", "docs/guide.rst")]
+    told = [
+        re.search(r"pip install ./python`.{,200}?(\w+)\s+minutes of CPU time.{,60}`-v`", text, re.DOTALL) for text in texts
+    ]
+    assert told[0][1] == told[1][1]

@@ -234,7 +234,7 @@ def _cell(value: Any) -> str:
 
 def _split(name: str, values: npt.NDArray[Any]) -> dict[str, npt.NDArray[Any]]:
     """A column, or the real and imaginary parts of one."""
-    return {f"{name}_re": values.real, f"{name}_im": values.imag} if values.dtype.kind == "c" else {name: values}
+    return {f"{name}_re": np.real(values), f"{name}_im": np.imag(values)} if values.dtype.kind == "c" else {name: values}
 
 
 def _with_nan(column: npt.NDArray[Any]) -> npt.NDArray[Any]:
