@@ -197,8 +197,8 @@ fn counted(verdicts: &[OrbitVerdict]) -> String {
         (count(|verdict| *verdict == OrbitVerdict::Chaotic), "chaotic"),
         (count(|verdict| matches!(verdict, OrbitVerdict::Open(_))), "open"),
     ];
-    let told = counts.into_iter().filter(|(count, _)| *count > 0);
-    told.map(|(count, word)| format!("{count} {word}")).collect::<Vec<_>>().join(", ")
+    let counted = counts.into_iter().filter(|(count, _)| *count > 0);
+    counted.map(|(count, word)| format!("{count} {word}")).collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

@@ -55,7 +55,7 @@ pub fn range(error: &dyn Error) -> PyErr {
 /// A document that somebody changed.
 pub fn damaged(name: &str) -> PyErr {
     let message =
-        format!("{name} is refused: its bytes are not those that bifdiag writes for an atlas with certificate");
+        format!("{name} is refused: its bytes are not those that bifdiag writes for an atlas with a certificate");
     exception("VerifyError", message)
 }
 

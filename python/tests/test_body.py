@@ -107,7 +107,7 @@ def test_errors_have_their_bases():
 
 
 def test_bodies_that_cannot_exist_are_told():
-    with pytest.warns(bifdiag.BodyWarning, match="no distribution of mass"):
+    with pytest.warns(bifdiag.BodyWarning, match="no mass distribution"):
         body = bifdiag.Body([5, 1.2, 0.9], [0, 0, 1])
     assert not body.physical and bifdiag.Body([2, 1, 1], [0, 0, 1]).physical
     # Whoever has been told is not told again.

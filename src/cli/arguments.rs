@@ -39,9 +39,9 @@ Examples:
   bifdiag classify --body paper --h 3.8 --l 3.25   U, E and P at one point
   bifdiag section --body paper --region R5         regular or chaotic?
 
-Numbers are decimals, decimals with exponent or rationals (1.1, 11e-1, 11/10) and are read exactly. Without a command, \
-`atlas` is meant; `bifdiag atlas --help` describes all of its options.
-Exit status: 0 done; 2 the input is wrong; 1 anything else.";
+Numbers may be decimals, decimals with an exponent or fractions (1.1, 11e-1, 11/10) and are read exactly. Without a \
+command, bifdiag runs `atlas`; `bifdiag atlas --help` describes all of its options.
+Exit status: 0 success; 2 invalid input; 1 any other failure.";
 
 /// The whole command line.
 #[derive(Debug)]
@@ -51,7 +51,7 @@ pub struct Options {
     pub command: Option<Command>,
 }
 
-/// What stands before the commands.
+/// The options before the commands.
 #[derive(Debug, Parser)]
 #[command(
     name = "bifdiag",
@@ -142,17 +142,17 @@ commands! {
     Critical(CriticalArguments) = "critical", critical::EXAMPLES;
     /// Find the classes of diagrams of many bodies
     Scan(Box<ScanArguments>) = "scan", scan::SCAN_EXAMPLES;
-    /// Search for a body and a point that show a wanted type
+    /// Search for a body and a point that have a given type
     Find(FindArguments) = "find", find::FIND_EXAMPLES;
     /// List the classes of bodies, or find the class of a body and its borders
     Classes(Box<ClassesArguments>) = "classes", classes::CLASSES_EXAMPLES;
-    /// Show one class of bodies: its types, a body of it, the classes beside it
+    /// Show one class of bodies: its types, an example, and the neighbouring classes
     Class(ClassArguments) = "class", classes::CLASS_EXAMPLES;
     /// Compare two bodies: regions, events and stability, and the borders between them
     Compare(CompareArguments) = "compare", compare::COMPARE_EXAMPLES;
     /// Explain a region, a curve or an event in words
     Show(ShowArguments) = "show", show::EXAMPLES;
-    /// Explain a word that the program prints
+    /// Explain a term that the program prints
     Explain(ExplainArguments) = "explain", explain::EXPLAIN_EXAMPLES;
     /// Compute a Poincaré section on the PP-torus
     Section(SectionArguments) = "section", section::EXAMPLES;
@@ -164,25 +164,25 @@ commands! {
     Orbit(OrbitArguments) = "orbit", orbit::EXAMPLES;
     /// Find the periodic orbits at a point, or follow families of them
     Periodic(PeriodicArguments) = "periodic", periodic::PERIODIC_EXAMPLES;
-    /// Open the explorer, a page for the browser, on this machine
+    /// Open the explorer, an interactive page, in the browser
     Explore(Box<ExploreArguments>) = "explore", explore::EXAMPLES;
-    /// Check an atlas by other means than those that made it
+    /// Check the proof of an atlas or of a point, with separate code
     Verify(VerifyArguments) = "verify", verify::EXAMPLES;
-    /// Show a real part as it was read, and draw it
+    /// Show how a real part was read, and draw it
     Body(PartBodyArguments) = "body", part::BODY_EXAMPLES;
     /// Locate a state: its (h, l), its region or curve, and whether it is stable
     State(Box<StateArguments>) = "state", spin::STATE_EXAMPLES;
     /// List the spins at which rotation about an axis changes its stability or its regions
     CriticalSpin(Box<CriticalSpinArguments>) = "critical-spin", spin::CRITICAL_SPIN_EXAMPLES;
-    /// Draw the frequencies of small oscillations over the spin of a steady rotation
+    /// Plot the frequencies of small oscillations against the spin of a steady rotation
     Campbell(Box<CampbellArguments>) = "campbell", spin::CAMPBELL_EXAMPLES;
-    /// Follow a steady rotation that friction slows down, to rest or to its fall
+    /// Follow a steady rotation, slowed by friction, until it comes to rest or falls
     SpinDown(Box<SpinDownArguments>) = "spin-down", spin::SPIN_DOWN_EXAMPLES;
     /// List the named bodies
     Bodies(BodiesArguments) = "bodies", listings::BODIES_EXAMPLES;
     /// Print the JSON Schemas of the documents
     Schema(SchemaArguments) = "schema", listings::SCHEMA_EXAMPLES;
-    /// Print the completions of a shell
+    /// Print shell completions
     Completions(CompletionsArguments) = "completions", listings::COMPLETIONS_EXAMPLES;
     /// Print the manual page, or write the pages of all commands
     Man(ManArguments) = "man", listings::MAN_EXAMPLES;
@@ -196,13 +196,13 @@ pub struct CommonArguments {
     #[arg(long, value_name = "N", global = true, allow_hyphen_values = true, value_parser = values::threads)]
     #[arg(hide_short_help = true)]
     pub threads: Option<NonZeroUsize>,
-    /// Report on stderr how long each stage took, and how many questions f64, intervals and algebra decided
+    /// Report on stderr the time of each stage, and how many questions f64, intervals and algebra decided
     #[arg(long, global = true, hide_short_help = true)]
     pub timings: bool,
-    /// Print no warnings and no progress
+    /// Suppress warnings and progress
     #[arg(short, long, global = true, conflicts_with = "verbose", hide_short_help = true)]
     pub quiet: bool,
-    /// Report on stderr what is done; twice: in detail
+    /// Report on stderr what is being done; repeat for details
     #[arg(short, long, global = true, action = ArgAction::Count, hide_short_help = true)]
     pub verbose: u8,
 }
@@ -286,8 +286,8 @@ fn check_part(command: &clap::Command, error: &clap::Error) -> Result<(), Failur
         return Ok(());
     }
     Err(Failure::input(format!(
-        "{unknown} describes a real part, which this command does not read; give the --A and --r of the part: `bifdiag body` \
-         prints them"
+        "{unknown} describes a real part, which this command does not read; `bifdiag body` prints the part's --A and \
+        --r: give those"
     )))
 }
 
@@ -316,7 +316,7 @@ fn without_wild_guess(mut error: clap::Error) -> clap::Error {
     error
 }
 
-/// A slip of the keyboard leaves all of a name but for two letters in one place.
+/// A typing error changes at most two neighbouring letters of a name.
 fn is_slip(written: &str, meant: &str) -> bool {
     let [written, meant] = [written, meant].map(|name| name.trim_start_matches('-').as_bytes());
     let start = written.iter().zip(meant).take_while(|(p, q)| p == q).count();
@@ -330,8 +330,8 @@ const GONE: [(&str, &str); 5] = [
     ("no-polygons", "--no-drawing, which leaves out polylines, polygons, widths and views"),
     ("rng-seed", "--seed K"),
     ("seeds", "--starts FILE.csv"),
-    ("integrator", "--tol 1e-12: motions are integrated by Taylor series, and their tolerance says how finely"),
-    ("step", "--tol 1e-12: motions are integrated by Taylor series, whose steps adapt to their tolerance"),
+    ("integrator", "--tol 1e-12: motions are integrated by Taylor series to this tolerance"),
+    ("step", "--tol 1e-12: motions are integrated by Taylor series, whose steps adapt to this tolerance"),
 ];
 
 /// An option of an earlier version is named with its successor, unless some command still has it.
@@ -342,7 +342,7 @@ fn check_gone(arguments: &[OsString]) -> Result<(), Failure> {
         let command = Options::command();
         let mut everywhere = command.get_subcommands().chain([&command]).flat_map(clap::Command::get_arguments);
         if !everywhere.any(|argument| argument.get_long() == Some(option)) {
-            return Err(Failure::input(format!("--{option} is gone; write {successor}")));
+            return Err(Failure::input(format!("--{option} was removed; use {successor}")));
         }
     }
     Ok(())
@@ -356,7 +356,7 @@ fn check_forms(command: &clap::Command, arguments: &[OsString]) -> Result<(), Fa
         let list: Vec<&str> = texts[place + 1..].iter().take_while(number).copied().collect();
         if let [_, value, ..] = list[..] {
             let right = format!("write a list with commas: {option} {}", list.join(","));
-            return Err(Failure::input(format!("{value} stands alone after {option}; {right}")));
+            return Err(Failure::input(format!("{value} is not joined to {option}; {right}")));
         }
     }
     match texts.get(1) {
@@ -398,7 +398,7 @@ fn check_no_stray_option(command: &clap::Command, matches: &clap::ArgMatches, na
     });
     match stray.and_then(clap::Arg::get_long) {
         Some(long) => Err(Failure::input(format!(
-            "--{long} stands before the command {name}; write it after: bifdiag {name} --{long} …"
+            "--{long} is before the command {name}; write it after: bifdiag {name} --{long} …"
         ))),
         None => Ok(()),
     }
@@ -434,7 +434,7 @@ mod tests {
             assert!(examples.lines().all(|line| line.chars().count() <= 80), "{}: {examples}", command.get_name());
             let broken = |pair: &[&str]| !pair[0].is_empty() && !pair[1].is_empty() && !pair[1].starts_with(' ');
             let lines: Vec<&str> = prose.lines().collect();
-            // What stands for itself on a line ends with a full stop.
+            // A sentence on a line of its own ends with a full stop.
             let broken = lines.windows(2).find(|pair| broken(pair) && !pair[0].ends_with('.'));
             assert_eq!(broken, None, "{}", command.get_name());
         }

@@ -23,10 +23,11 @@ Examples:
   bifdiag compare paper \"A=2,1.1,1;r=0.94868,0.01,0.61623\"
   bifdiag compare kovalevskaya lagrange --json
 
-A body is a named one (`bifdiag bodies`), A=A1,A2,A3;r=r1,r2,r3 (& may stand for ;), or an atlas.json (-: stdin). Branches are named in \
-axes by rising moments, since those of the two bodies are compared. The path is straight in A and r, with A1 ≤ A2 ≤ A3, the sum \
-of A = 2, r_i ≥ 0 and the largest r_i = 1; where moments are equal, r is turned as near to that of the other body as an exchange \
-of their axes brings it, and of a ball into its direction.";
+A body is a name (`bifdiag bodies` lists them), A=A1,A2,A3;r=r1,r2,r3 (& may replace ;), or an atlas.json (-: stdin). \
+Branches are named in axes by rising moments, so that those of the two bodies can be compared. The path is straight \
+in A and r, with A1 ≤ A2 ≤ A3, the sum of A = 2, r_i ≥ 0 and the largest r_i = 1; where moments are equal, r is \
+turned among their axes to be as close to that of the other body as exchanging the axes allows, and for a ball into \
+the direction of the other r.";
 
 /// `bifdiag compare`.
 #[derive(Debug, Args)]
@@ -100,7 +101,7 @@ fn body(text: &str) -> Result<Body, Failure> {
     let wrong = |why: &dyn std::fmt::Display| Failure::input(format!("BODY {text}: {why}"));
     if let Some((moments, center)) = text.strip_prefix("A=").and_then(|rest| rest.split_once([';', '&'])) {
         let center = center.trim().strip_prefix("r=").ok_or_else(|| {
-            wrong(&"after A comes the centre of mass; write A=2,1.1,1;r=0.94868,0,0.61623, in quotation marks")
+            wrong(&"the centre of mass must follow A; write A=2,1.1,1;r=0.94868,0,0.61623, in quotation marks")
         })?;
         let list = |text: &str| text.split(',').map(|part| part.trim().to_owned()).collect::<Vec<_>>();
         return Body::parse(&list(moments), &list(center)).map_err(|error| wrong(&error));
@@ -108,13 +109,14 @@ fn body(text: &str) -> Result<Body, Failure> {
     let is_file = text == "-" || Path::new(text).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
     if !is_file {
         return Err(wrong(
-            &"it is no named body (`bifdiag bodies` lists them); give a name, \"A=2,1.1,1;r=0.94868,0,0.61623\" or an atlas.json",
+            &"it is not a named body (`bifdiag bodies` lists them); give a name, \"A=2,1.1,1;r=0.94868,0,0.61623\" or \
+            an atlas.json",
         ));
     }
     let file = read(Path::new(text))
         .map_err(|error| wrong(&format!("{error}; give an atlas.json that can be read, or - for stdin")))?;
     let atlas = bifdiag_documents::reading::atlas(&file, text)
-        .map_err(|error| wrong(&format!("it is no atlas of version {SCHEMA_VERSION}: {error}")))?;
+        .map_err(|error| wrong(&format!("it is not an atlas of version {SCHEMA_VERSION}: {error}")))?;
     Body::parse(&atlas.body.given.moments, &atlas.body.given.center).map_err(|error| wrong(&error))
 }
 
@@ -122,7 +124,7 @@ fn report(document: &ComparisonDocument) -> String {
     let mut report = Report::default();
     let [first, second] = &document.bodies;
     for (number, body) in ["1", "2"].into_iter().zip([first, second]) {
-        let class = body.class.as_ref().map_or("no class is decided".to_owned(), |class| format!("class {class}"));
+        let class = body.class.as_ref().map_or("class undecided".to_owned(), |class| format!("class {class}"));
         report.line(format!(
             "{number}: {}, {class}, {}, {}, at most {} at one l",
             body.name,
@@ -132,7 +134,7 @@ fn report(document: &ComparisonDocument) -> String {
         ));
     }
     if document.same_class == Some(true) {
-        report.line("both have one class: their diagrams are the same but for the lengths in them");
+        report.line("both belong to the same class: their diagrams differ only in lengths");
     }
     report.line("");
     add_regions(&mut report, document);
@@ -193,7 +195,7 @@ fn add_stability(report: &mut Report, document: &ComparisonDocument) {
 fn add_differing(report: &mut Report, table: &Table, differing: usize, all: usize, what: &str) {
     if differing > 0 {
         report.line(table.text());
-        report.line(format!("{what} that both have equally often: {}", all - differing));
+        report.line(format!("{what} that both have in equal number: {}", all - differing));
     } else if all == 0 {
         report.line(format!("{what}: neither has any"));
     } else {
@@ -207,7 +209,7 @@ fn add_path(report: &mut Report, document: &ComparisonDocument) {
     let path = &document.path;
     match (path.borders.len(), document.same_class) {
         (0, Some(true)) => {
-            report.line("no border was sought on the path between them, since its ends have one class");
+            report.line("the path between them was not searched for borders, because its ends have the same class");
             return;
         }
         (0, _) => {
@@ -223,12 +225,15 @@ fn add_path(report: &mut Report, document: &ComparisonDocument) {
     }
     report.line(table.text());
     report.line(if path.complete {
-        "a class that the path enters and leaves again between two of them may be missing"
+        "a class that the path enters and leaves between two of them may be missing"
     } else {
-        "the path goes on beyond the last of them: further borders were not found"
+        "the path continues beyond the last of them: further borders were not found"
     });
     report.line("branches and components of r in axes by rising moments");
     for (number, _) in ["1", "2"].into_iter().zip(path.turned).filter(|(_, turned)| *turned) {
-        report.line(format!("{number} has equal moments: its r is turned among their axes, which changes no diagram"));
+        report.line(format!(
+            "{number} has equal moments: its r is turned among their axes, which leaves its diagram \
+        unchanged"
+        ));
     }
 }

@@ -67,7 +67,7 @@ pub fn no_such_curve(option: &str, given: &str, all: impl IntoIterator<Item = im
     Failure::input(format!("{option} {given}: the body has no such curve of steady rotations; it has {all}"))
 }
 
-/// The message with its causes, as far as it does not name them itself.
+/// The message, followed by the causes that it does not already name.
 impl Display for Failure {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut message = self.message.clone();

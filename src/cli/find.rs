@@ -20,51 +20,51 @@ Examples:
   bifdiag find --signature T2+S2
   bifdiag find --critical-points 8 --samples 20000
 
-A type of the witnesses that come with bifdiag is answered at once; --search looks for another, and so do --seed and --all. \
-If nothing is found (exit status 1), the answer says how many bodies were tried and how near the best one came; it says \
-that there is none only where a theorem does.";
+If a built-in witness has the type, it is printed at once; --search, --seed and --all look for another. If nothing is \
+found (exit status 1), the answer says how many bodies were tried and how close the best one came; it says that none \
+exists only where a theorem does.";
 
 /// `bifdiag find`.
 #[derive(Debug, Args)]
 pub struct FindArguments {
-    /// A section such as M4, or circles and poles of a component of U such as k3n1
-    #[arg(long = "type", value_name = "TYPE", help_heading = "What is sought")]
+    /// Find a section such as M4, or a component of U with circles and poles such as k3n1
+    #[arg(long = "type", value_name = "TYPE", help_heading = "Target")]
     #[arg(conflicts_with_all = ["circles", "poles", "signature", "critical_points"])]
     pub kind: Option<String>,
-    /// A component of U with K boundary circles
-    #[arg(long, value_name = "K", help_heading = "What is sought")]
+    /// Find a component of U with K boundary circles
+    #[arg(long, value_name = "K", help_heading = "Target")]
     #[arg(conflicts_with_all = ["signature", "critical_points"])]
     pub circles: Option<u32>,
-    /// A component of U with N poles
-    #[arg(long, value_name = "N", help_heading = "What is sought", value_parser = clap::value_parser!(u32).range(0..=2))]
+    /// Find a component of U with N poles
+    #[arg(long, value_name = "N", help_heading = "Target", value_parser = clap::value_parser!(u32).range(0..=2))]
     #[arg(conflicts_with_all = ["signature", "critical_points"])]
     pub poles: Option<u32>,
-    /// A region with these sections
-    #[arg(long, value_name = "S2+T2", help_heading = "What is sought", conflicts_with = "critical_points")]
+    /// Find a region with these sections
+    #[arg(long, value_name = "S2+T2", help_heading = "Target", conflicts_with = "critical_points")]
     pub signature: Option<String>,
-    /// N relative equilibria at one l, or more
-    #[arg(long, value_name = "N", help_heading = "What is sought")]
+    /// Find at least N relative equilibria at one l
+    #[arg(long, value_name = "N", help_heading = "Target")]
     pub critical_points: Option<u32>,
-    /// Only bodies that exist: A_i + A_j > A_k, or equality and r_k = 0
+    /// Only physical bodies: A_i + A_j > A_k, or equality and r_k = 0
     #[arg(long, help_heading = "Work")]
     pub physical: bool,
     /// Only bodies whose largest moment is at most R times the smallest
     #[arg(long, value_name = "R", default_value_t = 10.0, help_heading = "Work", value_parser = moment_ratio, hide_short_help = true)]
     pub moment_ratio: f64,
-    /// Search, although a witness that comes with bifdiag is known
+    /// Search even if a built-in witness is known
     #[arg(long, help_heading = "Work", hide_short_help = true)]
     pub search: bool,
-    /// The most bodies that are drawn
+    /// Draw at most N bodies
     #[arg(long, value_name = "N", default_value_t = 20_000, help_heading = "Work")]
     #[arg(value_parser = clap::value_parser!(u64).range(1..1 << 53))]
     pub samples: u64,
-    /// Draw all of them, although something was found before; search
+    /// Draw all N bodies, even after a match; implies --search
     #[arg(long, help_heading = "Work", hide_short_help = true)]
     pub all: bool,
-    /// Where the sequence of bodies starts (default: 0); search
+    /// Start the sequence of bodies at N (default: 0); implies --search
     #[arg(long, value_name = "N", help_heading = "Work", hide_short_help = true)]
     pub seed: Option<u64>,
-    /// What the answers must be worth
+    /// Required accuracy of the answers
     #[arg(long, value_parser = accuracy(), default_value = "exact", help_heading = "Work", hide_short_help = true)]
     pub accuracy: Accuracy,
     /// Print the answer as JSON
@@ -74,7 +74,7 @@ pub struct FindArguments {
 
 fn moment_ratio(text: &str) -> Result<f64, String> {
     let ratio = text.parse::<f64>().ok().filter(|ratio| *ratio >= 1.0 && ratio.is_finite());
-    ratio.ok_or_else(|| "a ratio is a number from 1 on, such as 10".to_owned())
+    ratio.ok_or_else(|| "a ratio is a number of 1 or more, such as 10".to_owned())
 }
 
 pub fn run(arguments: &FindArguments, quiet: bool) -> Result<(), Failure> {
@@ -104,7 +104,7 @@ fn target(arguments: &FindArguments) -> Result<Target, Failure> {
     }
     if arguments.circles.is_none() && arguments.poles.is_none() {
         return Err(Failure::input(
-            "nothing says what is sought; give --type M4, --circles 3 --poles 1, --signature S2+T2 or --critical-points 8",
+            "no target is given; use --type M4, --circles 3 --poles 1, --signature S2+T2 or --critical-points 8",
         ));
     }
     Ok(Target::Component { circles: arguments.circles, poles: arguments.poles })
@@ -170,7 +170,7 @@ fn report(document: &FindDocument) -> String {
                 list(nearest.center)
             ));
         }
-        report.line("this does not say that there is none");
+        report.line("this does not show that none exists");
         return report.text();
     };
     let body = format!("--A {} --r {}", witness.body.moments.join(","), witness.body.center.join(","));
@@ -183,7 +183,7 @@ fn report(document: &FindDocument) -> String {
     report.line(format!("{} {is} shown by", document.sought));
     report.line(format!("  bifdiag {command}"));
     if witness.critical_points.is_some() {
-        report.line(format!("  where at h = {}", witness.h));
+        report.line(format!("  at h = {}:", witness.h));
     }
     for component in &witness.components {
         report.line(format!(
@@ -216,16 +216,16 @@ fn not_found(sought: &str) -> String {
     format!("{sought} {verb} not found")
 }
 
-/// What was looked at.
+/// What was examined.
 fn tried(document: &FindDocument) -> String {
     let FindDocument { drawn, tried, showing, .. } = *document;
     if drawn == 0 {
-        return "one of the witnesses that come with bifdiag".to_owned();
+        return "a built-in witness".to_owned();
     }
     let bodies = counted(drawn, "body", "bodies");
     let show = if showing == 1 { "shows" } else { "show" };
     match tried {
-        0 => format!("{bodies} drawn, none of them inside the limits and decided, so none was tried"),
+        0 => format!("{bodies} drawn, but none of them was within the limits and decided, so none was tried"),
         1 if drawn == 1 => {
             format!("one body tried, {}", if showing == 1 { "which shows it" } else { "which does not show it" })
         }

@@ -110,7 +110,7 @@ pub enum Name {
     Bodies,
     /// The answer of `bifdiag explain --json`
     Explain,
-    /// What stands for a wrong line of a batch
+    /// The answer to an invalid line of a batch
     BatchError,
     /// A line of `bifdiag scan --format jsonl`
     ScanRow,

@@ -22,9 +22,9 @@ Examples:
   bifdiag show S3 --body katok:6
   bifdiag show M2 --body paper
 
-The ids are those of `bifdiag atlas`: regions R1, R2, …, curves such as G0.1 or P+, events E1, E2, … by rising l. The name of a \
-branch such as G0 shows each of its curves, that of a surface or of a type such as M2, S2+T2 or k2n1 each region that has it. \
-Without a body, a surface or a type is explained.";
+The ids are those of `bifdiag atlas`: regions R1, R2, …, curves such as G0.1 or P+, events E1, E2, … by rising l. The \
+name of a branch such as G0 shows each of its curves; a surface or a type such as M2, S2+T2 or k2n1 shows each region \
+that has it. Surfaces and types are explained without a body, too.";
 
 /// `bifdiag show`.
 #[derive(Debug, Args)]
@@ -114,7 +114,7 @@ fn is_surface(id: &str) -> bool {
     one(&upper) || upper.split('+').all(one)
 }
 
-/// The regions of which a component, or the signature, has this name.
+/// The regions that have a component or a signature of this name.
 fn regions_with<'a>(document: &'a AtlasDocument, name: &str) -> Vec<&'a RegionDocument> {
     let is = |text: &str| text.eq_ignore_ascii_case(name);
     let sorted = |text: &str| {
@@ -140,11 +140,11 @@ fn show_surface(report: &mut Report, found: &[&RegionDocument], name: &str) {
     // As the program writes it, whatever was typed.
     let name = if is_type(name) { name.to_ascii_lowercase() } else { name.to_ascii_uppercase().replace('X', "x") };
     report.line(match found.len() {
-        0 => format!("no region of this body shows {name}"),
-        1 => format!("{name} is shown by the region {}", found[0].id),
+        0 => format!("no region of this body has {name}"),
+        1 => format!("{name} occurs in the region {}", found[0].id),
         _ => {
             let ids: Vec<&str> = found.iter().map(|region| region.id.as_str()).collect();
-            format!("{name} is shown by the regions {}", ids.join(", "))
+            format!("{name} occurs in the regions {}", ids.join(", "))
         }
     });
     for region in found {
@@ -173,7 +173,7 @@ fn unknown(id: &str, document: &AtlasDocument) -> Failure {
     let regions = up_to("region", "R", document.regions.len());
     let (curves, events) = (curves.join(", "), up_to("event", "E", document.events.len()));
     Failure::input(format!(
-        "ID {id}: this body has none of that name; it has {regions}, the curves {curves} and {events}"
+        "ID {id}: this body has nothing of that name; it has {regions}, the curves {curves} and {events}"
     ))
 }
 
@@ -205,7 +205,7 @@ fn show_region(report: &mut Report, document: &AtlasDocument, region: &RegionDoc
         }
     }
     report.line("");
-    report.line("its sides:");
+    report.line("its boundaries:");
     for neighbour in &region.neighbours {
         let curve = document.curves.iter().find(|curve| curve.id == neighbour.curve);
         let other = document.regions.iter().find(|other| Some(&other.id) == neighbour.region.as_ref());
@@ -242,8 +242,8 @@ fn show_curve(report: &mut Report, document: &AtlasDocument, curve: &CurveDocume
     let parts = |region: &RegionDocument| region.neighbours.iter().any(|neighbour| neighbour.curve == curve.id);
     if !document.regions.iter().any(parts) {
         let same =
-            curve.coincides_with.first().map_or_else(String::new, |id| format!("; show {id} tells what it parts"));
-        report.line(format!("no region is said to end on it{same}"));
+            curve.coincides_with.first().map_or_else(String::new, |id| format!("; show {id} says what it separates"));
+        report.line(format!("no region is listed as ending on it{same}"));
         return;
     }
     let mut changes: Vec<String> = Vec::new();
@@ -263,7 +263,7 @@ fn show_curve(report: &mut Report, document: &AtlasDocument, curve: &CurveDocume
         }
     }
     if changes.is_empty() {
-        report.line("the regions beside it meet on a range of l that is shorter than doubles tell");
+        report.line("the regions beside it meet on a range of l that is too short for doubles to resolve");
         return;
     }
     report.line("with rising h:");
@@ -280,7 +280,7 @@ fn isolated(report: &mut Report, document: &AtlasDocument, curve: &CurveDocument
     }
     let by_arnold = curve.stability.iter().any(|span| span.nonlinear.why == Reason::Arnold);
     if by_arnold && document.verdict_changes.is_none() {
-        report.line("  Arnold's theorem: but for isolated l, which were not found");
+        report.line("  Arnold's theorem: except at isolated l, which were not found");
     }
 }
 
@@ -294,7 +294,7 @@ fn show_event(report: &mut Report, document: &AtlasDocument, event: &EventDocume
         (EventKind::Cusp, true) => "cusp: two circles of relative equilibria meet and vanish",
         (EventKind::Pitchfork, false) => "pitchfork: a symmetric pair leaves a curve",
         (EventKind::Pitchfork, true) => "pitchfork: a circle of relative equilibria leaves a curve",
-        (EventKind::Crossing, _) => "crossing: two curves have the same energy, at different places of the sphere",
+        (EventKind::Crossing, _) => "crossing: two curves have the same energy at different points of the sphere",
     };
     report.line(what);
     let value = |x: f64, error: f64| format!("{} (± {})", significant(x, 12), bound(error, 1));

@@ -11,7 +11,7 @@ use bifdiag_dynamics::field::dot;
 use bifdiag_dynamics::poincare::components_at;
 use bifdiag_equilibria::critical::critical;
 use bifdiag_exact::{Accuracy, AnswerError, Solver, classify};
-use bifdiag_plot::{Picture, SphereScene, body_line, draw_sphere, told};
+use bifdiag_plot::{Picture, SphereScene, body_line, draw_sphere, value_text};
 use bifdiag_schema::ComponentDocument;
 use clap::Args;
 
@@ -28,7 +28,8 @@ Examples:
   bifdiag sphere --body paper --region R4 --format svg,png
   bifdiag sphere --A 2,2,1 --r 1,0,0 --h 3.4 --l 2.87 --view 0,0,1 --out annulus
 
-The picture shows the Poisson sphere, on which γ is the direction of gravity in the body's axes, from two opposite sides. \
+The picture shows the Poisson sphere from two opposite sides; its points γ are the directions of gravity in the \
+body's axes. \
 U is tinted: a component with k boundary circles and n of the poles ±r̂ has a section of genus k + n − 1 above it.";
 
 /// `bifdiag sphere`.
@@ -38,10 +39,10 @@ pub struct SphereArguments {
     pub body: BodyArguments,
     #[command(flatten)]
     pub point: PointArguments,
-    /// The sample of this region of the body's atlas, instead of --h and --l
+    /// Use the sample point of this region instead of --h and --l
     #[arg(long, value_name = "ID", conflicts_with_all = ["energy", "momentum"], help_heading = "Point")]
     pub region: Option<String>,
-    /// From where the first view is taken, in the body's axes (default: from where most is seen)
+    /// Direction from which the first view is taken, in the body's axes (default: the one that shows most)
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::direction)]
     #[arg(help_heading = "Output", hide_short_help = true)]
     pub view: Option<[f64; 3]>,
@@ -148,7 +149,7 @@ fn caption(site: &Site, answer: &Answer) -> String {
         Answer::Undecided(_) => ", not decided",
         Answer::Regular(_) | Answer::Forbidden => "",
     };
-    let [h, l] = [("h", site.h.text()), ("l", site.l.text())].map(|(name, text)| told(name, text, 6));
+    let [h, l] = [("h", site.h.text()), ("l", site.l.text())].map(|(name, text)| value_text(name, text, 6));
     format!("U(γ) ≤ h on the Poisson sphere: {h}, {l}{region}{special}")
 }
 

@@ -17,8 +17,8 @@ Examples:
   bifdiag --body katok:6 --certificate --json | bifdiag verify -
   bifdiag classify --body paper --h 3.8 --l 3.25 --certificate > p.json
 
-The certificate is checked as a proof, by separate code; the drawing is no part of it. Exit status: 0 verified; 1 refused, with the first thing that \
-is wrong, or no certificate; 2 the file is no atlas of this version.";
+The certificate is checked as a proof, by separate code; the drawing is not part of it. Exit status: 0 verified; 1 \
+refused, with the first error found, or no certificate; 2 the file is not an atlas of this version.";
 
 /// `bifdiag verify`.
 #[derive(Debug, Args)]
@@ -34,7 +34,7 @@ pub fn run(arguments: &VerifyArguments, timings: &Timings) -> Result<(), Failure
         Failure::input(format!("{path}: {error}; give an atlas.json that can be read, or - for stdin"))
     })?;
     let claim = bifdiag_documents::reading::claim(&text, &arguments.file.to_string_lossy()).map_err(|error| {
-        Failure::input(format!("{path} is no atlas of version {SCHEMA_VERSION}: {error}")).because(error)
+        Failure::input(format!("{path} is not an atlas of version {SCHEMA_VERSION}: {error}")).because(error)
     })?;
     let (document, canonical) = match &claim {
         Claim::Atlas(atlas) => (&**atlas, bifdiag_documents::layout::text(atlas)?),
@@ -42,7 +42,7 @@ pub fn run(arguments: &VerifyArguments, timings: &Timings) -> Result<(), Failure
     };
     // What a certificate proves is in the bytes: they must be those that bifdiag writes.
     if document.certificate.is_some() && canonical.trim_end() != text.trim_end() {
-        let why = "its bytes are not those that bifdiag writes for an atlas with certificate";
+        let why = "its bytes are not those that bifdiag writes for an atlas with a certificate";
         return Err(Failure::work(format!("{path} is refused: {why}")));
     }
     let what = if matches!(claim, Claim::Atlas(_)) { "the atlas" } else { "the point" };

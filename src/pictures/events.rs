@@ -14,11 +14,11 @@ use super::shown::{Seen, Shown, Shows};
 
 /// Digits of the value of a parameter at a border.
 const DIGITS: usize = 6;
-/// Bodies that tell where some exist.
+/// Bodies sampled to find where some exist.
 const LOOKS: u32 = 64;
-/// Numbers of borders stand apart by this part of the width.
+/// Numbers of borders are at least this fraction of the width apart.
 const APART: f64 = 0.025;
-/// Where they stand, below the upper edge.
+/// Their distance below the upper edge.
 const BELOW: f64 = 0.04;
 
 /// A way on which one parameter varies, with what was found on it.

@@ -30,7 +30,7 @@ pub enum ManifoldPictureError {
 /// Orbits behind the curves, and crossings of each.
 const ORBITS: usize = 24;
 const CROSSINGS: usize = 600;
-/// Their colour is that of orbits of which no verdict is known.
+/// They have the colour of orbits without a verdict.
 const GREY: usize = 2;
 
 /// How far beside the energy of an equilibrium the section is drawn, in parts of |h| + |r|: nobody sees it.
@@ -53,7 +53,7 @@ pub struct ManifoldBackground {
 }
 
 impl ManifoldBackground {
-    /// Of the orbits of a list.
+    /// From the orbits of a list.
     ///
     /// # Errors
     /// Those of [`SectionSetting::spread`].

@@ -129,7 +129,7 @@ fn area(corners: &[[f64; 2]]) -> f64 {
     0.5 * corners.iter().zip(next).map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f64>().abs()
 }
 
-/// The parameters that are the same for all bodies, in words; empty where there are none.
+/// The parameters that are the same for all bodies, in words; empty if there are none.
 fn fixed(bodies: &[Seen], axes: [BodyParameter; 2]) -> String {
     let shown = BodyParameter::ALL.into_iter().filter(|parameter| !axes.contains(parameter)).filter_map(|parameter| {
         shared(bodies, parameter).map(|value| format!("{} = {}", parameter.name(), significant(value, 6)))
@@ -288,5 +288,5 @@ pub fn areas(
         Shown::Class => "borders between classes, as scan border finds them",
         Shown::Regions | Shown::CriticalPoints => "borders at which the number changes",
     };
-    MapBodies::Areas { pieces, seen, borders: subdivision.borders.clone(), told: legend.to_owned() }
+    MapBodies::Areas { pieces, seen, borders: subdivision.borders.clone(), legend: legend.to_owned() }
 }

@@ -58,12 +58,12 @@ fn a_part_tells_its_axes_and_units() {
 
 #[test]
 fn strange_bodies_are_accepted_with_a_warning() {
-    let warning = "warning: no distribution of mass has these moments and this centre of mass";
+    let warning = "warning: no mass distribution has these moments and this centre of mass";
     bifdiag("critical --A 9,1,1 --r 1,0,0 --l 1").succeeds().telling(warning);
     bifdiag("critical --A 9,1,1 --r 1,0,0 --l 1 -q").succeeds().telling_nothing();
     bifdiag("critical --A 0.3,0.1,0.2 --r 0,1,0 --l 1").succeeds().telling_nothing();
     let central = "--inertia 0.4,0.4,0.4,0,0,0 --com 0,0,1 --mass 1 --g 9.81";
-    bifdiag(&format!("critical {central} --l 1 --unphysical")).succeeds().telling("no distribution of mass");
+    bifdiag(&format!("critical {central} --l 1 --unphysical")).succeeds().telling("no mass distribution");
     let flags = bifdiag("--A 9,1,1 --r 1,0,0 --json -q").succeeds().json();
     assert_eq!(flags["body"]["unphysical"], true);
 }
@@ -105,7 +105,10 @@ fn a_window_is_echoed() {
     // How many relative equilibria there are is said of the half-plane alone: here it is 6, and in the window 2.
     let body = "atlas --A 3,2,1 --r 0.3,0.4,0.5 --no-plot";
     bifdiag(body).succeeds().printing(" events, at most 6 relative equilibria at one l\n");
-    bifdiag(body).arguments("--window 0:1,0:1").succeeds().printing("\n3 regions, 0 events\nthe window was searched");
+    bifdiag(body).arguments("--window 0:1,0:1").succeeds().printing(
+        "\n3 regions, 0 events\nonly the window was \
+    searched",
+    );
 }
 
 /// Two of the paper's nine regions, as the contract prints them.

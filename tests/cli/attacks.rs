@@ -92,8 +92,11 @@ fn a_circle_that_leaves_a_curve_is_no_pair() {
 
 #[test]
 fn a_curve_at_which_nothing_is_said_to_change_leads_to_one() {
-    let told = bifdiag("show P+ --body kovalevskaya").succeeds().stdout();
-    assert!(told.contains("no region is said to end on it; show ") && !told.contains("with rising h"), "{told}");
+    let reply = bifdiag("show P+ --body kovalevskaya").succeeds().stdout();
+    assert!(
+        reply.contains("no region is listed as ending on it; show ") && !reply.contains("with rising h"),
+        "{reply}"
+    );
 }
 
 /// Without weight every region reaches h = l = 0; only the forbidden one was reported.

@@ -98,7 +98,7 @@ fn an_empty_batch_has_no_answers() {
 #[test]
 fn unphysical_bodies_are_counted_unless_quiet() {
     let batch = "{\"A\":[9,1,1],\"r\":[1,0,0],\"l\":1}\n{\"A\":[2,1.5,1],\"r\":[1,0,0],\"l\":1}\n";
-    bifdiag("critical --batch -").reading(batch).succeeds().telling("warning: bodies of 1 of 2 lines do not exist");
+    bifdiag("critical --batch -").reading(batch).succeeds().telling("warning: the bodies of 1 of 2 lines cannot exist");
     bifdiag("critical -q --batch -").reading(batch).succeeds().telling_nothing();
 }
 
@@ -123,22 +123,22 @@ fn right_questions_without_an_answer_count_apart() {
         .reading(lines)
         .fails()
         .telling(message)
-        .telling("1 of 2 lines of the batch is wrong");
+        .telling("1 of 2 lines of the batch is invalid");
     assert_eq!(done.json_lines().len(), 2);
-    bifdiag("classify --batch - --strict").reading(lines).refused().telling("1 of 2 lines of the batch is wrong");
+    bifdiag("classify --batch - --strict").reading(lines).refused().telling("1 of 2 lines of the batch is invalid");
 }
 
 /// A key that means nothing here is no secret; a spin would be another question.
 #[test]
 fn ignored_keys_are_listed_and_a_spin_is_refused() {
     let line = r#"{"A":[2,1.1,1],"r":[1,0,0],"h":1,"l":1,"name":"x"}"#;
-    let told = "were ignored (on so many lines): h (2), name (2)";
-    bifdiag("critical --batch -").reading(format!("{line}\n{line}\n")).succeeds().telling(told);
-    bifdiag("classify --batch -").reading(line).succeeds().telling("(on so many lines): name (1)");
+    let reply = "were ignored (number of lines): h (2), name (2)";
+    bifdiag("critical --batch -").reading(format!("{line}\n{line}\n")).succeeds().telling(reply);
+    bifdiag("classify --batch -").reading(line).succeeds().telling("(number of lines): name (1)");
     bifdiag("classify -q --batch -").reading(line).succeeds().telling_nothing();
     let spin = r#"{"A":[2,1.1,1],"r":[1,0,0],"l":1,"spin":"3 rpm"}"#;
     let answers = bifdiag("critical --batch -").reading(spin).succeeds().json_lines();
     assert!(answers[0]["error"].as_str().unwrap().starts_with("spin: a line asks at one l"), "{answers:?}");
     let refused = bifdiag("critical --batch - --spin").and("3 rpm").refused();
-    refused.telling("--spin cannot be used with --batch: a line asks at one l, not at a spin");
+    refused.telling("--spin cannot be used with --batch: a line asks about one l, not a spin");
 }

@@ -43,7 +43,7 @@ fn points_without_a_share_are_refused_with_the_reason() {
     bifdiag("chaos --body kovalevskaya --h 1 --l 0").refused().telling("(1, 0) lies on the curve L-.1");
     bifdiag("chaos --body paper --h 5").refused().telling("--l is missing");
     bifdiag(&format!("{POINT} --error 0")).refused().telling("a standard deviation from");
-    bifdiag(&format!("{POINT} --out map.npz")).refused().telling("--h is for one point");
+    bifdiag(&format!("{POINT} --out map.npz")).refused().telling("--h applies to one point");
     bifdiag("chaos --body paper --window 5:6,1:2 --out map.txt").refused().telling("FILE.npz");
     bifdiag("chaos --body paper --window 5:6,1:2 --cells 0x3 --out map.npz").refused().telling("NxM");
     bifdiag("chaos --body paper --window 5:6,1:2").refused().telling("--out is missing");
@@ -112,15 +112,15 @@ fn a_map_goes_on_where_it_was() {
     let partial = place.path().join("cut.csv.partial");
     let journal = half_of_a_journal(place.path(), line);
     std::fs::write(&partial, journal).unwrap();
-    let told = run(&format!("{line} --out cut.csv")).stderr();
-    assert!(told.contains("going on behind"), "{told}");
+    let reply = run(&format!("{line} --out cut.csv")).stderr();
+    assert!(reply.contains("resuming after"), "{reply}");
     assert_eq!(
         std::fs::read(place.path().join("cut.csv")).unwrap(),
         std::fs::read(place.path().join("whole.csv")).unwrap()
     );
     assert!(!partial.exists());
     std::fs::write(&partial, "{\"another\": 1}\n").unwrap();
-    bifdiag(&format!("{line} --out cut.csv")).inside(place.path()).refused().telling("another map");
+    bifdiag(&format!("{line} --out cut.csv")).inside(place.path()).refused().telling("another unfinished map");
 }
 
 /// The beginning of the journal of a run that is killed, cut in the middle of its second block.

@@ -17,12 +17,12 @@ fn the_list_is_the_published_one() {
     let physical = bifdiag("classes --physical --json").succeeds().json();
     let physical = physical["classes"].as_array().unwrap();
     assert!(physical.iter().eq(all.iter().filter(|class| class["physical"] == true)));
-    let text = format!("{} classes, {} of them of bodies that exist", all.len(), physical.len());
+    let text = format!("{} classes, {} of them of physical bodies", all.len(), physical.len());
     bifdiag("classes").succeeds().printing(&text).printing(FREQUENT);
 }
 
 #[test]
-fn a_class_is_told_in_words_with_the_picture_of_its_witness() {
+fn a_class_is_reported_in_words_with_the_picture_of_its_witness() {
     let place = tempdir().unwrap();
     let json = bifdiag(&format!("class {FREQUENT} --json")).inside(place.path()).succeeds().json();
     let list = bifdiag("classes --json").succeeds().json();
@@ -52,11 +52,11 @@ fn a_witness_stands_in_its_class_as_far_from_its_borders_as_is_said() {
     assert!(!borders.is_empty());
     let distances: Vec<f64> = borders.iter().map(|border| border["distance"].as_f64().unwrap()).collect();
     assert!(distances.is_sorted() && distances[0] >= 0.99 * class["distance"].as_f64().unwrap(), "{distances:?}");
-    // Each border is told from the other side, too.
+    // Each border is reported from the other side, too.
     let neighbours = class["neighbours"].as_array().unwrap();
     for border in borders {
-        let told = |n: &&Value| n["class"] == border["class"] && n["event"] == border["event"];
-        assert!(neighbours.iter().any(|n| told(&n)), "{border}");
+        let reply = |n: &&Value| n["class"] == border["class"] && n["event"] == border["event"];
+        assert!(neighbours.iter().any(|n| reply(&n)), "{border}");
     }
     bifdiag(&line).succeeds().printing(&format!("class {FREQUENT}")).printing("what happens on the border");
     assert_eq!(bifdiag(&format!("{line} --json --threads 1")).succeeds().json(), found);
@@ -76,7 +76,7 @@ fn a_special_body_keeps_what_is_special_about_it() {
 }
 
 #[test]
-fn a_body_beside_a_border_or_on_it_is_told_so() {
+fn a_body_beside_a_border_or_on_it_is_reported_so() {
     // J_r = A1 = 1, and the cusp of S3 reaches its pitchfork at A3 = 0.75: for A with the sum 2 the way there is at most
     // that on which A3 alone changes, and a little less.
     let nearest = |third: &str| {
@@ -87,8 +87,8 @@ fn a_body_beside_a_border_or_on_it_is_told_so() {
     let beside = nearest("0.74999");
     assert!(0.2 * straight < beside && beside < straight, "{beside} {straight}");
     assert!(nearest("0.75") < 1e-15);
-    let told = bifdiag("classes --at --A 1,1.4,0.75 --r 1,0,0 --lines 6").succeeds();
-    told.printing("distance at most").printing("\n0               ").printing("axes by rising moments");
+    let reply = bifdiag("classes --at --A 1,1.4,0.75 --r 1,0,0 --lines 6").succeeds();
+    reply.printing("distance at most").printing("\n0               ").printing("axes by rising moments");
 }
 
 /// Borders that whole bisection found, without the two bodies that take longest.

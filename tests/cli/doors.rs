@@ -99,22 +99,22 @@ fn a_verdict_is_one_from_every_door_in_every_stratum() {
                 };
                 list(&family["stretches"]).iter().rfind(begins).cloned()
             };
-            let mut told: Vec<[String; 2]> = list(&families["families"])
+            let mut reply: Vec<[String; 2]> = list(&families["families"])
                 .iter()
                 .filter(|family| family["axes"].is_u64())
                 .flat_map(|family| {
                     let count = usize::try_from(family["axes"].as_u64().unwrap()).unwrap();
-                    let told = stretch(family)
+                    let reply = stretch(family)
                         .map(|at| [family["branch"].as_str().unwrap().to_owned(), at["stable"].to_string()]);
-                    std::iter::repeat_n(told, count).flatten()
+                    std::iter::repeat_n(reply, count).flatten()
                 })
                 .collect();
             let branch = |axis: &&Value| axis["branch"].as_str().unwrap().split('.').next().unwrap().to_owned();
             let mut known: Vec<[String; 2]> =
                 axes.iter().map(|axis| [branch(axis), axis["stable"].to_string()]).collect();
-            told.sort();
+            reply.sort();
             known.sort();
-            assert_eq!(told, known, "{line} {spin}");
+            assert_eq!(reply, known, "{line} {spin}");
             // Campbell's diagram ends with one of them, which its frequencies name.
             for direction in ["x", "y", "z", "-x", "-y", "-z"] {
                 let Some([first, second, growth, stable, survives]) = last_of_campbell(&line, direction, &spin) else {

@@ -135,7 +135,7 @@ fn a_browser_that_takes_brotli_gets_the_packed_file_beside_another() {
 }
 
 #[test]
-fn without_a_page_the_way_to_one_is_told() {
+fn without_a_page_the_way_to_one_is_reported() {
     let place = tempfile::tempdir().unwrap();
     bifdiag("explore --no-open").inside(place.path()).refused().telling("npm run build");
     bifdiag("explore --no-open --page").and(place.path()).refused().telling("it holds no index.html");

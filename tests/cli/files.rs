@@ -60,10 +60,11 @@ fn what_leaves_a_diagram_is_in_its_caption() {
 fn pictures_are_as_wide_and_as_fine_as_is_asked() {
     let place = tempdir().unwrap();
     let read = |name: &str| fs::read(place.path().join(name)).unwrap();
-    for (asked, told) in [("246pt", "86.46"), ("8.6cm", "86"), ("4in", "101.6"), ("178mm", "178"), (" 200 mm", "200")] {
+    for (asked, reply) in [("246pt", "86.46"), ("8.6cm", "86"), ("4in", "101.6"), ("178mm", "178"), (" 200 mm", "200")]
+    {
         bifdiag("--body paper --out w").and("--width").and(asked).inside(place.path()).succeeds();
         let svg = String::from_utf8(read("w/diagram.svg")).unwrap();
-        assert!(svg.contains(&format!(" width=\"{told}mm\"")), "{asked}: {}", svg.lines().next().unwrap());
+        assert!(svg.contains(&format!(" width=\"{reply}mm\"")), "{asked}: {}", svg.lines().next().unwrap());
     }
     bifdiag("sphere --body paper --region R5 --width 120mm --format png --dpi 600 --out s")
         .inside(place.path())
@@ -116,12 +117,12 @@ fn a_sphere_of_a_point_and_of_a_region() {
 
 #[test]
 fn a_sphere_without_a_point_or_without_u_is_refused() {
-    for (line, told) in [
+    for (line, reply) in [
         ("sphere --body paper --h 1", "--l is missing"),
         ("sphere --body paper --region R77", "--region R77: the atlas of this body has the regions R1, "),
         ("sphere --body paper --h=-9 --l 1", "(h, l) = (-9, 1) is forbidden: the lowest energy at l = 1 is -0.846338"),
     ] {
-        bifdiag(line).refused().telling(told);
+        bifdiag(line).refused().telling(reply);
     }
 }
 

@@ -111,7 +111,7 @@ fn w6_the_class_of_every_named_body_is_known() {
 #[test]
 fn an_unknown_class_is_refused_with_the_way_to_a_body_of_it() {
     bifdiag("class 2614395a2a00").refused().telling("the nearest is 2614395a2a0f").telling("classes --at --body");
-    bifdiag("class zzz").refused().telling("begins so;");
+    bifdiag("class zzz").refused().telling("begins with it;");
     bifdiag("class 2614395A --no-plot").succeeds().printing("class 2614395a2a0f");
 }
 

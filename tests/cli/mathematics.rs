@@ -30,8 +30,8 @@ fn integrable_cases_are_named_with_their_further_integral() {
         assert_eq!(atlas["body"].get("integrable"), None, "{body}");
     }
     let place = tempfile::tempdir().unwrap();
-    let told = bifdiag("--body kovalevskaya --no-plot").inside(place.path()).succeeds();
-    told.printing("Kovalevskaya's case: further integral (ω1² − ω2² + (r1γ1 − r2γ2)/A3)²");
+    let reply = bifdiag("--body kovalevskaya --no-plot").inside(place.path()).succeeds();
+    reply.printing("Kovalevskaya's case: further integral (ω1² − ω2² + (r1γ1 − r2γ2)/A3)²");
 }
 
 #[test]
@@ -84,9 +84,9 @@ fn two_bodies_are_compared() {
     let atlases =
         ["paper", "katok:1"].map(|body| bifdiag(&format!("--body {body} --json --no-drawing")).succeeds().json());
     for (number, body) in ["paper", "katok:1"].into_iter().enumerate() {
-        let (told, atlas) = (&found["bodies"][number], &atlases[number]);
-        assert_eq!((&told["name"], &told["class"]), (&json!(body), &class(body)));
-        assert_eq!((&told["regions"], &told["events"]), (&atlas["summary"]["regions"], &atlas["summary"]["events"]));
+        let (reply, atlas) = (&found["bodies"][number], &atlases[number]);
+        assert_eq!((&reply["name"], &reply["class"]), (&json!(body), &class(body)));
+        assert_eq!((&reply["regions"], &reply["events"]), (&atlas["summary"]["regions"], &atlas["summary"]["events"]));
         // Every region stands in the table once, beside those with the same components.
         let mut ids: Vec<&str> = Vec::new();
         for kind in found["regions"].as_array().unwrap() {
@@ -154,7 +154,7 @@ fn a_body_is_given_in_three_ways() {
     ] {
         assert_eq!(by(body), by_name, "{body}");
     }
-    bifdiag("compare - paper").reading(atlas).succeeds().printing("both have one class");
+    bifdiag("compare - paper").reading(atlas).succeeds().printing("both belong to the same class");
     // On the way the pitchfork goes from one side of G1 to the other, past its cusp; an axially symmetric body has a circle.
     bifdiag("compare paper A=0.533,0.721,0.746;r=0.107,0.0,0.994")
         .succeeds()
@@ -183,7 +183,7 @@ fn a_body_is_given_in_three_ways() {
 fn the_proof_of_a_point_is_verified() {
     let place = tempfile::tempdir().unwrap();
     let file = place.path().join("point.json");
-    for (body, h, l, told) in [
+    for (body, h, l, reply) in [
         ("--body paper", "3.8", "3.25", "lies in R5"),
         ("--body paper", "3.8", "-13/4", "lies in R5"),
         ("--body paper", "-2", "1/3", "is forbidden"),
@@ -198,7 +198,7 @@ fn the_proof_of_a_point_is_verified() {
         let line = format!("classify {body} --h={h} --l={l}");
         let proof = bifdiag(&format!("{line} --certificate")).succeeds();
         std::fs::write(&file, proof.stdout()).unwrap();
-        bifdiag("verify").and(&file).succeeds().telling_nothing().printing(told).printing("of curves");
+        bifdiag("verify").and(&file).succeeds().telling_nothing().printing(reply).printing("of curves");
         let (proof, plain) = (proof.json(), bifdiag(&format!("{line} --json")).succeeds().json());
         assert_eq!((&proof["region"], &proof["status"]), (&plain["region"], &plain["status"]));
         assert_eq!(proof["components"], plain["components"]);
@@ -211,9 +211,7 @@ fn the_proof_of_a_point_is_verified() {
     bifdiag("verify").and(&file).fails().telling("status is not what this check finds");
     std::fs::write(&file, text.replace(": ", ":  ")).unwrap();
     bifdiag("verify").and(&file).fails().telling("its bytes are not those");
-    bifdiag("classify --body paper --h 3.8 --l 0 --certificate")
-        .fails()
-        .telling("l = 0 is the border of what an atlas proves");
+    bifdiag("classify --body paper --h 3.8 --l 0 --certificate").fails().telling("an atlas proves l > 0 only");
     bifdiag("classify --body lagrange --h 1 --l 2 --certificate --batch -").refused().telling("leave --batch out");
     bifdiag("classify --body paper --h 1 --l 2 --certificate --accuracy fast").refused().telling("--accuracy fast");
     bifdiag("classify --body kovalevskaya --h 0 --l 1 --certificate").succeeds();
@@ -221,13 +219,13 @@ fn the_proof_of_a_point_is_verified() {
 }
 
 #[test]
-fn a_special_body_is_told_with_the_generic_classes_beside_it() {
+fn a_special_body_is_reported_with_the_generic_classes_beside_it() {
     let found = bifdiag("classes --at --body paper --lines 2 --json").succeeds().json();
     assert_eq!(found["stratum"], "r in the plane of axes 1 and 3");
     let [generic] = &found["generic"].as_array().unwrap()[..] else { panic!("{found}") };
     let beside = bifdiag("classes --at --A 2,1.1,1 --r 0.94868,1e-7,0.61623 --lines 1 --json").succeeds().json();
     assert_eq!((&generic["class"], &generic["share"]), (&beside["name"], &json!(1.0)));
     assert_eq!((beside.get("stratum"), beside.get("generic")), (None, None));
-    let told = bifdiag("classes --at --body paper --lines 2").succeeds();
-    told.printing("a special body: r in the plane of axes 1 and 3").printing("generic bodies beside it");
+    let reply = bifdiag("classes --at --body paper --lines 2").succeeds();
+    reply.printing("a special body: r in the plane of axes 1 and 3").printing("generic bodies beside it");
 }

@@ -81,7 +81,7 @@ fn a_weightless_body_moves_too() {
 }
 
 #[test]
-fn passing_the_pole_is_told() {
+fn passing_the_pole_is_reported() {
     // A pendulum about the first axis that goes over the top.
     let line = "orbit --A 2,1.5,1 --r 0,0,1 --gamma 0,0.6,0.8 --l-vector 7,0,0 --times 0:20:41";
     bifdiag(line).succeeds().printing("note: gamma passes e3 or -e3 within rounding");
@@ -115,7 +115,7 @@ fn a_motion_becomes_a_film_where_ffmpeg_is() {
     let line = "orbit --body euler --gamma 0,0,1 --omega 1,0.1,0.2 --times 0:2:3 --animate m.mp4";
     let run = || bifdiag(line).inside(place.path());
     let without = run().finding_programs_in(place.path()).succeeds();
-    without.printing("written: m.html").telling("ffmpeg, which makes m.mp4, is not installed");
+    without.printing("written: m.html").telling("ffmpeg is not installed, so m.mp4 cannot be made");
     assert!(std::fs::read_to_string(place.path().join("m.html")).unwrap().contains("id=\"clock\""));
     assert!(!place.path().join("m.mp4").exists());
     #[cfg(unix)]
@@ -242,7 +242,7 @@ fn a_proved_motion_takes_times_from_a_file() {
     assert_eq!((&ranged["times"], &ranged["enclosures"]), (&listed["times"], &listed["enclosures"]));
 }
 
-/// Sixty digits are sixty digits, and where digits end it is told what goes further.
+/// Sixty digits are sixty digits, and where digits end it is reported what goes further.
 #[test]
 fn the_proof_has_as_many_digits_as_are_asked() {
     let line = "orbit --body paper --gamma 0.6,0,0.8 --omega 0.1,0.3,0.1 --proved";

@@ -78,7 +78,7 @@ fn the_examples_of_the_help_pages_work() {
 }
 
 #[test]
-fn the_version_is_told() {
+fn the_version_is_reported() {
     bifdiag("--version").succeeds().printing(concat!("bifdiag ", env!("CARGO_PKG_VERSION")));
 }
 
@@ -179,14 +179,14 @@ fn short_pages_fit_a_screen_and_long_ones_do_not_repeat_themselves() {
 fn what_is_like_nothing_gets_no_advice() {
     let misled = "similar argument";
     for line in ["bodies --format svg", "scan --family katok --inertia 1,1,1,0,0,0", "classify --certify"] {
-        let told = bifdiag(line).refused().stderr();
-        assert!(!told.contains(misled), "{told}");
+        let reply = bifdiag(line).refused().stderr();
+        assert!(!reply.contains(misled), "{reply}");
     }
     bifdiag("--boddy paper").refused().telling("a similar argument exists: '--body'");
     // Nor the advice to pass an option as a value, or a command that shares some letters.
     for line in ["show R5 --bodies paper", "class --witness x", "inertia --A 2,1,1"] {
-        let told = bifdiag(line).refused().stderr();
-        assert!(!told.contains("tip:"), "{told}");
+        let reply = bifdiag(line).refused().stderr();
+        assert!(!reply.contains("tip:"), "{reply}");
     }
     bifdiag("clasify --body paper").refused().telling("classify");
 }

@@ -249,7 +249,7 @@ fn campbell_follows_the_rotation_that_moves_with_the_spin() {
     };
     let upright = run("0,0,-1", "60 rpm").succeeds();
     upright
-        .printing("from 14.151956 rpm on that tends to (0, 0, -1)")
+        .printing("begins at 14.151956 rpm and tends to (0, 0, -1)")
         .printing("15.914409 rpm: elliptic to saddle-centre");
     let csv = fs::read_to_string(directory.path().join("bifdiag-out/campbell.csv")).unwrap();
     let rows: Vec<Vec<f64>> =
@@ -300,9 +300,9 @@ fn a_turned_tensor_is_printed_in_decimals() {
                     <inertia ixx='0.01' iyy='0.02' izz='0.015' ixy='0.001' ixz='0' iyz='0'/>";
     let arm = format!("<robot name='a'><link name='leg'><inertial>{inertial}</inertial></link></robot>");
     fs::write(directory.path().join("arm.urdf"), arm).unwrap();
-    let told = bifdiag("body --part arm.urdf --link leg --g 9.81").inside(directory.path()).succeeds();
-    assert!(told.stdout().lines().all(|line| line.len() < 120), "{}", told.stdout());
-    told.printing("0.0304800");
+    let reply = bifdiag("body --part arm.urdf --link leg --g 9.81").inside(directory.path()).succeeds();
+    assert!(reply.stdout().lines().all(|line| line.len() < 120), "{}", reply.stdout());
+    reply.printing("0.0304800");
 }
 
 /// An inertial block is in metres, and the pivot in the units that are asked for, or in its own.
@@ -363,7 +363,7 @@ fn numbers_with_units_are_the_same_part() {
 
 /// A file in mm that is read in metres, and moments in g mm² that are read in kg m².
 #[test]
-fn improbable_parts_are_told_which_unit_would_make_sense() {
+fn improbable_parts_are_reported_which_unit_would_make_sense() {
     let directory = tempfile::tempdir().unwrap();
     let bracket: String = BOX
         .lines()
@@ -376,16 +376,16 @@ fn improbable_parts_are_told_which_unit_would_make_sense() {
         })
         .collect();
     fs::write(directory.path().join("bracket.obj"), bracket).unwrap();
-    let told =
+    let reply =
         |options: &str| bifdiag(&format!("body {options} --g 9.81")).inside(directory.path()).succeeds().stderr();
-    let large = told("--part bracket.obj --density 2.7g/cm3");
+    let large = reply("--part bracket.obj --density 2.7g/cm3");
     assert!(large.contains("the part is 60 m across: is the file in mm? then give --units kg,mm,s"), "{large}");
-    assert_eq!(told("--part bracket.obj --density 2.7g/cm3 --units kg,mm,s"), "");
-    let plain = told("--part bracket.obj --density 2700");
+    assert_eq!(reply("--part bracket.obj --density 2.7g/cm3 --units kg,mm,s"), "");
+    let plain = reply("--part bracket.obj --density 2700");
     assert!(plain.contains("--units kg,mm,s and the density as 2700kg/m3"), "{plain}");
     let gyroscope = "--inertia-com 29625,29625,56250,0,0,0 --com 0,0,40 --mass 180";
-    assert!(told(gyroscope).contains("are the numbers in g,mm? then give --units g,mm,s"));
-    assert_eq!(told(&format!("{gyroscope} --units g,mm,s")), "");
+    assert!(reply(gyroscope).contains("are the numbers in g,mm? then give --units g,mm,s"));
+    assert_eq!(reply(&format!("{gyroscope} --units g,mm,s")), "");
 }
 
 /// Fractions are shown as decimals; in JSON they are exact.
@@ -476,7 +476,7 @@ fn wrong_parts_are_refused_with_a_message_that_helps() {
         ),
         // The reference point.
         ("--inertia 0.1,0.1,0.15,0,0,0 --com 0,0,1 --mass 1", &["cannot exist", "give it as --inertia-com"]),
-        ("--inertia 2,2,1,0,0,0 --com 0,0,1 --pivot 0,0,1 --mass 1", &["about the fixed point already"]),
+        ("--inertia 2,2,1,0,0,0 --com 0,0,1 --pivot 0,0,1 --mass 1", &["already about the fixed point"]),
         // Meshes.
         ("--part open.obj --density 1", &["the mesh is open", "4 edges", "watertight"]),
         ("--part inverted.obj --density 1", &["the mesh is inverted", "-48", "outward"]),
@@ -515,7 +515,7 @@ fn wrong_parts_are_refused_with_a_message_that_helps() {
 
 /// The axes of the table are not by rising moments, so the inequality names none; a negative moment has no radius.
 #[test]
-fn a_part_that_cannot_exist_is_told_without_names_of_axes() {
+fn a_part_that_cannot_exist_is_reported_without_names_of_axes() {
     let part = bifdiag("body --inertia 1,5,2,0,0,0 --com 0,0,0.1 --mass 2 --g 9.8").succeeds().stdout();
     assert!(
         part.contains("the two smaller principal moments add up to less than the largest: 0.98 + 2 < 4.98"),

@@ -54,7 +54,7 @@ fn families_at_one_energy_begin_at_its_equilibrium() {
 }
 
 #[test]
-fn families_are_drawn_and_told() {
+fn families_are_drawn_and_reported() {
     let place = tempfile::tempdir().unwrap();
     bifdiag("periodic family --body paper --from G2.1 --l 1.5 --members 30 --out pictures")
         .inside(place.path())
@@ -110,8 +110,8 @@ fn a_list_says_what_is_not_checked() {
     let why = document["why"].as_str().unwrap();
     assert!(why.starts_with("2 families go on") && why.contains("`bifdiag verify` does not check"), "{why}");
     std::fs::write(place.path().join("list.json"), list.stdout()).unwrap();
-    bifdiag("verify list.json").inside(place.path()).refused().telling("no atlas");
-    // An energy that is held is told as it was asked for, not as the doubles of an orbit have it.
+    bifdiag("verify list.json").inside(place.path()).refused().telling("not an atlas");
+    // An energy that is held is reported as it was asked for, not as the doubles of an orbit have it.
     let held = bifdiag("periodic list --body paper --h -0.5:0:2 --members 2").succeeds().stdout();
     let column = |name: &str, number: usize| -> Vec<&str> {
         let rows = held.lines().skip_while(|line| !line.starts_with(name)).skip(1).take_while(|line| !line.is_empty());
@@ -186,18 +186,18 @@ fn a_list_is_written_as_a_table_and_goes_on_where_it_was() {
     child.wait().unwrap();
     assert!(bytes.len() >= 60_000, "it was over before it could be stopped");
     std::fs::write(&partial, &bytes[..bytes.len() - 300]).unwrap();
-    let told = bifdiag(&format!("{line} --data cut.csv")).inside(place.path()).succeeds().stderr();
-    assert!(told.contains("going on behind"), "{told}");
+    let reply = bifdiag(&format!("{line} --data cut.csv")).inside(place.path()).succeeds().stderr();
+    assert!(reply.contains("resuming after"), "{reply}");
     assert!(read("cut.csv") == read("whole.csv") && !partial.exists());
     std::fs::write(&partial, "{\"another\": 1}\n").unwrap();
-    bifdiag(&format!("{line} --data cut.csv")).inside(place.path()).refused().telling("another list");
+    bifdiag(&format!("{line} --data cut.csv")).inside(place.path()).refused().telling("another unfinished list");
     bifdiag(&format!("{line} --data cut.csv --restart")).inside(place.path()).succeeds();
     assert!(read("cut.csv") == read("whole.csv"));
 }
 
 #[test]
 fn wrong_questions_of_lists_say_what_is_right() {
-    for (line, told) in [
+    for (line, reply) in [
         ("--l 1 --family G7.1", "the body has no such curve of steady rotations; it has G0.1, G1.1,"),
         ("--l 1 --family G2.1/3", "an equilibrium has at most two, such as G2.1/1 and G2.1/2"),
         ("--l 1 --period 5:2", "A = 5 is above B = 2"),
@@ -205,11 +205,11 @@ fn wrong_questions_of_lists_say_what_is_right() {
         ("--l 1 --members 0", "a family has at least one orbit"),
         ("--l 1:2", "a range is written a:b:n"),
         ("--l 1 --json --data -", "both write to stdout"),
-        ("--l 1 --data orbits.txt", "the extension tells the format"),
+        ("--l 1 --data orbits.txt", "the extension selects the format"),
         ("--l 1 --restart", "--data"),
         ("--l 1 --h 2", "--h"),
     ] {
-        bifdiag(&format!("periodic list --body paper {line}")).refused().telling(told);
+        bifdiag(&format!("periodic list --body paper {line}")).refused().telling(reply);
     }
 }
 

@@ -110,7 +110,7 @@ fn a_grid_says_what_points_say() {
 #[test]
 fn things_are_shown_in_words() {
     let region = bifdiag("show R5 --body paper").succeeds().telling_nothing();
-    let region = region.printing("region R5, sections S2+T2").printing("P: T2, a torus").printing("its sides:");
+    let region = region.printing("region R5, sections S2+T2").printing("P: T2, a torus").printing("its boundaries:");
     region.printing("components of U");
     bifdiag("show P+ --body paper").succeeds().printing("the pole +r̂ enters U");
     bifdiag("show E1 --body paper").succeeds().printing("regions that meet there: R");
@@ -145,11 +145,11 @@ fn a_region_that_doubles_do_not_meet_is_not_drawn() {
     ] {
         for command in ["sphere", "section --orbits 1 --crossings 2"] {
             let line = format!("{command} {body} --region {region}");
-            bifdiag(&line).inside(place.path()).refused().telling("in doubles its sample lies outside it");
+            bifdiag(&line).inside(place.path()).refused().telling("rounded to doubles, its sample lies outside it");
         }
         bifdiag(&format!("show {region} {body}"))
             .succeeds()
-            .printing("~ in doubles the sample lies outside its region");
+            .printing("~ rounded to doubles, the sample lies outside its region");
     }
     bifdiag("sphere --body paper --region R5 --out pictures").inside(place.path()).succeeds();
 }

@@ -129,7 +129,7 @@ fn a_map_of_altered_rows_is_refused() {
     let lines: Vec<&str> = whole.lines().collect();
     let (rest, last) = (lines[..lines.len() - 2].join("\n"), lines[lines.len() - 1]);
     fs::write(place.path().join("a.csv"), format!("{rest}\n{last}\n{last}\n")).unwrap();
-    map().refused().telling("a.csv is not what its summary describes");
+    map().refused().telling("a.csv does not match its summary");
     fs::remove_file(place.path().join("a.csv.summary.json")).unwrap();
     map().succeeds().telling("no summary beside it");
 }
@@ -206,17 +206,17 @@ fn overlapping_missing_foreign_truncated_and_altered_shards_are_refused_by_name(
     run(&[parts[0].clone(), parts[1].clone(), PathBuf::from("foreign.csv")])
         .refused()
         .telling("foreign.csv belongs to another scan than shard-1.csv")
-        .telling("which bodies it looks at");
+        .telling("the choice of bodies");
     run(&[parts[0].clone(), PathBuf::from("nowhere.csv")]).refused().telling("nowhere.csv");
     merge(place.path(), &parts, "shard-1.csv").refused().telling("the output is one of the shards");
     let good = read(&place.path().join("shard-2.csv"));
     fs::write(place.path().join("shard-2.csv"), &good[..good.len() - 200]).unwrap();
-    run(&parts).refused().telling("shard-2.csv is not what its summary describes").telling("truncated or altered");
+    run(&parts).refused().telling("shard-2.csv does not match its summary").telling("truncated or altered");
     let mut altered = good.clone();
     let digit = altered.iter().rposition(|byte| *byte == b'1').unwrap();
     altered[digit] = b'2';
     fs::write(place.path().join("shard-2.csv"), &altered).unwrap();
-    run(&parts).refused().telling("shard-2.csv is not what its summary describes");
+    run(&parts).refused().telling("shard-2.csv does not match its summary");
     fs::write(place.path().join("shard-2.csv"), &good).unwrap();
     fs::remove_file(place.path().join("shard-2.csv.summary.json")).unwrap();
     run(&parts).refused().telling("shard-2.csv: its summary shard-2.csv.summary.json cannot be read");
@@ -289,7 +289,7 @@ fn the_beginning_of_another_scan_is_not_taken_up() {
     bifdiag(other)
         .inside(place.path())
         .refused()
-        .telling("a.csv.partial holds the beginning of another scan")
+        .telling("a.csv.partial belongs to another unfinished scan")
         .telling("--restart");
     bifdiag(&format!("{other} --restart")).inside(place.path()).succeeds().printing("20 bodies");
     assert!(!journal.exists());
@@ -320,8 +320,8 @@ fn katoks_borders_come_out_exactly() {
         assert_eq!((&border["reached"], &border["kind"]), (&Value::Bool(true), &Value::from(kind)), "{line}");
         assert!(border["text"].as_str().unwrap().contains(text), "{line}: {}", border["text"]);
     }
-    let told = bifdiag("scan border --body katok:2 --vary A3=0.7:0.8").succeeds();
-    told.printing("A3 = 0.75, exactly").printing("at h = 3, l = 2,");
+    let reply = bifdiag("scan border --body katok:2 --vary A3=0.7:0.8").succeeds();
+    reply.printing("A3 = 0.75, exactly").printing("at h = 3, l = 2,");
 }
 
 #[test]
@@ -426,11 +426,11 @@ fn found_witnesses_are_what_they_say() {
     bifdiag("find --critical-points 8 --samples 2048")
         .succeeds()
         .printing("equilibria are shown by")
-        .printing("where at h = ");
+        .printing("at h = ");
     bifdiag("find --signature M2+S2").succeeds().printing("S2+M2 is shown by");
     // No body that is drawn is a ball.
     let none = bifdiag("find --type k0n2 --samples 200 --moment-ratio 1").fails();
-    none.printing("200 bodies drawn, none of them inside the limits");
+    none.printing("200 bodies drawn, but none of them was within the limits");
     let never = bifdiag("find --critical-points 15").succeeds();
     never.printing("at least 15 relative equilibria do not exist for r ≠ 0: ").printing("Theorem 4.9");
 }
@@ -515,14 +515,14 @@ fn borders_beside_special_ends_are_found() {
 #[test]
 fn an_empty_shard_has_no_classes() {
     let place = tempfile::tempdir().unwrap();
-    let told = |shard: u32| {
+    let reply = |shard: u32| {
         let line = format!("scan --family general --samples 1 --shard {shard}/3 --out {shard}.csv");
         bifdiag(&line).inside(place.path()).succeeds().stdout()
     };
-    let empty = "0 bodies: 0 classified, 0 undecided, 0 failed\nno class was met\n\nwritten: ";
-    let all = [1, 2, 3].map(told);
-    assert_eq!(all.iter().filter(|told| told.starts_with(empty)).count(), 2, "{all:?}");
-    assert_eq!(all.iter().filter(|told| told.contains("\n1 class, met once\n")).count(), 1, "{all:?}");
+    let empty = "0 bodies: 0 classified, 0 undecided, 0 failed\nno class was found\n\nwritten: ";
+    let all = [1, 2, 3].map(reply);
+    assert_eq!(all.iter().filter(|reply| reply.starts_with(empty)).count(), 2, "{all:?}");
+    assert_eq!(all.iter().filter(|reply| reply.contains("\n1 class, met once\n")).count(), 1, "{all:?}");
 }
 
 /// The events of A = (2, A2, 1), r = (1, 0, 0): each momentum is that of the atlas of the body, and each stretch has one class.

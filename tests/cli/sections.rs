@@ -234,7 +234,7 @@ fn a_journal_cut_anywhere(line: &str, place: &tempfile::TempDir) {
     bifdiag(line).inside(place.path()).succeeds();
     assert!(fs::read(file("s.npz")).unwrap() == whole);
     fs::write(file("s.npz.partial"), &journal).unwrap();
-    bifdiag(&line.replace("300", "301")).inside(place.path()).refused().telling("another section");
+    bifdiag(&line.replace("300", "301")).inside(place.path()).refused().telling("another unfinished section");
     assert_eq!(fs::read(file("s.npz.partial")).unwrap(), journal);
     fs::remove_file(file("s.npz.partial")).unwrap();
 }

@@ -56,7 +56,7 @@ fn a_rotated_reflected_permuted_or_scaled_body_differs_in_nothing() {
 
 /// With equal moments there are fewer branches, and they have other numbers: G1 of one body is what G2 is of the other.
 #[test]
-fn branches_of_bodies_with_other_strata_are_not_told_by_their_numbers() {
+fn branches_of_bodies_with_other_strata_are_not_reported_by_their_numbers() {
     let symmetric = "A=1,1,2;r=0.3,0.4,0.5";
     let found =
         bifdiag("compare").and(symmetric).and("A=1,1.001,2;r=0.3,0.4,0.5").arguments("--json").succeeds().json();
@@ -71,12 +71,12 @@ fn branches_of_bodies_with_other_strata_are_not_told_by_their_numbers() {
     let near = bifdiag("compare").and(symmetric).and("A=1,1.1,2;r=0.5,0.1,0.5").arguments("--json").succeeds().json();
     assert_eq!(near["path"]["ends"][0]["r"], json!(["4/5", "3/5", "1"]));
     assert_eq!(near["path"]["turned"], json!([true, false]));
-    let told = bifdiag("compare").and(symmetric).and("A=1,1.1,2;r=0.5,0.1,0.5").succeeds();
-    told.printing("1 has equal moments: its r is turned among their axes");
+    let reply = bifdiag("compare").and(symmetric).and("A=1,1.1,2;r=0.5,0.1,0.5").succeeds();
+    reply.printing("1 has equal moments: its r is turned among their axes");
 }
 
 #[test]
-fn isolated_exceptions_of_a_curve_are_told_to_be_such() {
+fn isolated_exceptions_of_a_curve_are_reported_to_be_such() {
     let shown = bifdiag("show G0.1 --body paper").succeeds();
     shown
         .printing("at l = 2.23671 alone (1:2 resonance): unstable\n")
@@ -85,18 +85,20 @@ fn isolated_exceptions_of_a_curve_are_told_to_be_such() {
 }
 
 #[test]
-fn an_axis_without_frequencies_is_told_what_it_is() {
+fn an_axis_without_frequencies_is_reported_what_it_is() {
     let refused = |body: &str| bifdiag(&format!("campbell {body} --no-plot --to")).and("5 rad/s").refused();
     refused("--A 2,1.1,1 --r 0,0,0 --axis 0,1,1")
         .telling("is steady at no spin")
-        .telling("the nearest axes that have them are (0, 1, 0) and (0, 0, 1), 45° away");
-    refused("--A 2,2,1 --r 0,0,0 --axis 1,1,1")
-        .telling("the nearest axis that has them is (0.707107, 0.707107, 0), one of a circle of such axes, 35.3° away");
-    refused("--A 2,2,1 --r 0,0,1 --axis 0,1,3").telling("the nearest axis that has them is (0, 0, 1), 18.4° away");
+        .telling("the nearest permanent axes are (0, 1, 0) and (0, 0, 1), 45° away");
+    refused("--A 2,2,1 --r 0,0,0 --axis 1,1,1").telling(
+        "the nearest permanent axis is (0.707107, 0.707107, 0), one of a circle of such axes, 35.3° \
+        away",
+    );
+    refused("--A 2,2,1 --r 0,0,1 --axis 0,1,3").telling("the nearest permanent axis is (0, 0, 1), 18.4° away");
     let spins = bifdiag("critical-spin --A 2,2,1 --r 0,0,0 --axis 1,1,1").succeeds();
     spins.printing("(0.707107, 0.707107, 0) is one of a circle of permanent axes");
     let tie = bifdiag("critical-spin --A 2,2,1 --r 0,0,0 --axis 1,0,1").succeeds();
-    tie.printing("at this angle are (1, 0, 0), (0, 0, 1)").printing("(1, 0, 0) is one of a circle of permanent axes");
+    tie.printing("also at this angle: (1, 0, 0), (0, 0, 1)").printing("(1, 0, 0) is one of a circle of permanent axes");
 }
 
 #[test]
@@ -106,15 +108,15 @@ fn every_command_is_explained() {
     let names: Vec<&str> = commands.filter_map(|line| line.split_whitespace().next()).collect();
     assert!(names.len() > 20, "{help}");
     for name in names {
-        let told = bifdiag("explain").and(name).succeeds().printing("(Commands)").stdout();
-        let words = told.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(words.contains(&format!("`bifdiag {name} --help`")), "{told}");
+        let reply = bifdiag("explain").and(name).succeeds().printing("(Commands)").stdout();
+        let words = reply.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(words.contains(&format!("`bifdiag {name} --help`")), "{reply}");
     }
     // A word that is a term, too, has both entries.
     let both = bifdiag("explain section --json").succeeds().json();
     let entries = both["entries"].as_array().unwrap();
     assert!(entries.len() > 1 && entries.last().unwrap()["section"] == "Commands", "{both}");
-    bifdiag("explain Spin-Down").succeeds().printing("Follow a steady rotation that friction slows down");
+    bifdiag("explain Spin-Down").succeeds().printing("Follow a steady rotation, slowed by friction");
 }
 
 #[test]
@@ -123,10 +125,10 @@ fn one_thing_has_no_plural() {
     let file = place.path().join("lagrange.json");
     let atlas = bifdiag("--body euler --certificate --no-drawing --json").succeeds().stdout();
     std::fs::write(&file, atlas).unwrap();
-    let told = bifdiag("verify").and(&file).succeeds().stdout();
-    let words: Vec<&str> = told.split([' ', '\n', ',']).collect();
+    let reply = bifdiag("verify").and(&file).succeeds().stdout();
+    let words: Vec<&str> = reply.split([' ', '\n', ',']).collect();
     let is_wrong = |pair: &[&str]| pair[0] == "1" && ["regions", "events", "pairs"].contains(&pair[1]);
-    assert!(!words.windows(2).any(is_wrong), "{told}");
+    assert!(!words.windows(2).any(is_wrong), "{reply}");
     bifdiag("section --body paper --region R5 --orbits 1 --crossings 20 --no-plot")
         .inside(place.path())
         .succeeds()
@@ -218,7 +220,7 @@ fn nothing_that_is_zero_is_printed_as_a_rounding() {
 #[test]
 fn a_proof_at_rest_is_refused_in_its_own_words() {
     let refused = bifdiag("classify --body paper --h 3.8 --l 0 --certificate").fails();
-    refused.telling("l = 0 is the border of what an atlas proves");
+    refused.telling("an atlas proves l > 0 only");
 }
 
 /// What the normal form decides along a family of moving axes is said of the family, but at the spins at which it is not so, and
@@ -263,9 +265,10 @@ fn moving_axes_have_the_verdict_of_the_normal_form() {
 /// The footer of `classes --at`: what stays so on the lines, and what is not counted.
 #[test]
 fn the_footer_of_a_standing_says_what_was_not_looked_at() {
-    let told = bifdiag("classes --at --body paper --lines 2").succeeds();
-    told.printing("what is special about the body (equal moments, zeros of r) stays so on the way")
-        .printing("bodies that are more special are not counted");
+    let reply = bifdiag("classes --at --body paper --lines 2").succeeds();
+    reply
+        .printing("what makes the body special (equal moments, zeros of r) is kept on the way")
+        .printing("more special bodies are not counted");
     let alone = bifdiag("classes --at --body euler --lines 1").succeeds().stdout();
     assert!(alone.contains("no border of its class was found"), "{alone}");
 }
@@ -291,8 +294,8 @@ fn a_pitchfork_that_stays_is_not_said_to_go_to_infinity() {
         ("A=1,1,2;r=1,0,0", "A=1,1.5,2;r=0.5,1,0"),
         ("plate", "rod"),
     ] {
-        let told = bifdiag("compare").and(one).and(other).succeeds();
-        assert!(!told.stdout().contains("through infinity"), "{one} {other}\n{}", told.stdout());
+        let reply = bifdiag("compare").and(one).and(other).succeeds();
+        assert!(!reply.stdout().contains("through infinity"), "{one} {other}\n{}", reply.stdout());
     }
 }
 
@@ -338,7 +341,7 @@ fn a_body_without_weight_at_rest_has_its_regions() {
         assert!(above.is_string() && found["steady"]["note"].is_null(), "{found}");
     }
     bifdiag("show l=0 --A 2,1.1,1 --r 0,0,0").succeeds().printing("the forbidden region and R1, R2, R3 meet");
-    bifdiag("show l=0 --body paper").refused().telling("this body has none of that name");
+    bifdiag("show l=0 --body paper").refused().telling("this body has nothing of that name");
 }
 
 #[test]
@@ -368,9 +371,9 @@ fn a_few_crossings_have_no_exponent() {
 /// A ball has no axes of its own: its r is turned to that of the other body, so that no symmetry is broken on the way.
 #[test]
 fn a_ball_is_turned_to_the_other_body() {
-    let told = bifdiag("compare").and("A=1,1,1;r=3,4,12").and("A=1,1.2,1.3;r=0,0,1").succeeds().stdout();
-    assert!(!told.contains("the body has the symmetry"), "{told}");
-    assert!(told.contains("the moments A1, A2 and A3 are equal there") && told.contains("r is turned"), "{told}");
+    let reply = bifdiag("compare").and("A=1,1,1;r=3,4,12").and("A=1,1.2,1.3;r=0,0,1").succeeds().stdout();
+    assert!(!reply.contains("the body has the symmetry"), "{reply}");
+    assert!(reply.contains("the moments A1, A2 and A3 are equal there") && reply.contains("r is turned"), "{reply}");
     let other = bifdiag("compare").and("A=1,1.2,1.3;r=0.1,0.2,1").and("A=1,1,1;r=3,4,12").arguments("--json");
     let path = other.succeeds().json()["path"].clone();
     assert_eq!((&path["ends"][0]["r"], &path["turned"]), (&path["ends"][1]["r"], &json!([false, true])));
@@ -409,8 +412,8 @@ fn newton_continuation_reaches_a_pitchfork() {
 
 #[test]
 fn a_share_says_how_it_is_known() {
-    bifdiag("class 69e5dfce4c33 --no-plot").succeeds().printing("exist: 100%, since they differ in scale alone\n");
-    bifdiag("class 2614395a2a0f --no-plot").succeeds().printing("exist: 100% of a sample of 2000 bodies\n");
+    bifdiag("class 69e5dfce4c33 --no-plot").succeeds().printing("bodies: 100%, because they differ only in scale\n");
+    bifdiag("class 2614395a2a0f --no-plot").succeeds().printing("bodies: 100% of a sample of 2000 bodies\n");
 }
 
 #[test]
@@ -420,9 +423,9 @@ fn names_are_echoed_as_the_program_writes_them() {
     {
         bifdiag(&format!("show {typed} --body paper"))
             .succeeds()
-            .printing(&format!("\n{written} is shown by the region"));
+            .printing(&format!("\n{written} occurs in the region"));
     }
-    bifdiag("show K7N9 --body paper").succeeds().printing("no region of this body shows k7n9");
+    bifdiag("show K7N9 --body paper").succeeds().printing("no region of this body has k7n9");
 }
 
 /// Where two axes, or two families of steady rotations, are equally near, none of them is said to be the nearest alone.
@@ -440,10 +443,10 @@ fn equally_near_axes_are_all_listed_with_weight_too() {
         .succeeds()
         .printing("for bounds give an axis that is nearer");
     let refused = bifdiag(&format!("campbell {tied} --no-plot --to")).and("20 rad/s").refused();
-    refused.telling("are equally near to it; give one that is nearer");
+    refused.telling("are equally near to it; give an axis that is nearer");
     // With r on the third axis the cone is two planes, and what lies midway has two nearest axes.
     let between = bifdiag("critical-spin --A 1,1.5,2 --r 0,0,1 --axis 1,1,1").succeeds();
-    between.printing("as near is (");
+    between.printing("equally near: (");
     // Nothing tends to an axis across all limits of fast spins.
     let across = bifdiag("critical-spin --A 2,2,1 --r 1,0,0 --axis 0,1,0").succeeds().stdout();
     assert!(!across.contains("at fast spins"), "{across}");
@@ -457,8 +460,8 @@ fn the_end_of_a_circle_is_the_axis_that_was_given() {
         [("1,1,0", "(0.707107, 0.707107, 0)"), ("-3,4,0", "(-0.6, 0.8, 0)"), ("3,4,1", "(0.6, 0.8, 0)")]
     {
         let line = format!("campbell --A 2,2,1 --r 0,0,1 --no-plot --axis={axis} --to");
-        let told = bifdiag(&line).and("20 rad/s").inside(place.path()).succeeds();
-        told.printing(&format!("that tends to {named} at fast spins is followed (S12, one of a circle of them)"));
+        let reply = bifdiag(&line).and("20 rad/s").inside(place.path()).succeeds();
+        reply.printing(&format!("and tends to {named} at fast spins (S12, one of a circle of them)"));
     }
     let found = bifdiag("critical-spin --A 2,2,1 --r 0,0,1 --axis=-3,4,0 --json").succeeds().json();
     let families = found["families"].as_array().unwrap();
@@ -492,7 +495,7 @@ fn refusals_and_tables_say_what_is_so() {
     let one = "body --inertia-com 0.02,0.03,0.04,0.001,0,0 --com 0,0,0.2 --mass 1.5";
     bifdiag(one).refused().telling("0.01990098, 0.03009902, 0.04 with either sign, the principal axes are not");
     let way = bifdiag("spin-down --A 1,1,2 --r 0,0,1 --from L-.1").succeeds();
-    assert!(way.stdout().contains("L-.1 ends at l = 2 in a pitchfork, from which S12.1 goes on"), "{}", way.stdout());
+    assert!(way.stdout().contains("L-.1 ends at l = 2 in a pitchfork, from which S12.1 continues"), "{}", way.stdout());
     let border = bifdiag("scan border --A 2.2,1.7,1.3 --r 0.3,0,0.7 --vary r2=0:0.5").succeeds();
     assert!(border.stdout().contains("crossing of G2 and P+ (2 times)"), "{}", border.stdout());
     assert!(!border.stdout().contains("0.00000000"), "{}", border.stdout());
@@ -517,7 +520,7 @@ fn printed_samples_lie_in_their_regions() {
             seen += 1;
             marked += u32::from(is_marked);
         }
-        assert_eq!(atlas.contains("~ in doubles"), body == narrow, "{atlas}");
+        assert_eq!(atlas.contains("~ rounded to doubles"), body == narrow, "{atlas}");
     }
     assert!(seen > 30 && marked == 2, "{seen} {marked}");
 }
@@ -533,5 +536,8 @@ fn a_constant_potential_has_no_levels() {
         assert!(!picture.contains(absent), "{absent}");
     }
     assert!(picture.len() < 60_000, "{} bytes", picture.len());
-    bifdiag("classes --at --A 2,1,4 --r 0,0.2,1 --physical").refused().telling("no mass has the moments of this body");
+    bifdiag("classes --at --A 2,1,4 --r 0,0.2,1 --physical").refused().telling(
+        "no mass distribution has the moments \
+    of this body",
+    );
 }

@@ -29,7 +29,7 @@ fn a_rotation_that_slows_down_ends_at_rest() {
     bifdiag("spin-down --body paper --from G0.1 --l 3.25").succeeds().printing("no minimum: falls");
     bifdiag("spin-down --body paper --from R5").refused().telling("the body has no such curve");
     let backwards = bifdiag("spin-down --body paper --from G2.1 --l=-1").succeeds();
-    backwards.telling("the way is that of l = 1, but that l and omega have the other sign");
+    backwards.telling("the path is that of l = 1, with the signs of l and omega reversed");
     bifdiag("spin-down --body paper --from G2.1 --l 1").succeeds().telling_nothing();
 }
 
@@ -39,7 +39,7 @@ fn the_way_of_a_slowdown_is_drawn_over_the_diagram() {
     let line = format!("spin-down --body paper --from G1.3 --l 2.6 --out {}", place.path().display());
     bifdiag(&line).succeeds().printing("spin-down.svg");
     let picture = std::fs::read_to_string(place.path().join("spin-down.svg")).unwrap();
-    assert!(picture.contains("\"main-way\"") && picture.contains("the way"));
+    assert!(picture.contains("\"main-way\"") && picture.contains("the path"));
     bifdiag(&format!("{line} --width 86mm")).succeeds();
     let picture = std::fs::read_to_string(place.path().join("spin-down.svg")).unwrap();
     assert!(picture.contains("width=\"86mm\""));
@@ -144,10 +144,10 @@ fn a_damped_motion_falls_where_spin_down_says() {
     let slowed = [1e-3, 5e-4, 2.5e-4].map(|pivot| {
         let top = Damped { a, r: [0.94868, 0.0, 0.61623], inner: 0.4, pivot };
         let (mut state, mut seen, mut fallen) = (begin, None, None);
-        let told = |state: [Vector; 2]| [dot(state[0], state[1]), top.energy(state)];
+        let reply = |state: [Vector; 2]| [dot(state[0], state[1]), top.energy(state)];
         loop {
             let next = top.step(state, 0.04);
-            let ([l, h], [next_l, next_h]) = (told(state), told(next));
+            let ([l, h], [next_l, next_h]) = (reply(state), reply(next));
             let between = |share: f64| [l + share * (next_l - l), h + share * (next_h - h)];
             if next_l < BEFORE && seen.is_none() {
                 seen = Some(between((l - BEFORE) / (l - next_l))[1]);

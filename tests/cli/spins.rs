@@ -17,9 +17,9 @@ pub fn near(p: f64, q: f64, size: f64) -> bool {
 
 /// The vertical is the direction of the question: it has no end called -axis.
 #[test]
-fn a_vertical_that_has_to_point_down_is_told_so() {
-    let told = bifdiag("state --body paper --axis=-1,0,0.2 --spin").and("2 rad/s").succeeds().stdout();
-    assert!(told.contains("rpm, with its other end up") && !told.contains("-axis"), "{told}");
+fn a_vertical_that_has_to_point_down_is_reported_so() {
+    let reply = bifdiag("state --body paper --axis=-1,0,0.2 --spin").and("2 rad/s").succeeds().stdout();
+    assert!(reply.contains("rpm, with its other end up") && !reply.contains("-axis"), "{reply}");
 }
 
 /// Of what is degenerate and of circles the table says what they stand for.
@@ -70,12 +70,12 @@ fn a_free_body_rests_in_every_orientation() {
 
 /// Which axis is meant, and at which spin and with which end up the nearest one turns steadily.
 #[test]
-fn another_axis_than_the_given_one_is_told() {
+fn another_axis_than_the_given_one_is_reported() {
     let state =
         |axis: &str| bifdiag(&format!("state --A 1,2,3 --r 0,0,1 --axis={axis} --spin")).and("3 rad/s").succeeds();
-    state("1e-8,0,1").printing("the nearest steady rotation, about (0, 0, 1), 5.73e-7° away, is taken");
-    assert!(!state("z").stdout().contains("is taken"));
-    state("1e-3,0,1").printing("the motion is no steady rotation about the vertical");
+    state("1e-8,0,1").printing("using the nearest steady rotation, about (0, 0, 1), 5.73e-7° away");
+    assert!(!state("z").stdout().contains("using the nearest"));
+    state("1e-3,0,1").printing("the motion is not a steady rotation about the vertical");
     let cone = "--A 2,3,1 --r 1,2,0";
     let off = bifdiag(&format!("state {cone} --axis 1,1,0 --spin")).and("5 rad/s").succeeds();
     off.printing("rotation about the vertical is steady at one spin only: 11.356091 rpm, with this end up");
@@ -86,8 +86,8 @@ fn another_axis_than_the_given_one_is_told() {
         assert_eq!(found["nearest"]["up"], json!(up), "{found}");
         assert!(number(&found["nearest"]["spin"]["rad_per_s"]) > 1.0, "{found}");
     }
-    let told = bifdiag(&format!("critical-spin {cone} --axis=-1,-1.01,-0.1")).succeeds();
-    told.printing(" rpm only, with its other end up");
+    let reply = bifdiag(&format!("critical-spin {cone} --axis=-1,-1.01,-0.1")).succeeds();
+    reply.printing(" rpm only, with its other end up");
 }
 
 /// A standing top that turns fast about its largest moment lies in a minimum of U_l, but hanging it has less energy.
@@ -129,9 +129,9 @@ fn the_spins_of_campbells_diagram_are_checked() {
     };
     run("0 rpm").telling("the largest spin must be greater than 0");
     run("-10 rpm").telling("the largest spin must be greater than 0");
-    run("1e149 rad/s").telling("leave the range of numbers");
+    run("1e149 rad/s").telling("overflow");
     let other = bifdiag("campbell --A 1,2,3 --r 0,1,0 --axis 0,1,0.1 --to").and("1 Hz").refused();
-    other.telling("the nearest axis that has them is (0, 1, 0), 5.71° away");
+    other.telling("the nearest permanent axis is (0, 1, 0), 5.71° away");
 }
 
 /// A pole that enters U changes the section, not U.
@@ -157,7 +157,7 @@ fn a_sphere_on_which_u_is_constant_has_no_pattern() {
     let svg = std::fs::read_to_string(directory.path().join("s/sphere.svg")).unwrap();
     // It is on a curve, where no component has a number.
     assert!(svg.len() < 300_000 && !svg.contains(">1<"), "{} bytes", svg.len());
-    // Rounded numbers are told to be, with a minus sign.
+    // Rounded numbers are reported to be, with a minus sign.
     sphere("--A 2,2,1 --r 0,0,1 --h=-0.2600090312791064 --l 1.1 --out s");
     let svg = std::fs::read_to_string(directory.path().join("s/sphere.svg")).unwrap();
     assert!(svg.contains("h ≈ −0.260009") && !svg.contains("-0.2600090312791064"));
@@ -237,7 +237,7 @@ fn steady_rotations_are_the_relative_equilibria() {
 #[test]
 fn a_body_at_rest_beside_its_equilibrium_is_not_steady() {
     let state = "state --A 1.3,2.1,1.6 --r 0,1,0 --omega 0,0,0 --vertical 1,-1,0";
-    let text = bifdiag(state).succeeds().printing("the motion is no steady rotation about the vertical");
+    let text = bifdiag(state).succeeds().printing("the motion is not a steady rotation about the vertical");
     text.printing("(0, -1, 0), 45° from the vertical");
     assert!(bifdiag(&format!("{state} --json")).succeeds().json()["steady"].is_null());
 }
@@ -267,12 +267,12 @@ fn each_end_has_its_own_axis_of_a_pair() {
             .and("900 rpm")
             .inside(place.path())
             .succeeds()
-            .printing(&format!("that tends to {end} at fast spins"));
+            .printing(&format!("and tends to {end} at fast spins"));
     }
-    // Both have the same exceptions, which are told once.
-    let told = bifdiag("critical-spin --A 5,2,3 --r 1,0,0 --axis y").succeeds().stdout();
-    assert_eq!(told.matches("  S2: 9.665702 rpm (1:3 resonance): stable").count(), 1, "{told}");
-    assert_eq!(told.matches("(D4 = 0)").count(), 2, "{told}");
+    // Both have the same exceptions, which are reported once.
+    let reply = bifdiag("critical-spin --A 5,2,3 --r 1,0,0 --axis y").succeeds().stdout();
+    assert_eq!(reply.matches("  S2: 9.665702 rpm (1:3 resonance): stable").count(), 1, "{reply}");
+    assert_eq!(reply.matches("(D4 = 0)").count(), 2, "{reply}");
     let circle = bifdiag("critical-spin --A 2,2,3.5 --r 0,0,0.4 --axis x --json").succeeds().json();
     assert_eq!(circle["families"].as_array().unwrap().len(), 1);
 }

@@ -30,7 +30,7 @@ fn stderr(output: &Output) -> String {
 
 #[test]
 #[cfg(target_os = "linux")]
-fn a_full_disk_behind_stdout_is_told() {
+fn a_full_disk_behind_stdout_is_reported() {
     for arguments in [&["--help"][..], &["bodies"], &["--body", "paper", "--json"], &["schema", "atlas"]] {
         let full = File::options().write(true).open("/dev/full").unwrap();
         let output = Command::new(PROGRAM).args(arguments).stdout(full).output().unwrap();
@@ -41,7 +41,7 @@ fn a_full_disk_behind_stdout_is_told() {
 
 #[test]
 #[cfg(target_os = "linux")]
-fn a_closed_stdout_is_told_and_nothing_else_is_written_there() {
+fn a_closed_stdout_is_reported_and_nothing_else_is_written_there() {
     for arguments in ["--help", "bodies", "--body paper --json", "man", "classify --body paper --h 3.8 --l 3.25"] {
         let closed = format!("exec '{PROGRAM}' {arguments} >&-");
         let output = Command::new("sh").args(["-c", &closed]).output().unwrap();
@@ -129,10 +129,10 @@ fn interrupts_end_every_command_within_a_second() {
         for name in ["-INT", "-TERM"] {
             let child = spawn(&command.split_whitespace().collect::<Vec<_>>());
             std::thread::sleep(Duration::from_millis(300));
-            let told = Instant::now();
+            let reply = Instant::now();
             signal(&child, name);
             let output = child.wait_with_output().unwrap();
-            let waited = told.elapsed();
+            let waited = reply.elapsed();
             assert!(waited < Duration::from_secs(1), "{command}: {name} took {waited:?}");
             assert_eq!(output.status.code(), Some(1), "{command}: {}", stderr(&output));
             assert!(stderr(&output).contains("interrupted"), "{command}: {}", stderr(&output));
@@ -149,7 +149,7 @@ fn a_section_of_a_very_heavy_body_comes_to_its_end() {
 }
 
 #[test]
-fn a_second_interrupt_ends_what_the_first_has_told_to_stop() {
+fn a_second_interrupt_ends_what_the_first_has_reported_to_stop() {
     let child = spawn(&["section", "--body", "paper", "--h", "4.45", "--l", "3.25", "--crossings", "100000000"]);
     std::thread::sleep(Duration::from_millis(300));
     signal(&child, "-INT");
@@ -200,9 +200,9 @@ fn an_interrupted_section_replaces_no_file_and_the_same_command_goes_on() {
             if !output.stdout.is_empty() {
                 let document: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
                 let message = stderr(&output);
-                let after_the_work = message.contains("what was written is whole");
+                let after_the_work = message.contains("the files already written are complete");
                 assert!(after_the_work || document["complete"] == false || message.contains("12 of 12"), "{message}");
-                assert!(after_the_work || message.contains("the same command goes on"), "{message}");
+                assert!(after_the_work || message.contains("run the same command again"), "{message}");
             }
             // The files have their names at the very end.
             let replaced = fs::read(path(&format!("{out}/section.json"))).unwrap() != b"earlier";
@@ -239,10 +239,10 @@ fn an_interrupted_section_with_much_data_ends_within_a_second() {
     for line in lines {
         let child = spawn(&line.split_whitespace().collect::<Vec<_>>());
         std::thread::sleep(Duration::from_secs(3));
-        let told = Instant::now();
+        let reply = Instant::now();
         signal(&child, "-INT");
         let output = child.wait_with_output().unwrap();
-        let waited = told.elapsed();
+        let waited = reply.elapsed();
         assert!(waited < Duration::from_millis(1500), "{line} took {waited:?}");
         assert_eq!(output.status.code(), Some(1), "{line}: {}", stderr(&output));
         assert!(stderr(&output).contains("interrupted"), "{line}: {}", stderr(&output));
@@ -259,7 +259,7 @@ fn the_journal_of_another_section_in_a_directory_is_discarded() {
     fs::write(place.path().join("section.npz.partial"), "bifdiag of old section A=1\nmore").unwrap();
     let run =
         bifdiag("section --body paper --h 4.45 --l 3.25 --orbits 2 --crossings 10 --no-plot --out").and(place.path());
-    run.succeeds().telling("held the beginning of another section");
+    run.succeeds().telling("belonged to another unfinished section");
     assert_eq!(names(place.path()).unwrap(), ["section.json", "section.npz"]);
 }
 
@@ -283,7 +283,7 @@ fn an_interrupted_orbit_replaces_no_file() {
 /// It looked like an empty input, and the exit status was 0.
 #[test]
 #[cfg(target_os = "linux")]
-fn a_closed_stdin_is_told() {
+fn a_closed_stdin_is_reported() {
     let point = "--body paper --h 4.45 --l 3.25";
     let starts = format!("section {point} --starts - --json");
     let times = "orbit --body paper --gamma 0.6,0,0.8 --omega 1,0.3,1 --times - --json";
@@ -405,7 +405,7 @@ fn a_streamed_section_goes_on_where_it_was_stopped() {
             // The signal came when the file had its name; the next run finds the journal whole.
             assert!(read("whole.npz") == read("cut.npz"));
         } else if attempt % 2 == 0 && output.status.code() == Some(1) {
-            assert!(stderr(&output).contains("the same command goes on"), "{}", stderr(&output));
+            assert!(stderr(&output).contains("run the same command again"), "{}", stderr(&output));
         }
     }
     println!("stopped {stops} times");

@@ -54,8 +54,8 @@ fn rational_thresholds_are_judged_as_in_critical() {
                         let turning = format!("--axis={}{}", if up < 0.0 { "-" } else { "" }, ["x", "y", "z"][axis]);
                         let found = steady(&body, &turning, &format!("{spin} rad/s"));
                         let expected = critical(&body, &l.to_string(), vertical.map(|x| 0.0 - x));
-                        let told = (found["stability"].clone(), found["stable"].clone());
-                        assert_eq!(told, expected, "{stratum:?} {body} {turning} {spin}\n{found}");
+                        let reply = (found["stability"].clone(), found["stable"].clone());
+                        assert_eq!(reply, expected, "{stratum:?} {body} {turning} {spin}\n{found}");
                         compared.set(compared.get() + 1);
                         at_threshold.set(at_threshold.get() + i32::from(found.get("at").is_some()));
                     }
@@ -85,9 +85,9 @@ fn coincidences_are_judged_as_in_critical() {
         ("--A 1,2,3 --r 1.2,0.8,0", "--axis=-3,-4,0", "1 rad/s", "41/25", [0.6, 0.8, 0.0], json!("energy")),
     ] {
         let found = steady(body, turning, spin);
-        let told = (found["stability"].clone(), found["stable"].clone());
-        assert_eq!(told, critical(body, l, gamma), "{body} {turning}");
-        assert_eq!(told.1, verdict, "{body} {turning}");
+        let reply = (found["stability"].clone(), found["stable"].clone());
+        assert_eq!(reply, critical(body, l, gamma), "{body} {turning}");
+        assert_eq!(reply.1, verdict, "{body} {turning}");
     }
     let spin = bifdiag("critical-spin --A 1,2,3 --r 1.2,0.8,0 --axis=-0.6,-0.8,0 --json").succeeds().json();
     let [one] = spin["steady"].as_array().unwrap().as_slice() else { panic!("{spin}") };
@@ -110,8 +110,8 @@ fn only_the_root_itself_is_at_the_threshold() {
         assert_eq!((found.get("at"), &found["stability"]), (None, &json!(kind)), "{spin} {found}");
         assert!((found[side]["spin"]["rad_per_s"].as_f64().unwrap() - 1.0).abs() < 1e-12, "{spin} {found}");
     }
-    let told = bifdiag(&format!("state {body} --axis z --spin")).and("1 rad/s").succeeds();
-    told.printing("this spin is a threshold: saddle-centre below, elliptic (local minimum) above");
+    let reply = bifdiag(&format!("state {body} --axis z --spin")).and("1 rad/s").succeeds();
+    reply.printing("this spin is a threshold: saddle-centre below, elliptic (local minimum) above");
     // Beside the axis: the nearest steady rotation is judged as exactly.
     let beside = bifdiag(&format!("state {body} --axis 1e-3,0,1 --json --spin")).and("1 rad/s").succeeds().json();
     assert_eq!(beside["nearest"]["at"]["kind"], json!("stability-and-region"), "{beside}");
@@ -129,7 +129,7 @@ fn free_bodies_with_equal_moments_turn_steadily_about_a_circle_of_axes() {
         let spins = bifdiag(&format!("critical-spin {body} --axis {axis} --json")).succeeds().json();
         let slow = spins["slow"].as_array().unwrap();
         assert!(slow.iter().all(|kind| kind.as_str().unwrap().starts_with("elliptic")), "{spins}");
-        let told = bifdiag(&format!("state {body} --axis {axis} --spin")).and("1 rad/s").succeeds();
-        told.printing("it is one of a circle of steady rotations").printing("frequency of small oscillations: 0.");
+        let reply = bifdiag(&format!("state {body} --axis {axis} --spin")).and("1 rad/s").succeeds();
+        reply.printing("it is one of a circle of steady rotations").printing("frequency of small oscillations: 0.");
     }
 }

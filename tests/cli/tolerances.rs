@@ -6,7 +6,7 @@ use super::spins::number;
 use crate::builder::bifdiag;
 
 /// Off the principal axes no rotation is permanent: bounds hold for the one that moves with the spin, and every part of the box
-/// that is tried has it there, with the type that is told.
+/// that is tried has it there, with the type that is reported.
 #[test]
 fn tolerances_off_the_principal_axes_have_bounds() {
     let part = |tensor: [f64; 6], com: [f64; 3], within: bool| {
@@ -28,7 +28,7 @@ fn tolerances_off_the_principal_axes_have_bounds() {
     let tilt = number(&found["tolerance"]["tilt_deg"]);
     assert!(tilt < 5.0, "{tilt}");
     assert_eq!(found["families"].as_array().unwrap().len(), 2);
-    // Fast, the type of both families of some corners of the box is that which is told.
+    // Fast, the type of both families of some corners of the box is that which is reported.
     for corner in 0..4 {
         let side = |k: usize| if corner >> (k % 2) & 1 == 0 { 0.998 } else { 1.002 };
         let moved: [f64; 6] = std::array::from_fn(|k| tensor[k] * side(k));
@@ -41,8 +41,8 @@ fn tolerances_off_the_principal_axes_have_bounds() {
                 let after = number(&range["rpm"][1]) * 1.0001;
                 let at =
                     stretches.iter().rfind(|stretch| stretch["from"]["spin"]["rpm"].as_f64().unwrap_or(0.0) <= after);
-                let told = range["to"].as_str().unwrap().split(' ').next().unwrap();
-                assert_eq!(at.unwrap()["stability"], json!(told), "{range} {one}");
+                let reply = range["to"].as_str().unwrap().split(' ').next().unwrap();
+                assert_eq!(at.unwrap()["stability"], json!(reply), "{range} {one}");
             }
         }
     }
@@ -56,21 +56,21 @@ fn tolerances_off_the_principal_axes_have_bounds() {
 /// What is said of all parts within a tolerance was decided.
 #[test]
 fn sentences_about_all_parts_are_true() {
-    let told = |line: &str| bifdiag(&format!("critical-spin {line} --tolerance 1%")).succeeds().stdout();
-    let middle = told("--A 1,2,3 --r 0,1,0 --axis y");
+    let reply = |line: &str| bifdiag(&format!("critical-spin {line} --tolerance 1%")).succeeds().stdout();
+    let middle = reply("--A 1,2,3 --r 0,1,0 --axis y");
     assert!(middle.contains("+axis up, each of these parts is unstable at every spin outside the ranges"), "{middle}");
     assert!(middle.contains("the ranges are those of the type; regions and frequencies may change at other spins"));
     assert!(!middle.contains("at no spin"), "{middle}");
-    let free = told("--A 1,2,3 --r 0,0,0 --axis y");
+    let free = reply("--A 1,2,3 --r 0,0,0 --axis y");
     assert!(free.contains("+axis up, each of these parts is saddle-centre at every spin: all are unstable"), "{free}");
-    let fast = told("--A 1,2,3 --r 0,0,0 --axis z");
+    let fast = reply("--A 1,2,3 --r 0,0,0 --axis z");
     assert!(
         fast.contains("each of these parts is elliptic (local minimum) at every spin: none is linearly unstable"),
         "{fast}"
     );
 }
 
-/// Where nothing is known of all parts, those that were tried and never change are told all the same: A2 = 3.6, A3 = 3.2.
+/// Where nothing is known of all parts, those that were tried and never change are reported all the same: A2 = 3.6, A3 = 3.2.
 #[test]
 fn types_of_parts_without_a_change_are_inside_too() {
     let text = bifdiag("critical-spin --A 5,3,4 --r 0,0,0 --axis y --tolerance 20%").succeeds();
@@ -117,7 +117,7 @@ fn equal_moments_of_a_part_make_no_ranges() {
 
 /// Only what has a tolerance is named.
 #[test]
-fn tolerances_of_zero_are_not_told_as_such() {
+fn tolerances_of_zero_are_not_reported_as_such() {
     let text = bifdiag("critical-spin --A 1,1,1 --r 0,0,1 --tolerance weight=1%").succeeds();
     text.printing("every part within 1 ± 0.01 of the weight (bounds, not samples; what is not named is exact):");
     let text = bifdiag("critical-spin --A 1,1,2 --r 0,0,1 --axis z --tolerance axis=1%,across=2%").succeeds();

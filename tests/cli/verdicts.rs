@@ -117,9 +117,10 @@ fn resonances_are_listed_where_arnolds_theorem_fails() {
 fn friction_wakes_a_slender_sleeping_top() {
     let slender = bifdiag("critical-spin --A 2,2,1 --r 0,0,1 --axis z --json").succeeds().json();
     let upright: Vec<&Value> = list(&slender["stretches"]).iter().filter(|one| one["up"] == json!("+axis")).collect();
-    let told: Vec<_> = upright.iter().map(|one| (&one["nonlinear"]["why"], &one["friction"]["conserving_l"])).collect();
+    let reply: Vec<_> =
+        upright.iter().map(|one| (&one["nonlinear"]["why"], &one["friction"]["conserving_l"])).collect();
     let (spectrum, integral, lost) = (json!("spectrum"), json!("integral"), json!("lost"));
-    assert_eq!(told, [(&spectrum, &lost), (&integral, &lost)], "{slender}");
+    assert_eq!(reply, [(&spectrum, &lost), (&integral, &lost)], "{slender}");
     let flat = bifdiag("critical-spin --A 1,1,1.8 --r 0,0,1 --axis z --json").succeeds().json();
     let last = list(&flat["stretches"]).iter().rfind(|one| one["up"] == json!("+axis")).unwrap();
     assert_eq!((&last["nonlinear"]["why"], &last["friction"]["conserving_l"]), (&json!("energy"), &json!("survives")));
@@ -132,8 +133,9 @@ fn friction_wakes_a_slender_sleeping_top() {
 #[test]
 fn a_range_of_spins_admits_its_isolated_exceptions() {
     let line = "critical-spin --A 1.71,2.63,2.11 --r 0,0,1 --axis z";
-    let told = bifdiag(line).succeeds().printing("by Arnold's theorem: at each of these spins but\n");
-    told.printing("  +axis up: 13.087694 rpm (1:2 resonance): stable (Arnold's theorem)\n")
+    let reply = bifdiag(line).succeeds().printing("by Arnold's theorem: at all of these spins except\n");
+    reply
+        .printing("  +axis up: 13.087694 rpm (1:2 resonance): stable (Arnold's theorem)\n")
         .printing(" rpm (1:3 resonance): stable\n")
         .printing(" rpm (D4 = 0): stable (Arnold's theorem)\n");
     let found = bifdiag(&format!("{line} --json")).succeeds().json();
@@ -169,30 +171,30 @@ fn isolated_exceptions_beside_a_cusp_keep_their_spins() {
 
 /// Two forks within the rounding of a spin are two changes, and so are two crossings.
 #[test]
-fn changes_at_nearly_one_spin_are_each_told() {
+fn changes_at_nearly_one_spin_are_each_reported() {
     let found = bifdiag("critical-spin --A 1,1.0000000000000001,2 --r 0,0,1 --axis z --json").succeeds().json();
     let events: Vec<&str> = list(&found["changes"]).iter().filter_map(|change| change["event"].as_str()).collect();
     assert_eq!(events, ["crossing", "crossing", "fork", "fork"]);
-    let told = bifdiag("critical-spin --A 1,1.0000000001,1.5 --r 0,0,1 --axis z").succeeds();
-    told.printing("+axis  13.504744742   13.504744744   unstable");
+    let reply = bifdiag("critical-spin --A 1,1.0000000001,1.5 --r 0,0,1 --axis z").succeeds();
+    reply.printing("+axis  13.504744742   13.504744744   unstable");
 }
 
 /// The principal axes of the part are no decimals: no point of doubles is on the axis's curve, and what lies beside it is known.
 #[test]
 fn regions_beside_a_rotation_about_irrational_axes_are_named() {
     let part = "--inertia 2,2,3.5,-0.5,0,0 --products tensor --com 0.1,0.1,0 --mass 1 --g 10";
-    let told = bifdiag(&format!("state {part} --axis 1,1,0 --spin 3rad/s")).succeeds();
-    told.printing("regions beside it: R1 below, R2 above in h");
+    let reply = bifdiag(&format!("state {part} --axis 1,1,0 --spin 3rad/s")).succeeds();
+    reply.printing("regions beside it: R1 below, R2 above in h");
     let permanent = "--inertia 2,2,2,-0.5,-0.5,-0.5 --products tensor --com 0.1,0.1,0.1 --mass 1 --g 10 --axis 1,1,1";
-    let told = bifdiag(&format!("critical-spin {permanent}")).succeeds().stdout();
-    assert!(!told.contains("from the one given"), "{told}");
+    let reply = bifdiag(&format!("critical-spin {permanent}")).succeeds().stdout();
+    assert!(!reply.contains("from the one given"), "{reply}");
 }
 
 /// At one spin a curve can be met twice, at a cusp and elsewhere: each sentence says which of the two is meant.
 #[test]
-fn points_of_one_curve_at_one_spin_are_told_apart() {
-    let told = bifdiag("critical --A 1,1.5,2 --r=0.4,0,0.3 --spin").and("1 rad/s").succeeds();
-    told.printing("  stable on G2.1, G1.3 (l = 1.547228505)\n").printing("  unstable on G1.3 (l = 1.36)\n");
+fn points_of_one_curve_at_one_spin_are_reported_apart() {
+    let reply = bifdiag("critical --A 1,1.5,2 --r=0.4,0,0.3 --spin").and("1 rad/s").succeeds();
+    reply.printing("  stable on G2.1, G1.3 (l = 1.547228505)\n").printing("  unstable on G1.3 (l = 1.36)\n");
 }
 
 /// All verdict changes of the paper's curve G0.1: beside each the distance from the resonance, or D₄, has opposite signs, and
@@ -202,9 +204,9 @@ fn verdicts_of_the_papers_curve_change_where_its_normal_form_says() {
     let atlas = bifdiag("--body paper --json --no-drawing").succeeds().json();
     let changes: Vec<&Value> =
         list(&atlas["verdict_changes"]).iter().filter(|change| change["curve"] == json!("G0.1")).collect();
-    let told: Vec<_> = changes.iter().map(|one| (one["kind"].as_str().unwrap(), number(&one["l"]))).collect();
+    let reply: Vec<_> = changes.iter().map(|one| (one["kind"].as_str().unwrap(), number(&one["l"]))).collect();
     let expected = [("1:1", 1.947_890_544), ("1:2", 2.236_708_031), ("D4", 2.327_799_985), ("1:3", 3.030_861_365)];
-    assert_eq!(told.len(), expected.len(), "{told:?}");
+    assert_eq!(reply.len(), expected.len(), "{reply:?}");
     let at = |l: f64| {
         let found = bifdiag(&format!("critical --body paper --l {l} --json")).succeeds().json();
         list(&found["critical"]).iter().find(|point| point["branch"] == json!("G0.1")).unwrap().clone()
@@ -213,8 +215,8 @@ fn verdicts_of_the_papers_curve_change_where_its_normal_form_says() {
         "D4" => number(&point["nonlinear"]["D4_over_s"]),
         kind => number(&point["nonlinear"]["near"][kind]),
     };
-    for ((change, (kind, l)), (expected_kind, near)) in changes.iter().zip(&told).zip(expected) {
-        assert!(*kind == expected_kind && (l - near).abs() < 1e-6, "{told:?}");
+    for ((change, (kind, l)), (expected_kind, near)) in changes.iter().zip(&reply).zip(expected) {
+        assert!(*kind == expected_kind && (l - near).abs() < 1e-6, "{reply:?}");
         let there = at(*l);
         assert!((number(&there["h"]) - number(&change["h"])).abs() < 1e-12, "{change} {there}");
         if *kind == "1:1" {
@@ -242,7 +244,7 @@ fn the_legend_tells_what_solid_thin_and_dashed_lines_mean() {
     let place = tempfile::tempdir().unwrap();
     bifdiag(&format!("--body paper --out {}", place.path().display())).succeeds();
     let picture = plain(&std::fs::read_to_string(place.path().join("diagram.svg")).unwrap());
-    for told in ["solid: stable, with friction too", "thin: stable without friction", "dashed: unstable"] {
-        assert!(picture.contains(told), "{told}");
+    for reply in ["solid: stable, with friction too", "thin: stable without friction", "dashed: unstable"] {
+        assert!(picture.contains(reply), "{reply}");
     }
 }

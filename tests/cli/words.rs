@@ -184,28 +184,30 @@ fn the_glossary_is_the_one_of_the_documentation() {
     );
     for entry in entries {
         let first = entry["terms"][0].as_str().unwrap();
-        let told = bifdiag("explain --json").and(first).succeeds().json();
-        assert!(told["entries"].as_array().unwrap().contains(entry), "{first}");
+        let reply = bifdiag("explain --json").and(first).succeeds().json();
+        assert!(reply["entries"].as_array().unwrap().contains(entry), "{first}");
     }
     bifdiag("explain").succeeds().printing("Stability\n").printing("hamiltonian-hopf");
 }
 
 #[test]
 fn other_spellings_lead_to_the_same_thing() {
-    let told = |word: &str| bifdiag("explain").and(word).succeeds().telling_nothing().stdout();
-    let kovalevskaya = told("Kovalevskaya");
+    let reply = |word: &str| bifdiag("explain").and(word).succeeds().telling_nothing().stdout();
+    let kovalevskaya = reply("Kovalevskaya");
     for word in ["Kowalevski", "kovalevskaja", "Kowalevskaya"] {
-        assert_eq!(told(word), kovalevskaya, "{word}");
+        assert_eq!(reply(word), kovalevskaya, "{word}");
     }
-    assert_eq!(told("Staude"), told("relative equilibria"));
-    assert_eq!(told("pitchforks"), told("fork"));
-    assert_eq!(told("hamiltonian hopf"), told("Hamiltonian-Hopf"));
+    assert_eq!(reply("Staude"), reply("relative equilibria"));
+    assert_eq!(reply("pitchforks"), reply("fork"));
+    assert_eq!(reply("hamiltonian hopf"), reply("Hamiltonian-Hopf"));
     // What stands in parentheses tells things of one name apart.
     for word in ["fold", "folds"] {
-        let told = told(word);
-        assert!(told.contains("fold (of steady axes)") && told.contains("of periodic orbits") && told.contains("cusp"));
+        let reply = reply(word);
+        assert!(
+            reply.contains("fold (of steady axes)") && reply.contains("of periodic orbits") && reply.contains("cusp")
+        );
     }
-    assert_eq!(told("fold of steady axes"), told("fold (of steady axes)"));
+    assert_eq!(reply("fold of steady axes"), reply("fold (of steady axes)"));
     bifdiag("explain pichfork").refused().telling("the nearest is pitchfork").printing_nothing();
     bifdiag("explain xyzzyxyzzy").refused().telling("has no such term; `bifdiag explain` lists");
     let atlas = |body: &str| bifdiag(&format!("--body {body} --json")).succeeds().stdout();
@@ -220,14 +222,14 @@ fn show_knows_the_names_of_surfaces() {
     let explained = bifdiag("explain M4").succeeds().stdout();
     assert_eq!(bifdiag("show M4").succeeds().stdout(), explained);
     bifdiag("show R5").refused().telling("no body is given");
-    bifdiag("show M4 --body paper").succeeds().printing("no region of this body shows M4");
+    bifdiag("show M4 --body paper").succeeds().printing("no region of this body has M4");
     let shown = bifdiag("show M2 --body paper").succeeds();
-    shown.printing("M2 is shown by the regions R3, R6").printing("region R6, sections M2");
+    shown.printing("M2 occurs in the regions R3, R6").printing("region R6, sections M2");
     for name in ["k2n1", "S2+T2", "T2+S2", "RP3", "s1xs2"] {
-        bifdiag(&format!("show {name} --body paper")).succeeds().printing("is shown by the region");
+        bifdiag(&format!("show {name} --body paper")).succeeds().printing("occurs in the region");
     }
     // A branch of this body comes before a surface.
-    bifdiag("show S2 --body paper").succeeds().printing("curve S2.1").printing("S2 is shown by the region");
+    bifdiag("show S2 --body paper").succeeds().printing("curve S2.1").printing("S2 occurs in the region");
     bifdiag("show R9 --A 2,2,1 --r 0,0,0").refused().telling("it has the regions R1 and R2");
 }
 
@@ -253,7 +255,7 @@ fn show_finds_what_a_scan_counts() {
         let names: Vec<&str> = names.collect();
         assert!(names.len() > 1, "{body}: {names:?}");
         for name in names {
-            bifdiag(&format!("show {name} {body}")).succeeds().printing(" is shown by the region");
+            bifdiag(&format!("show {name} {body}")).succeeds().printing(" occurs in the region");
         }
     }
     bifdiag("show D2+D2 --A 3,2,1 --r 0,0,0").succeeds().printing("region R1, U = D2+D2");
@@ -262,7 +264,7 @@ fn show_finds_what_a_scan_counts() {
 /// The commands of a command are commands.
 #[test]
 fn names_of_commands_are_explained() {
-    for (name, told) in [
+    for (name, reply) in [
         ("scan", "Find the classes of diagrams of many bodies. `bifdiag scan --help`"),
         ("scan map", "Draw the class of each body over two parameters. `bifdiag scan map --help`"),
         ("periodic family", "`bifdiag periodic family --help`"),
@@ -270,6 +272,6 @@ fn names_of_commands_are_explained() {
     ] {
         let explained =
             bifdiag("explain").and(name).succeeds().stdout().split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(explained.contains(told), "{name}: {explained}");
+        assert!(explained.contains(reply), "{name}: {explained}");
     }
 }

@@ -64,7 +64,7 @@ fn each_gives_its_error_in_its_place() {
         }
         assert_eq!((&good["l"], good.get("error")), (&"1".into(), None));
     }
-    let message = format!("{} of {} lines of the batch are wrong", WRONG.len(), 2 * WRONG.len());
+    let message = format!("{} of {} lines of the batch are invalid", WRONG.len(), 2 * WRONG.len());
     done.telling(&message);
     let done = bifdiag("classify --batch - --strict").reading(batch).refused().telling(&message);
     assert_eq!(done.json_lines(), answers, "--strict changes the exit status, not the answers");

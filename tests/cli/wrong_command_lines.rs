@@ -113,7 +113,7 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("--body paper --accuracy certified", &["'certified' for '--accuracy <ACCURACY>'", "exact, fast", "--certificate"]),
     ("classify --body paper --h 1 --l 1 --accuracy standard", &["'standard'", "exact, fast", "leave it out"]),
     ("scan --family katok --samples 3 --out - --accuracy draft", &["'draft'", "exact, fast", "`fast`"]),
-    ("--body paper --certificate --window 0:4,0:3", &["--certificate speaks of the whole plane", "--window"]),
+    ("--body paper --certificate --window 0:4,0:3", &["--certificate covers the whole plane", "--window"]),
     ("--body paper --certificate --accuracy fast", &["--certificate is a proof", "--accuracy fast"]),
     ("--body paper --format gif", &["'gif' for '--format <FORMAT>'", "svg, png, "]),
     ("--body paper --out -", &["--out -", "a directory is needed", "--json"]),
@@ -221,7 +221,7 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("section --atlas no/such --region R1", &["--atlas no/such", "No such file", "atlas.json"]),
     ("section --atlas - --body paper", &["--atlas and --body both say", "leave out --body"]),
     ("section --atlas - --h 3", &["--atlas and --h both say"]),
-    ("section --atlas -", &["--atlas - is no atlas of version 3", "bifdiag atlas --json"]),
+    ("section --atlas -", &["--atlas - is not an atlas of version 3", "bifdiag atlas --json"]),
     ("section --body paper --h 4.45 --l 3.25 --starts no/such.csv", &["--starts no/such.csv", "No such file"]),
     ("section --body paper --h 4.45 --l 3.25 --starts -", &["--starts - holds no start", "theta,psi,sheet"]),
     ("section --body paper --h 4.45 --l 3.25 --starts - --orbits 3", &["--orbits cannot be used with --starts"]),
@@ -287,8 +287,8 @@ fn blanks_around_numbers_are_accepted_but_not_instead_of_commas() {
 fn wrong_lines_of_seeds_are_numbered() {
     let line = "section --body paper --h 4.45 --l 3.25 --starts -";
     for (seeds, message) in [
-        ("theta,psi\n1,2\n", "line 1: the heading `theta,psi` lacks sheet"),
-        ("theta,psi,sheet\n1.2,1.5,1\n1,2\n", "line 3: 2 values, but the heading has 3"),
+        ("theta,psi\n1,2\n", "line 1: the header `theta,psi` lacks sheet"),
+        ("theta,psi,sheet\n1.2,1.5,1\n1,2\n", "line 3: 2 values, but the header has 3"),
         ("theta,psi,sheet\none,2,1\n", "line 2: theta = `one` is not a number"),
         ("theta,psi,sheet\n4,2,1\n", "line 2: theta = 4 is not between 0 and pi"),
         ("theta,psi,sheet\n1,2,0\n", "line 2: sheet = `0` is neither 1 (T+) nor -1 (T-)"),
@@ -299,7 +299,7 @@ fn wrong_lines_of_seeds_are_numbered() {
 }
 
 #[test]
-fn unknown_regions_are_told_with_those_that_are_there() {
+fn unknown_regions_are_reported_with_those_that_are_there() {
     let atlas = bifdiag("--body kovalevskaya --json").succeeds().stdout();
     let done = bifdiag("section --atlas - --region R99").reading(atlas.clone()).refused();
     done.telling("--region R99: the body has no such region; it has R1, R2").telling("or give all");

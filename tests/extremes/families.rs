@@ -24,7 +24,7 @@ pub enum Answer {
     /// The body or the momentum is refused, with the reason.
     Refused,
     /// An answer, but the truth is not proved.
-    Untold,
+    Unreported,
 }
 
 /// A family with a parameter ε = 10⁻ᵏ.
@@ -177,7 +177,7 @@ pub fn answers(question: &Question) -> [Answer; 2] {
                 let whole = all.collect::<Option<Vec<_>>>().filter(|_| atlas.arrangement().undecided.is_empty());
                 match (whole.map(sorted), &proved) {
                     (None, _) => Answer::Undecided,
-                    (Some(_), None) => Answer::Untold,
+                    (Some(_), None) => Answer::Unreported,
                     (Some(found), Some(proved)) => {
                         if found == *proved {
                             Answer::Right
@@ -196,7 +196,7 @@ pub fn answers(question: &Question) -> [Answer; 2] {
             let fast = classify(body, h, l).map_or(Answer::Refused, |found| match (found.components(), &proved) {
                 (None, Some(proved)) if !found.candidates().contains(proved) => Answer::Wrong,
                 (None, _) => Answer::Undecided,
-                (Some(_), None) => Answer::Untold,
+                (Some(_), None) => Answer::Unreported,
                 (Some(components), Some(proved)) => {
                     if components == proved {
                         Answer::Right

@@ -258,7 +258,7 @@ fn the_command_is_that_of_the_document() {
     assert!(mutated(|d| "1.2.3-beta.1".clone_into(&mut d.head.version)).is_ok());
 }
 
-/// What is told of a part, forged together with the command that names it.
+/// What is claimed about a part, forged together with the command that names it.
 #[test]
 fn a_part_is_that_of_its_body() {
     let true_one = of_tilted_part();

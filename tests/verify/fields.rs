@@ -45,7 +45,7 @@ fn every_field_is_refused_when_it_is_forged() {
     }
 }
 
-/// Every list of the document with an entry left out, one told twice or two exchanged, in three places where it first stands,
+/// Every list of the document with an entry left out, one repeated or two exchanged, in three places where it first stands,
 /// sealed anew, is refused.
 #[test]
 fn every_list_is_refused_when_it_is_forged() {
@@ -122,7 +122,7 @@ fn lists(value: &Value, field: &str, pointer: &str, found: &mut BTreeMap<String,
     }
 }
 
-/// A list with an entry left out, one told twice, two exchanged.
+/// A list with an entry left out, one repeated, two exchanged.
 fn forged_lists(list: &[Value]) -> Vec<(&'static str, Vec<Value>)> {
     let at = list.len() / 2;
     let mut shorter = list.to_vec();

@@ -248,7 +248,7 @@ fn rotate(
 fn eigenspace_basis(axes: &[usize], r: &[Relaxed; 3], exponent: i32) -> Vec<[f64; 3]> {
     let mut lead = [0.0; 3];
     for &i in axes {
-        // Of a single axis only the sign counts.
+        // For a single axis only the sign matters.
         lead[i] = if axes.len() == 1 { sign(&r[i]) } else { nearest(&r[i], exponent) };
     }
     let mut basis: Vec<[f64; 3]> = Vec::with_capacity(axes.len());

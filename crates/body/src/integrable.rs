@@ -184,7 +184,7 @@ mod tests {
         }
     }
 
-    /// A tensor whose principal form is irrational is judged by itself, not by the rounded numbers.
+    /// A tensor whose principal form is irrational is examined directly, not through the rounded numbers.
     #[test]
     fn a_rounded_body_is_recognised_by_its_tensor() {
         let ratio = |p: i32, q: u32| RBig::from_parts(p.into(), q.into());

@@ -127,7 +127,7 @@ mod tests {
     #[test]
     fn what_is_rounded_is_known_to_130_digits() {
         let principal = form(["2", "3", "4", "1", "1e-30", "0"], ["1", "1", "1"]);
-        // The trace and |r|² are kept as far as the digits go.
+        // The trace and |r|² are kept to the available digits.
         let sum = principal.body.moments().iter().fold(RBig::from(-9), |sum, a| sum + a.value());
         let squared = principal.body.center().iter().fold(RBig::from(-3), |sum, r| sum + r.value() * r.value());
         let bound = RBig::from_parts(1.into(), dashu_int::UBig::from(10u8).pow(127));

@@ -8,9 +8,8 @@ use bifdiag_schema::Flags;
 use dashu_ratio::RBig;
 use thiserror::Error;
 
-/// A heavy rigid body with a fixed point: A = diag(A1, A2, A3) and the centre of mass r, with the
-/// constants m g absorbed into r. Validated once; all values are exact, but for a body that was given by a [`Tensor`]
-/// whose principal form is irrational.
+/// A heavy rigid body with a fixed point: A = diag(A1, A2, A3) and the centre of mass r, multiplied by the weight m g.
+/// Validated once; all values are exact, except for a body given by a [`Tensor`] whose principal form is irrational.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Body {
     moments: [Number; 3],

@@ -9,8 +9,8 @@ use crate::cells::{Block, Cells, POINTS};
 use crate::liouville::EnergySurface;
 use crate::share::{Share, ShareOptions};
 
-/// What the quarters of a block differ by is beyond chance if its mean square is at least so many times that of chance: for equal
-/// shares one block of forty.
+/// The quarters of a block differ beyond chance if the mean square of their differences is at least this many times
+/// that of chance: with equal shares, in one block out of forty.
 const BEYOND_CHANCE: f64 = 3.0;
 
 /// A row of a map: one component of one region, in one cell.
@@ -51,11 +51,11 @@ pub(crate) struct Measured {
     pub block: Block,
     pub region: RegionId,
     pub component: usize,
-    /// Where its orbits began, and what they were; those of a larger block, of which it is a quarter, among them.
+    /// Where its orbits began, and their verdicts, including those of the larger block of which it is a quarter.
     pub known: Vec<Known>,
     /// Its own points in the region: their places in `known`, and their surfaces.
     pub surfaces: Vec<(usize, EnergySurface)>,
-    /// Where the sequence of states goes on.
+    /// Where the sequence of states continues.
     pub next: u64,
     /// It has no states that could be found.
     pub is_empty: bool,
@@ -63,8 +63,8 @@ pub(crate) struct Measured {
 }
 
 impl Measured {
-    /// A component of a region at these points of a block. Orbits at points of the block that are `known` count, and the sequence
-    /// of states goes on behind theirs.
+    /// A component of a region at these points of a block. Orbits at points of the block that are `known` count, and
+    /// the sequence of states continues after theirs.
     pub fn new(
         cells: &Cells,
         block: Block,
@@ -92,7 +92,7 @@ impl Measured {
         self.known.iter().fold(Share::default(), |share, one| share.and(one.share))
     }
 
-    /// The mean square of what the shares of the quarters differ by, and that of chance.
+    /// The mean square of the differences between the shares of the quarters, and that expected by chance.
     fn differences(&self) -> Option<[f64; 2]> {
         if self.block.side == 1 {
             return None;

@@ -75,8 +75,8 @@ impl Block {
         (0..4).map(quarter).filter(move |quarter| !quarter.is_empty(&cells))
     }
 
-    /// Points of it, in cells from the corner of the window: the quarters in turn, each a point of a sequence of low discrepancy
-    /// in its quarter.
+    /// Points of it, in cells from the corner of the window: cycling through the quarters, each a point of a
+    /// low-discrepancy sequence in its quarter.
     pub fn points(&self, cells: &Cells) -> Vec<[f64; 2]> {
         let size = self.cells(cells).map(|range| (range.end - range.start) as f64);
         let point = |n: usize| {

@@ -14,7 +14,7 @@ use thiserror::Error;
 
 /// Places that are tried for each state before a component counts as too small.
 const TRIES: u64 = 200_000;
-/// Points of a circle at which its energy is looked at.
+/// Points of a circle at which its energy is evaluated.
 const CIRCLE: u32 = 128;
 /// Circles round a minimum, each √2 times as wide as the one before; the narrowest is wider than rounding.
 const CIRCLES: u32 = 48;
@@ -46,7 +46,7 @@ pub struct EnergySurface {
     l: f64,
     components: usize,
     region: AccessibleRegion,
-    /// Of each component, once it was asked for.
+    /// For each component, once it was requested.
     domains: Vec<OnceLock<Domain>>,
 }
 
@@ -90,7 +90,7 @@ impl EnergySurface {
         Ok(self.states_from(component, count, seed, 0)?.0)
     }
 
-    /// States from a place of the sequence on, and the place at which it goes on.
+    /// States from a position in the sequence, and the position at which it continues.
     ///
     /// # Errors
     /// Those of [`states`](Self::states).

@@ -33,11 +33,11 @@ pub enum MapError {
     Section(#[from] SectionError),
 }
 
-/// A block that is to be measured, and what is known of the larger one of which it is a quarter.
+/// A block that is to be measured, and what is known from the larger block that contains it.
 struct Task {
     block: Block,
     known: Rc<[Known]>,
-    /// Where the sequence of states goes on.
+    /// Where the sequence of states continues.
     next: u64,
 }
 
@@ -114,7 +114,7 @@ fn spots(solver: &Solver, l: f64, h: &[f64]) -> Result<Vec<Spot>, MapError> {
     Ok(solver.row(l, h).ok_or(MapError::NoAtlas)??)
 }
 
-/// What stands at the corners and the centres of a block's cells.
+/// The places at the corners and centres of a block's cells.
 fn lattice(solver: &Solver, cells: &Cells, block: Block) -> Result<Vec<Spot>, MapError> {
     let [along_h, along_l] = block.cells(cells);
     let halves = |range: Range<u64>| (2 * range.start..=2 * range.end).map(|k| 0.5 * k as f64);

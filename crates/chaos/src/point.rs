@@ -29,7 +29,7 @@ pub enum PointError {
     /// Nothing moves there, or the energy surface is singular: in the words that sections have for it.
     #[error(transparent)]
     Nowhere(PoincareError),
-    /// Doubles cannot tell the point from a curve.
+    /// The point cannot be distinguished from a curve in doubles.
     #[error(
         "(h, l) is too near to a curve of the bifurcation diagram for orbits in double precision; choose h farther from it"
     )]

@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use crate::liouville::{EnergySurface, SampleError};
 
-/// Orbits that are judged before the error is looked at.
+/// Orbits judged before the error is checked.
 const FIRST: usize = 32;
 /// The most orbits that are asked for at once, and the fewest after the first.
 const MOST: f64 = 1e9;
@@ -113,7 +113,7 @@ impl Share {
         if self.error() <= error {
             return 0;
         }
-        // The error of n orbits of which the same part is chaotic falls with n.
+        // With the same chaotic share, the error falls with n.
         let part = self.fraction();
         let (mut few, mut enough) = (self.orbits as f64, MOST);
         while enough - few > 1.0 {

@@ -52,7 +52,7 @@ pub struct RotationChange {
 }
 
 impl RotationChange {
-    /// Where a spin Ω ≥ 0 stands to it: exactly if the type changes, else equal within rounding.
+    /// How a spin Ω ≥ 0 compares with it: exactly if the type changes, otherwise equal within rounding.
     #[must_use]
     pub fn place_of(&self, omega: &RBig) -> Ordering {
         if let Some(change) = &self.stability {

@@ -9,7 +9,7 @@ use crate::arrangement::{Arrangement, Change, EventId, RegionId, SlabId};
 use bifdiag_equilibria::curves::CurveId;
 use bifdiag_numbers::table::Id;
 
-/// A stretch of a curve along which the same regions lie beside it, by falling x = l²/2.
+/// A stretch of a curve along which the neighbouring regions are the same, by falling x = l²/2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stretch {
     /// The curve.
@@ -23,7 +23,7 @@ pub struct Stretch {
 /// Where a stretch ends.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Turn {
-    /// Another curve crosses: other regions lie beside it.
+    /// Another curve crosses: the neighbouring regions change.
     Crossing(EventId),
     /// The curve goes over into another minimum, at a pitchfork.
     Onto(EventId, CurveId),
@@ -45,7 +45,8 @@ pub fn spin_down(arrangement: &Arrangement, from: CurveId, x: f64) -> Vec<(Stret
     let mut along = arrangement.slabs.pairs().filter(|(_, slab)| slab.x[0] < x && slab.order.contains(&from));
     let Some((mut slab, start)) = along.next_back() else { return way };
     let (mut curve, mut upper) = (from, x.min(start.x[1]));
-    // At its upper end the curve meets others: what is a minimum there goes on as one of them, and they bound no region there.
+    // At its upper end the curve meets others: a minimum there continues as one of them, and they bound no region
+    // there.
     let is_end = start.x[1] - x <= 4.0 * f64::EPSILON * start.x[1];
     let end =
         arrangement.events.iter().nth(slab.index()).filter(|event| is_end && event.change.curves().contains(&from));

@@ -122,7 +122,7 @@ fn katoks_seven_classes_are_seven() {
 
 #[test]
 fn an_undecided_diagram_has_no_class() {
-    // A region between a cusp, a crossing and a pitchfork that are all but one: its type is not told in f64.
+    // A region between a cusp, a crossing and a pitchfork that are all but one: its type is not decided in f64.
     let body = Body::parse(&["1", "1.4", "0.74998"], &["1", "0", "0"]).unwrap();
     assert!(matches!(class(&body), Err(Unclassified::Region { .. } | Unclassified::Undecided { .. })));
 }

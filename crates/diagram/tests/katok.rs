@@ -137,7 +137,7 @@ fn kovalevskayas_cusp_crossing_and_pitchfork() {
     }
 }
 
-/// At exactly l = 2 Kovalevskaya's pitchfork: the point that the pair leaves is told once, as degenerate.
+/// At exactly l = 2 Kovalevskaya's pitchfork: the point that the pair leaves is listed once, as degenerate.
 #[test]
 fn the_degenerate_point_of_a_pitchfork_is_listed() {
     let body = Body::parse(&["2", "2", "1"], &["1", "0", "0"]).unwrap();

@@ -16,7 +16,7 @@ use support::aim::{Aim, number};
 use support::property::{Verdict, holds_for_points};
 use support::strata::{STRATA, Stratum};
 
-/// The same body told otherwise.
+/// The same body written otherwise.
 struct Change {
     /// Moments are multiplied by it.
     inertia: RBig,
@@ -158,7 +158,7 @@ fn classified(atlas: &Atlas, h: &Number, l: &Number) -> Result<Classification, F
 }
 
 /// An answer, or none where `f64` cannot prove how the minima are joined.
-fn told(found: Result<Classification, FastError>) -> Option<Classification> {
+fn decided(found: Result<Classification, FastError>) -> Option<Classification> {
     match found {
         Err(FastError::Merge(_)) => None,
         found => Some(found.unwrap()),
@@ -184,8 +184,8 @@ fn exactly_the_same(body: &Body, aim: &Aim, change: &Change) -> Verdict {
     prop_assert_eq!(places(&changed), scaled);
     prop_assert_eq!(Shape::of(&changed), Shape::of(&atlas));
     let (h, l) = aim.at(&atlas);
-    let here = told(classify(body, &number(h), &number(l)));
-    let there = told(classify(&other, &number(h * factors[0]), &number(l * factors[1])));
+    let here = decided(classify(body, &number(h), &number(l)));
+    let there = decided(classify(&other, &number(h * factors[0]), &number(l * factors[1])));
     prop_assert_eq!(here.as_ref().map(|found| &found.answer), there.as_ref().map(|found| &found.answer));
     let margins = |found: Option<Classification>| found.map(|found| [found.margin.h, found.margin.error_bound]);
     prop_assert_eq!(margins(here).map(|numbers| numbers.map(|x| x * factors[0])), margins(there));
@@ -211,8 +211,8 @@ fn the_same(body: &Body, aim: &Aim, change: &Change) -> Verdict {
     }
     let (h, l) = aim.at(&atlas);
     let (there_h, there_l) = (times(h, &change.energy), times(l, &change.momentum));
-    let here = told(classify(body, &number(h), &number(l)));
-    for there in [classify(&other, &there_h, &there_l), classified(&changed, &there_h, &there_l)].map(told) {
+    let here = decided(classify(body, &number(h), &number(l)));
+    for there in [classify(&other, &there_h, &there_l), classified(&changed, &there_h, &there_l)].map(decided) {
         if let (Some(here), Some(there)) = (&here, &there) {
             prop_assert!(compatible(here, there), "{here:?} {there:?} at --h={h:e} --l {l:e}");
         }

@@ -53,7 +53,7 @@ fn classified(atlas: &Atlas, h: &Number, l: &Number) -> Result<Classification, F
 }
 
 /// An answer, or none where `f64` cannot prove how the minima are joined.
-fn told<T>(found: Result<T, FastError>) -> Option<T> {
+fn decided<T>(found: Result<T, FastError>) -> Option<T> {
     match found {
         Err(FastError::Merge(_)) => None,
         found => Some(found.unwrap()),
@@ -119,7 +119,7 @@ fn regions_are_confirmed(body: &Body, counts: &mut Tally) -> Verdict {
             counts.undecided += u32::from(margin > THIN);
             continue;
         };
-        for found in [classify(body, &number(h), &number(l)), classified(&atlas, &number(h), &number(l))].map(told) {
+        for found in [classify(body, &number(h), &number(l)), classified(&atlas, &number(h), &number(l))].map(decided) {
             let decided = found.as_ref().is_some_and(|found| found.components().is_some());
             prop_assert!(found.as_ref().is_none_or(|found| allows(found, own)), "{found:?} for {own:?}, {here}");
             counts.undecided += u32::from(margin > THIN && !decided);
@@ -157,7 +157,7 @@ fn points_beside_curves_and_events_agree_with_the_sweep_cold_and_prepared() {
             let (h, l) = aim.at(&atlas);
             let here = format!("--h={h:e} --l {l:e}");
             let (h_exact, l_exact) = (number(h), number(l));
-            let found = [classify(body, &h_exact, &l_exact), classified(&atlas, &h_exact, &l_exact)].map(told);
+            let found = [classify(body, &h_exact, &l_exact), classified(&atlas, &h_exact, &l_exact)].map(decided);
             let [Some(cold), Some(prepared)] = found else {
                 counts.unproved += 1;
                 return Ok(());
@@ -219,7 +219,7 @@ fn a_cold_point_costs_one_point_per_curve_and_a_prepared_one_a_binary_search() {
         holds_for_points(stratum, 50, |body, aim| {
             let Ok(atlas) = bifdiag_diagram::fast::atlas(body) else { return Ok(()) };
             let (h, l) = aim.at(&atlas);
-            let Some(found) = told(classify_at_momentum(body, &number(h), &number(l))) else {
+            let Some(found) = decided(classify_at_momentum(body, &number(h), &number(l))) else {
                 return Ok(());
             };
             let before = atlas.clone();
@@ -235,7 +235,7 @@ fn a_cold_point_costs_one_point_per_curve_and_a_prepared_one_a_binary_search() {
             }
             let bound = usize::BITS - slab.order.len().leading_zeros();
             prop_assert!(location.curve_points <= bound as usize, "{} points, bound {bound}", location.curve_points);
-            let _ = told(classified(&atlas, &number(h), &number(l)));
+            let _ = decided(classified(&atlas, &number(h), &number(l)));
             // As text, since r = 0 has no J_r: NaN differs from itself.
             let text = |atlas: &Atlas| format!("{:?}", atlas.arrangement());
             prop_assert_eq!(text(&atlas), text(&before), "a prepared body is not touched");

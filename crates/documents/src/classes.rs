@@ -1,4 +1,4 @@
-//! The classes that come with the program, and where a body stands among them.
+//! The built-in classes, and the position of a body among them.
 
 use bifdiag_body::Body;
 use bifdiag_diagram::class::ClassName;
@@ -35,7 +35,7 @@ pub fn add_text(class: &mut ClassDocument) {
     found.text().clone_into(&mut class.text);
 }
 
-/// Where a body stands among the classes.
+/// The position of a body among the classes.
 #[must_use]
 pub fn standing(
     body: &Body,
@@ -79,7 +79,7 @@ mod tests {
     #[test]
     fn the_published_file_is_the_shipped_one() {
         let published = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/classes.json");
-        // A packaged crate stands alone.
+        // A packaged crate has no repository around it.
         if let Ok(text) = std::fs::read_to_string(published) {
             let mut published: ClassesDocument = serde_json::from_str(&text).unwrap();
             for class in &mut published.classes {

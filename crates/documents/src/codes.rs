@@ -3,7 +3,7 @@
 use bifdiag_equilibria::critical::Equilibrium;
 use bifdiag_schema::Multiplicity;
 
-/// What stands for a word that is not in its list.
+/// The code of a word that is not in its list.
 pub const NONE: i8 = -1;
 
 /// The multiplicities, in the order of their codes.

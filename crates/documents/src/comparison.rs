@@ -89,12 +89,12 @@ fn regions(bodies: &[Compared<'_>; 2]) -> Vec<ComparedRegionsDocument> {
     kinds
 }
 
-/// The branch of a curve in words that bodies with other strata share: branches are numbered by the moments between which
-/// they lie, of which there are fewer where moments are equal or components of r are 0.
+/// The branch of a curve in words that are comparable between strata: branches are numbered by the moments between
+/// which they lie, and there are fewer of these where moments are equal or components of r are 0.
 fn branch(atlas: &AtlasDocument, id: &str) -> String {
     let Some(curve) = atlas.curves.iter().find(|curve| curve.id == id) else { return id.to_owned() };
     match &curve.branch_name {
-        // Beside equal moments the branch goes on to the nearest one of the others.
+        // Next to equal moments the branch extends to the nearest of the others.
         name if curve.kind == CurveKind::Generic && name.starts_with("between ") => {
             let axes = |words: &str| -> Vec<String> {
                 words.split(' ').filter(|word| word.parse::<u8>().is_ok()).map(str::to_owned).collect()

@@ -1,5 +1,6 @@
-//! JSON for people: what fits a line stands on one line. Not a `Formatter` of serde_json, which sees a value only while it is
-//! written: how long one is must be known before.
+//! JSON for people: whatever fits goes on one line. Not a `Formatter` of serde_json, which sees a value only while it
+//! is
+//! written: its length must be known in advance.
 
 use std::ops::Range;
 
@@ -121,7 +122,7 @@ impl Outline<'_> {
     }
 }
 
-/// What is laid out so far.
+/// The text laid out so far.
 struct Page<'a> {
     text: &'a str,
     nodes: &'a [Node],

@@ -11,7 +11,7 @@ use crate::body::{given, head};
 use crate::periodic::periodic_orbit;
 use crate::subject::Subject;
 
-/// The periodic orbits at a point with at most so many crossings.
+/// The periodic orbits at a point with a limited number of crossings.
 #[must_use]
 pub fn periodic(subject: &Subject, [h, l]: [&Number; 2], crossings: u32, list: &OrbitList) -> PeriodicDocument {
     let body = &subject.body;

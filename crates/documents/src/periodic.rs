@@ -32,7 +32,7 @@ pub fn periodic_orbit(body: &Body, orbit: &PeriodicOrbit) -> PeriodicOrbitDocume
     }
 }
 
-/// The families of the equilibria of which each is given with its own.
+/// The families of the given equilibria.
 #[must_use]
 pub fn periodic_families(
     subject: &Subject,

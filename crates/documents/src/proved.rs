@@ -95,7 +95,7 @@ fn ending(asked: &ProofAsked, motion: &ProvedMotion, end: ProofEnd) -> String {
     }
 }
 
-/// Digits that so many bits do not have, and that hold a bound with ten more.
+/// A number of digits that these bits do not reach, and ten more than the bound needs.
 fn digits_beyond(bits: usize, bound: f64) -> u32 {
     // log₁₀ 2 < 0.302.
     let bits = u32::try_from(bits).unwrap_or(u32::MAX / 1000);

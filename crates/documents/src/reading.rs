@@ -1,4 +1,4 @@
-//! Documents that come back: those of this version are read, older ones refused with the command that makes them anew.
+//! Reading documents: those of this version are read, older ones refused with the command that remakes them.
 
 use bifdiag_numbers::Number;
 use bifdiag_schema::{
@@ -16,10 +16,10 @@ pub enum ReadError {
     Superseded {
         /// Its version.
         version: String,
-        /// What makes the file anew.
+        /// The command that remakes the file.
         command: String,
     },
-    /// It is none at all.
+    /// It is not a document at all.
     #[error(transparent)]
     Malformed(#[from] serde_json::Error),
 }

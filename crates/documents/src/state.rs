@@ -25,7 +25,7 @@ pub struct StateQuestion {
     pub spin: SpinDocument,
 }
 
-/// Where a state lies in the (h, l) plane, and what it is.
+/// Where a state lies in the (h, l) plane, and whether it is a steady rotation.
 #[must_use]
 pub fn state(subject: &Subject, question: StateQuestion, found: &State) -> StateDocument {
     StateDocument {

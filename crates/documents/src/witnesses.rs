@@ -58,7 +58,7 @@ mod tests {
     #[test]
     fn the_published_file_is_the_shipped_one() {
         let published = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/witnesses.json");
-        // A packaged crate stands alone.
+        // A packaged crate has no repository around it.
         if let Ok(text) = std::fs::read_to_string(published) {
             assert!(text == SHIPPED, "copy data/witnesses.json to crates/documents/data/");
         }

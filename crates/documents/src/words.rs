@@ -112,7 +112,7 @@ pub fn with_friction(found: &FrictionDocument) -> String {
     }
 }
 
-/// True when the regions meet along a curve of which `below` is on the side of lower h.
+/// True if the regions meet along a curve with `below` on the side of lower h.
 #[must_use]
 pub fn lies_below(below: &RegionDocument, above: &RegionDocument, curve: &str) -> bool {
     let end = |end: Option<f64>| end.unwrap_or(f64::INFINITY);
@@ -234,7 +234,7 @@ fn pole_name(kind: CurveKind) -> &'static str {
     if kind == CurveKind::PolePlus { "+r̂" } else { "-r̂" }
 }
 
-/// The components of U, or that there are none.
+/// The components of U, or a line saying that U is empty.
 fn names(components: &[ComponentDocument]) -> String {
     if components.is_empty() {
         return "empty".to_owned();

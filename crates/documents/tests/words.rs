@@ -7,7 +7,7 @@ use bifdiag_exact::Accuracy;
 use bifdiag_numbers::Number;
 
 /// The sentences from below everything to above everything at one l, and on the way back.
-fn told(body: &str, l: f64) -> [Vec<String>; 2] {
+fn words_of(body: &str, l: f64) -> [Vec<String>; 2] {
     let body = Preset::find(body).unwrap().body();
     let atlas = bifdiag_exact::atlas(&body, Accuracy::Exact).unwrap();
     let heights: Vec<f64> = critical(&body, &Number::from_f64(l).unwrap()).unwrap().list.iter().map(|e| e.h).collect();
@@ -23,7 +23,7 @@ fn told(body: &str, l: f64) -> [Vec<String>; 2] {
 
 #[test]
 fn lagranges_top_has_circles_and_poles_on_critical_curves() {
-    let [up, down] = told("lagrange", 2.1);
+    let [up, down] = words_of("lagrange", 2.1);
     assert_eq!(
         up,
         [
@@ -42,7 +42,7 @@ fn lagranges_top_has_circles_and_poles_on_critical_curves() {
 fn every_way_begins_with_a_birth_and_ends_with_the_whole_sphere() {
     for preset in Preset::all() {
         for l in [0.3, 1.0, 1.9, 3.1] {
-            let [up, down] = told(preset.name(), l);
+            let [up, down] = words_of(preset.name(), l);
             assert!(up[0].starts_with("the forbidden region → R"), "{}: {up:?}", preset.name());
             assert!(up.last().unwrap().contains(" to S2)."), "{}: {up:?}", preset.name());
             assert_eq!(up.len(), down.len(), "{}", preset.name());

@@ -156,7 +156,7 @@ fn sizes<const N: usize>(slices: &[[[f64; N]; N]; N]) -> (f64, f64) {
 pub struct Series<S, const N: usize> {
     /// The first coefficients.
     pub exact: [Vec<S>; N],
-    /// All coefficients; those that stand among the first, too, are rounded.
+    /// All coefficients; those that are also among the first are rounded.
     pub doubles: [Vec<f64>; N],
 }
 

@@ -236,7 +236,7 @@ mod tests {
         assert!(smaller > 250, "{smaller}");
     }
 
-    /// In a steady rotation the gradients of h and l depend on each other: the set stays as it is, or shrinks.
+    /// In a steady rotation the gradients of h and l depend on each other: the set stays unchanged or shrinks.
     #[test]
     fn dependent_gradients_do_no_harm() {
         let body = Body::parse(&["2", "2", "1"], &["0", "0", "1"]).unwrap();

@@ -23,7 +23,7 @@ pub const MOST_DIGITS: u32 = 250;
 pub const MOST_BITS: usize = 832;
 /// The longest step, in the time of the motion's fastest frequency.
 const LONGEST: f64 = 4.0;
-/// After so many steps the integrals tighten the set: more often its roundings count, less often chaos gets ahead.
+/// The integrals tighten the set every this many steps: more often, roundings dominate; less often, chaos does.
 const TIGHTENED: u64 = 8;
 
 /// What to prove.
@@ -82,7 +82,7 @@ pub enum ProofEnd {
     Interrupted,
 }
 
-/// The motion, as far as it is proved.
+/// The proved part of the motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProvedMotion {
     /// In the order of time; those that could not be proved are missing.
@@ -94,7 +94,7 @@ pub struct ProvedMotion {
     /// Steps.
     pub steps: u64,
     /// The logarithm of the norm of the set's frame, which the flow's derivative maps and the integrals cut, up to where the motion is
-    /// proved: about λt of a chaotic one. Nothing is proved by it.
+    /// proved: about λt of a chaotic one. This estimate proves nothing.
     pub growth: f64,
     /// Why samples are missing.
     pub end: Option<ProofEnd>,
@@ -169,7 +169,7 @@ fn times_hundredths(n: usize, x: f64) -> usize {
     n * (0_u16..5500).take_while(|part| f64::from(*part) < x).count() / 100
 }
 
-/// Bits of so many digits: log₂ 10 < 3.322.
+/// Bits for a number of digits: log₂ 10 < 3.322.
 fn bits_of(digits: u32) -> usize {
     (digits as usize * 3322).div_ceil(1000)
 }
@@ -183,7 +183,7 @@ struct Problem<'a> {
 }
 
 impl Problem<'_> {
-    /// In the least precision with so many bits.
+    /// In the lowest precision with at least this many bits.
     fn run_with(&self, bits: usize) -> ProvedMotion {
         match bits {
             ..=53 => self.run::<f64>((), 53),
@@ -198,8 +198,8 @@ impl Problem<'_> {
         }
     }
 
-    /// The bits that the motion up to a time loses, as it is computed in doubles: its flow's derivative, once for each step,
-    /// and some for roundings. Nothing is proved by it.
+    /// The bits that the motion up to a time loses, estimated in doubles: its flow's derivative, once for each step,
+    /// and some for roundings. This estimate proves nothing.
     fn growth(&self, last: f64) -> usize {
         let field =
             QuadraticField::<f64, ATTITUDE>::new(&Equations::attitude(self.body, &self.speed), (), accuracy(53));

@@ -1,8 +1,8 @@
 //! The next crossings of the section S = ⟨ω, r×γ⟩ = 0, enclosed with its derivative.
 //!
 //! In a step S is known as a polynomial with a bound of what it leaves. The step is cut into pieces until on each either S or
-//! Ṡ has one sign for all motions of the set: there is no crossing, or at most one for each motion. A piece on which neither
-//! can be told is a [tangency](ReturnError::Tangency), or too close to one; it is never passed over.
+//! Ṡ has one sign for all motions of the set: there is no crossing, or at most one for each motion. A piece for which
+//! neither is proved is a [tangency](ReturnError::Tangency), or too close to one; it is never skipped.
 //!
 //! Let p̂ be the middle of the set close to the section, X a box that holds all motions while they cross, n = ∇S. The map G
 //! from a state near p̂ to the point where its motion crosses has the derivative Π(1 + η), Π = 1 − f nᵀ/⟨n, f⟩ at a point of
@@ -276,7 +276,8 @@ impl Crossing<'_> {
         rate + ball(2.0 * self.section.norm * (size * steep + e * speed + size * self.step.defect()))
     }
 
-    /// The crossings of a step in order, each as a piece with the sign of Ṡ on it, up to a piece on which that cannot be told. At
+    /// The crossings of a step in order, each as a piece with the sign of Ṡ on it, up to a piece on which the sign is
+    /// not proved. At
     /// the start of the first step S may be 0.
     #[expect(clippy::type_complexity, reason = "crossings, and what ends them")]
     fn find(&self, is_first: bool) -> (Vec<([f64; 2], Sign)>, Option<[f64; 2]>) {
@@ -301,7 +302,7 @@ impl Crossing<'_> {
             if b - a < SHORTEST * self.step.length() {
                 return (found, Some([a, b]));
             }
-            // Off the middle, so that cuts do not fall on a crossing that is there by symmetry.
+            // Off the middle, so that cuts do not fall on a crossing that lies there by symmetry.
             let middle = a + 0.46 * (b - a);
             pieces.extend([[middle, b], [a, middle]]);
         }

@@ -9,7 +9,7 @@ use dashu_ratio::RBig;
 
 /// A number of some precision.
 pub trait Scalar: Clone + Debug {
-    /// What the precision is told by.
+    /// A type that represents the precision.
     type Precision: Copy + Debug;
 
     /// The number nearest to a rational, within one unit.

@@ -239,7 +239,7 @@ fn inverse_defect<const N: usize>(inverse: &Matrix<N>, frame: &Matrix<N>) -> f64
     up(frobenius(&defect) + ROUNDINGS * N as f64 * frobenius(inverse) * frobenius(frame))
 }
 
-/// A bound of ‖M⁻¹‖, infinite where there is none: M⁻¹ = (1 − D)⁻¹G with D = 1 − GM.
+/// A bound of ‖M⁻¹‖, infinite if none is found: M⁻¹ = (1 − D)⁻¹G with D = 1 − GM.
 pub(crate) fn inverse_bound<const N: usize>(matrix: &Matrix<N>) -> f64 {
     let Some(inverse) = inverse(matrix) else { return f64::INFINITY };
     let defect = inverse_defect(&inverse, matrix);

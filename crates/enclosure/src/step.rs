@@ -10,8 +10,9 @@
 //! 4. The derivative U of the flow along x satisfies ‖U(t) − V(t)‖ ≤ 2κε t exp((2L + 2κε)t).
 //!
 //! *Proof.* f is quadratic, hence ė = Df(p)e + Q(e, e) − d exactly, and the right derivative of ‖e‖ is at most
-//! L‖e‖ + κ‖e‖² + δ. While ‖e‖ ≤ ε, Gronwall's lemma gives ‖e(t)‖ ≤ (‖e₀‖ + tδ) exp((L + κε)t) < ε: a first time with
-//! ‖e‖ = ε does not come, and a bounded solution goes on. Variation of constants with ‖V(t)V(s)⁻¹‖ ≤ e^{L(t−s)} gives 2 and 3,
+//! L‖e‖ + κ‖e‖² + δ. While ‖e‖ ≤ ε, Gronwall's lemma gives ‖e(t)‖ ≤ (‖e₀‖ + tδ) exp((L + κε)t) < ε: so ‖e‖ never
+//! reaches ε, and a bounded solution continues to exist. Variation of constants with ‖V(t)V(s)⁻¹‖ ≤ e^{L(t−s)} gives 2
+//! and 3,
 //! and 4 since U̇ = (Df(p) + 2Q(e, ·))U. ∎
 //!
 //! The polynomials p and W may come from anywhere: here they are Taylor polynomials whose coefficients are rounded, and

@@ -94,7 +94,7 @@ fn every_enclosure_holds_the_oracle_and_none_is_wider_than_asked() {
             assert_eq!(row, gamma);
         }
     }
-    println!("{refused} were not told in 15 digits as well as asked");
+    println!("{refused} were not enclosed as well as requested in 15 digits");
 }
 
 /// What doubles enclose, up to where they end, holds what 102 bits know to twenty digits: random bodies and starts, long times.

@@ -179,7 +179,7 @@ fn axes_appear_in_folds_and_forks() {
 }
 
 /// What is known without the normal form.
-fn told(verdict: Option<(NonlinearVerdict, Reason)>) -> String {
+fn verdict_text(verdict: Option<(NonlinearVerdict, Reason)>) -> String {
     verdict.map_or_else(
         || "left to the normal form".to_owned(),
         |(verdict, why)| format!("{} {}", verdict.word(), why.word()),
@@ -191,7 +191,7 @@ fn of_family(family: &SteadyFamily, omega: f64) -> Vec<String> {
     let is_past = |at: &&bifdiag_equilibria::critical::SteadyStretch| at.from.is_none_or(|place| place.omega <= omega);
     let Some(here) = family.stretches.iter().take_while(is_past).last() else { return Vec::new() };
     let count = if family.axes == Multiplicity::Points(2) { 2 } else { 1 };
-    vec![format!("{} {} {}", family.branch, here.kind, told(here.verdict)); count]
+    vec![format!("{} {} {}", family.branch, here.kind, verdict_text(here.verdict)); count]
 }
 
 /// In every stratum, before, between and after all the spins at which something changes: the families have the axes, types
@@ -231,7 +231,11 @@ fn families_agree_with_the_axes_at_every_spin() {
                     .map(|axis| {
                         let Some(CurveName::Piece { branch, .. }) = axis.curve else { panic!("{axis:?}") };
                         let Nonlinear { verdict, why, near, .. } = axis.nonlinear;
-                        format!("{branch} {} {}", axis.stability, told(near.is_none().then_some((verdict, why))))
+                        format!(
+                            "{branch} {} {}",
+                            axis.stability,
+                            verdict_text(near.is_none().then_some((verdict, why)))
+                        )
                     })
                     .collect();
                 let mut found: Vec<String> = families.iter().flat_map(|family| of_family(family, omega)).collect();

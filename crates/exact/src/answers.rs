@@ -14,7 +14,7 @@ use crate::{CertifiedAtlas, ConversionError, Open, ProofError, classify_exactly}
 /// Why there is no answer.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum AnswerError {
-    /// There is none in `f64`.
+    /// There is no atlas in `f64`.
     #[error(transparent)]
     Fast(#[from] FastError),
     /// The arrangement is not proved.

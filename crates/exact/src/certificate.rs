@@ -24,8 +24,8 @@ use bifdiag_schema::{
 
 /// Digits of isolating ranges, where no events lie closer together than a third of them.
 const ROOT_DIGITS: usize = 66;
-/// Digits of events, likewise, and of the places of nodes that are known better than to doubles: fewer than of roots, so
-/// that a second arithmetic confirms them.
+/// Digits of events, and of the positions of nodes known better than in doubles: fewer than of roots, so that a second
+/// arithmetic confirms them.
 const FINE_DIGITS: usize = 44;
 /// Digits of the places of nodes that are known to doubles.
 const NODE_DIGITS: usize = 24;
@@ -164,7 +164,7 @@ impl CertifiedAtlas {
         CertifiedNode { x: None, places: self.end_places(evaluators.wide(), curves, side) }
     }
 
-    /// Places at the beginning or end of the common range, where one curve ends and the other goes on.
+    /// Places at the beginning or end of the common range, where one curve ends and the other continues.
     fn end_places(
         &self,
         wide: &Evaluator<'_, Interval384>,
@@ -243,7 +243,7 @@ impl Spacing {
     }
 }
 
-/// Where a curve of a family stands over x.
+/// The point of a curve of a family at x.
 fn place_over<E: Enclosure>(evaluator: &Evaluator<'_, E>, curve: CurveId, x: &RBig) -> Option<PlaceDocument> {
     let Shape::Family(_) = evaluator.curves.list[curve].shape else { return None };
     let point = evaluator.point(curve, &E::rational(x, evaluator.c.precision))?;

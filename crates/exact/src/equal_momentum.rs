@@ -41,7 +41,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
         self.gap_with(x, a, b, &self.moment_difference(a, b))
     }
 
-    /// The same with J_a − J_b as it is known.
+    /// The same with a given enclosure of J_a − J_b.
     fn gap_with(&self, x: &E, a: &State<E>, b: &State<E>, moment: &E) -> E {
         let n = self.model.groups.len();
         let distance = (0..n).fold(self.c.small(0), |sum, k| sum + (a.gamma[k].clone() - b.gamma[k].clone()).square());
@@ -61,7 +61,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
         self.range_sign_with(a, b, &self.moment_difference(a, b))
     }
 
-    /// The same with J_a − J_b as it is known over these ranges.
+    /// The same with a given enclosure of J_a − J_b over these ranges.
     pub fn range_sign_with(&self, a: &State<E>, b: &State<E>, moment: &E) -> Option<Sign> {
         self.gap_with(&self.c.small(1), a, b, moment).strict_sign()
     }

@@ -1,6 +1,6 @@
 //! Points of the families of relative equilibria, enclosed (Theorem 3.2 and Theorem 3.3 of docs/mathematics.md).
 //!
-//! A family is cut into halves, on each of which a coordinate y ≥ 0 measures the exact distance from its base:
+//! A family is cut into halves; on each a coordinate y ≥ 0 measures the exact distance from its base:
 //! |μ − a_base| on the generic family, v − P̂ with v = s² over a group without r. However small y is, nothing cancels.
 
 use super::model::{Constants, Model};
@@ -168,7 +168,7 @@ pub(super) struct Curvature<E> {
 }
 
 impl<E: Enclosure> Curvature<E> {
-    /// Of the states of an arc, with the one at its end and one inside of it.
+    /// From the states of an arc, with the one at its end and one inside.
     pub fn of(arc: &State<E>, [end, inside]: [&State<E>; 2]) -> Self {
         let numerator = -(arc.j_slope.clone() / (arc.j.square() * arc.x.clone()));
         let is_cusp = end.log_slope.strict_sign().is_none();
@@ -176,7 +176,7 @@ impl<E: Enclosure> Curvature<E> {
         Self { numerator, denominator: arc.log_slope.clone(), sign: deciding.log_slope.strict_sign() }
     }
 
-    /// Of a straight line.
+    /// For a straight line.
     pub fn zero(c: &Constants<E>) -> Self {
         Self { numerator: c.small(0), denominator: c.small(1), sign: Some(Sign::Positive) }
     }

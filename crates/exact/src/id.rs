@@ -26,7 +26,7 @@ impl TransitionId {
         slab.index().checked_sub(1).map(Self::at)
     }
 
-    /// The transition at which a slab ends; there is none with this number for the last slab.
+    /// The transition at which a slab ends; no transition has this number for the last slab.
     pub fn at_end(slab: SlabId) -> Self {
         Self::at(slab.index())
     }

@@ -1,7 +1,7 @@
 //! Exact answers about the (h, l) half-plane of a body: [`atlas`], [`classify`] and [`critical`], one function for each
 //! question, and [`Solver`] for many questions about one body; [`State`], [`AxisSpins`] and [`AllSpins`] for states and
 //! spins. Each tries `f64` with error bounds first
-//! ([`bifdiag_diagram::fast`]) and goes on to exact arithmetic where these do not suffice.
+//! ([`bifdiag_diagram::fast`]) and continues with exact arithmetic where these do not suffice.
 //!
 //! [`CertifiedAtlas`] proves the whole plane from rationals:
 //!

@@ -95,7 +95,7 @@ impl<'a> Plane<'a> {
         }
     }
 
-    /// The name of the curve on which something stands over x.
+    /// The name of the curve through something at x.
     pub fn name(&self, source: &Source, x: &RBig) -> CurveName {
         let on = |branch, piece| CurveName::on(BranchName::of(self.frame, branch), piece);
         match source {

@@ -248,8 +248,8 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         })
     }
 
-    /// The ends of a segment, without y where the curve goes on in the next one and x may lie there: its place is then looked for
-    /// beyond the end, too.
+    /// The ends of a segment, without y where the curve continues in the next one and x may lie there: the point is
+    /// then also searched beyond the end.
     fn open_at_joints<'b>(ends: &'b Ends<E>, joints: [bool; 2], x: &E) -> Cow<'b, Ends<E>> {
         let is_inside = |side: usize| {
             ends.x[side].as_ref().is_some_and(|end| if side == 0 { end.is_below(x) } else { x.is_below(end) })
@@ -316,7 +316,8 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
                 let before =
                     |bound: &E, up: bool| if up { candidate.is_below(bound) } else { bound.is_below(&candidate) };
                 // Behind the other end of the segment x is that of another curve. (An end in the middle between two moments that
-                // is left out is none: as x is monotone up to the next end, a y whose x is beyond lies beyond the solution.)
+                // is left out does not count: as x is monotone up to the next end, a y whose x is beyond lies beyond
+                // the solution.)
                 if outer[1 - side].as_ref().is_some_and(|bound| !before(bound, !upward)) {
                     continue;
                 }

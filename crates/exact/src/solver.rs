@@ -148,7 +148,7 @@ impl Solver {
         }
     }
 
-    /// Whether a point of doubles, each of which stands for its shortest decimal, is known not to lie in a region: the rounded
+    /// Whether a point of doubles, each denoting its shortest decimal, is known not to lie in a region: the rounded
     /// sample of a very narrow region may lie outside it.
     #[must_use]
     pub fn is_outside(&self, region: RegionId, [h, l]: [f64; 2]) -> bool {
@@ -156,7 +156,7 @@ impl Solver {
         spots.first().is_some_and(|spot| ![Spot::Region(region), Spot::Undecided].contains(spot))
     }
 
-    /// Where the points (h, l) of a row lie; each double stands for its shortest decimal. Points without an answer are
+    /// Where the points (h, l) of a row lie; each double denotes its shortest decimal. Points without an answer are
     /// undecided. `None` without an atlas.
     ///
     /// # Errors

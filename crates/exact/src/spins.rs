@@ -27,7 +27,7 @@ pub struct EndUp {
 }
 
 impl EndUp {
-    /// Of an axis with its direction up, and with the other end up; without an atlas only types are known.
+    /// For an axis with its direction up, and with the other end up; without an atlas only types are known.
     #[must_use]
     pub fn both(body: &Body, axis: PermanentAxis, atlas: Option<&Atlas>) -> Option<[Self; 2]> {
         // γ points down.
@@ -57,18 +57,18 @@ pub struct AxisSpins {
     pub itself: AxisKind,
     /// The spin at which rotation about the axis itself is steady.
     pub one_spin: Option<OneSpin>,
-    /// Of a permanent axis: both ends.
+    /// For a permanent axis: both ends.
     pub ends: Option<[EndUp; 2]>,
     /// Of another axis: the families of steady rotations nearest to its ends at fast spins, several if they are equally near.
     pub beside: [Vec<SteadyFamily>; 2],
     /// The isolated relative equilibria of the body to which Arnold's theorem does not apply; `None` where not all were found.
     pub exceptions: Option<Vec<(BranchName, VerdictChange)>>,
-    /// The regions of the body are known, of which a permanent axis needs those beside it.
+    /// The regions of the body are known; a permanent axis needs its neighbours.
     pub has_regions: bool,
 }
 
 impl AxisSpins {
-    /// Of the axis along a direction in principal axes, which was given as `exact`, of any length.
+    /// For the axis along a direction in principal axes, given as `exact`, of any length.
     #[must_use]
     pub fn new(body: &Body, up: [f64; 3], exact: &[RBig; 3]) -> Self {
         let (kind, itself) = (AxisKind::followed(body, up), AxisKind::of(body, up));
@@ -119,12 +119,12 @@ pub struct AllSpins {
     pub permanent: Vec<(PermanentAxis, [EndUp; 2])>,
     /// The isolated relative equilibria of the body to which Arnold's theorem does not apply; `None` where not all were found.
     pub exceptions: Option<Vec<(BranchName, VerdictChange)>>,
-    /// The regions of the body are known, of which a permanent axis needs those beside it.
+    /// The regions of the body are known; a permanent axis needs its neighbours.
     pub has_regions: bool,
 }
 
 impl AllSpins {
-    /// Of a body whose relative equilibria are prepared; `None` where roots are too close to tell its families apart.
+    /// For a body whose relative equilibria are prepared; `None` where roots are too close to tell its families apart.
     #[must_use]
     pub fn new(body: &Body, prepared: &RelativeEquilibria<'_>) -> Option<Self> {
         let families = prepared.families()?;

@@ -17,7 +17,7 @@ const ROUNDING: f64 = 1e-14;
 /// An angular velocity at a smaller angle to the vertical, in radians, is along it.
 const UPRIGHT: f64 = 1e-9;
 
-/// Where a state lies and what it is.
+/// Where a state lies, and whether it is a steady rotation.
 #[derive(Clone, Debug)]
 pub struct State {
     /// The energy.
@@ -67,7 +67,7 @@ impl State {
         let (up, body) = (question.up, solver.body());
         let (a, r) = (body.moments_f64(), body.center_f64());
         let momentum: [f64; 3] = std::array::from_fn(|k| a[k] * omega[k]);
-        // γ = −up: U = −⟨γ, r⟩ = ⟨up, r⟩; l = ⟨Aω, γ⟩, of which the sign does not matter.
+        // γ = −up: U = −⟨γ, r⟩ = ⟨up, r⟩; l = ⟨Aω, γ⟩, whose sign does not matter.
         let (h, l) = (0.5 * dot(omega, momentum) + dot(up, r), dot(momentum, up));
         let is_upright = norm(cross(omega, up)) <= UPRIGHT * norm(omega);
         let found = Steady::nearest(solver, question);

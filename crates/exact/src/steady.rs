@@ -45,7 +45,7 @@ pub struct Steady {
     pub angle: f64,
     /// h and l.
     pub place: [f64; 2],
-    /// What it is one of.
+    /// The circle or sphere that it belongs to.
     pub multiplicity: Multiplicity,
     /// Its stability.
     pub judged: Judged,
@@ -53,7 +53,8 @@ pub struct Steady {
     pub frequencies: [f64; 2],
     /// The largest Re λ, if it is positive.
     pub growth: Option<f64>,
-    /// Of an axis that is permanent at every spin: the changes at the next smaller spin, at this one and at the next larger one.
+    /// For an axis that is permanent at every spin: the changes at the next smaller spin, at this one and at the next
+    /// larger one.
     pub changes: [Option<RotationChange>; 3],
     /// What lies just below and just above in h; `None` where it is not known.
     pub beside: Option<[Spot; 2]>,
@@ -144,9 +145,10 @@ fn changes_beside(changes: &[RotationChange], omega: &RBig) -> [Option<RotationC
     [at(Ordering::Greater).next_back(), at(Ordering::Equal).next(), at(Ordering::Less).next()].map(Option::<&_>::cloned)
 }
 
-/// The regions just below and just above a point of a curve: that curve is still the nearest one there, so that no other
-/// lies between. Where the point cannot be classified, as it is where the body's numbers are roots of which finitely many digits are
-/// known, no curve is its own: the nearest one is then as far away as the step, to a thousandth of it, and none lies between that
+/// The regions just below and just above a point of a curve: that curve is still the nearest one there, so no other
+/// lies between. Where the point cannot be classified, as where the body's numbers are roots known to finitely many
+/// digits, no curve is its own: the nearest one is then as far away as the step, to a thousandth of it, and none lies
+/// between that
 /// is farther from the point than this.
 fn beside(solver: &Solver, [h, l]: [&Number; 2], size: f64, is_exact: bool) -> Option<[Spot; 2]> {
     /// By how much of the step a point may miss its curve.

@@ -118,7 +118,7 @@ fn beside_lagranges_top_with_cusps() {
     stays_the_same(4, &[9, 12, 18], |e| [n("1"), n("1") + e, n("2"), n("0"), n("0"), n("-0.7")]);
 }
 
-/// Four curves and more run side by side: where they part is told by what their points share over one x.
+/// Four curves and more run side by side: where they part follows from what their points share over one x.
 #[test]
 fn nearly_equal_moments_beside_an_axis() {
     stays_the_same(4, &[9, 18], |e| {

@@ -73,8 +73,8 @@ impl<const SIZE: usize> Form<SIZE> {
         &self.coefficients[..=self.degree]
     }
 
-    /// Isolates the roots in 0 < u < 1; on no path to a coefficient, from the exact numbers on, are there more than
-    /// `roundings`.
+    /// Isolates the roots in 0 < u < 1; no path from the exact numbers to a coefficient has more than `roundings` of
+    /// them.
     #[must_use]
     pub fn isolate_roots(&self, roundings: f64) -> Vec<Isolation> {
         let mut binomial = 1.0;
@@ -106,7 +106,8 @@ impl Cell {
 
     /// Too narrow, relative to the distance from either end of (0, 1), to be split further in `f64`.
     fn is_exhausted(&self) -> bool {
-        // In the coordinate of the nearer end, which alone has the digits: near 1 a cell may be one bit of u wide for ever.
+        // In the coordinate of the nearer end, which alone resolves it: near 1 a cell can be no narrower than one bit
+        // of u.
         let [far, near] = if self.u[1] < self.v[0] { self.u } else { [self.v[1], self.v[0]] };
         (near - far).abs() <= 8.0 * f64::EPSILON * near || near < 1e-290
     }
@@ -187,7 +188,8 @@ impl<const SIZE: usize> Bernstein<SIZE> {
         (left, right)
     }
 
-    /// The roots, from left to right. What is still to be looked at lies in a list: towards an end of (0, 1) cells are halved
+    /// The roots, from left to right. The cells still to be examined are in a list: towards an end of (0, 1) cells are
+    /// halved
     /// a thousand times, which is too deep for the stack of a browser.
     fn isolate(self) -> Vec<Isolation> {
         let mut found = Vec::new();

@@ -117,7 +117,7 @@ pub fn significant(x: f64, digits: usize) -> String {
     format!("{}e{exponent}", trim_zeros(mantissa))
 }
 
-/// The ends of a range with `digits` significant digits, or with as many more as tell them apart.
+/// The ends of a range with `digits` significant digits, or with as many more as needed to tell them apart.
 #[must_use]
 pub fn told_apart(ends: [f64; 2], digits: usize) -> [String; 2] {
     let written = |digits| ends.map(|x| significant(x, digits));

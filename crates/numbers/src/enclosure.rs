@@ -10,7 +10,7 @@
 //! | 0 · ∞ or ∞ − ∞ among the ends | the whole line |
 //! | overflow | no bound on that side, or the whole line |
 //! | a divisor that holds 0 | the whole line |
-//! | square root | of the members that are not negative; the whole line when there are none |
+//! | square root | of the members that are not negative; the whole line if there are none |
 //! | common part of disjoint intervals | `None` |
 //!
 //! So a sign may be unknown, but is never wrong. `tests/intervals.rs` holds every type against exact rationals.
@@ -56,7 +56,7 @@ pub trait Arithmetic:
     }
 }
 
-/// Intervals: operations that look at the ends.
+/// Intervals: operations that use the ends.
 pub trait Enclosure: Arithmetic {
     /// The sign that all members share; zero only for the point 0.
     fn sign(&self) -> Option<Sign>;

@@ -165,7 +165,7 @@ impl<const N: usize> Directed for FixedFloat<N> {
             return Some(*self);
         }
         let (a, b) = if self.exponent >= other.exponent { (self, other) } else { (other, self) };
-        // Both in units of 2^-64N of the last place of a. Of a smaller b only that it is there matters, since it is less
+        // Both in units of 2^-64N of the last place of a. Of a smaller b only its presence matters, since it is less
         // than half of that place.
         let (mut x, mut y) = ([[0; N]; 3], [[0; N]; 3]);
         let (x, y) = (x.as_flattened_mut(), y.as_flattened_mut());

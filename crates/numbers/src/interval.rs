@@ -165,7 +165,7 @@ impl Mul for Interval {
             return Self::ZERO;
         }
         let ([a, b], [c, d]) = ([self.lo, self.hi], [other.lo, other.hi]);
-        // What `span` gives where the signs tell which products are least and greatest, and these are finite.
+        // The result of `span` where the signs show which products are least and greatest, and these are finite.
         let [low, high] = if a >= 0.0 {
             [if c >= 0.0 { a * c } else { b * c }, if d >= 0.0 { b * d } else { a * d }]
         } else if b <= 0.0 {

@@ -185,7 +185,7 @@ impl FromStr for Number {
             }
             None => parse_decimal(trimmed, trimmed)?,
         };
-        // Of a decimal the standard library knows the nearest double, sooner than the quotient does.
+        // For a decimal the standard library finds the nearest double, faster than by division.
         let nearest = trimmed.parse().unwrap_or_else(|_rational| value.to_f64().value());
         let in_range = (1e-150..=1e150).contains(&nearest.abs()) || value.is_zero();
         if in_range {
@@ -218,7 +218,7 @@ impl PartialOrd for Number {
 
 impl Ord for Number {
     fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        // Rounding keeps the order, but for what it makes equal.
+        // Rounding keeps the order, except where it makes numbers equal.
         match self.nearest.partial_cmp(&other.nearest) {
             Some(order) if order.is_ne() => order,
             _ => self.value.cmp(&other.value),

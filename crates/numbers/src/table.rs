@@ -208,13 +208,13 @@ pub struct Partition {
 }
 
 impl Partition {
-    /// Every number by itself.
+    /// Every number separately.
     #[must_use]
     pub fn new(count: usize) -> Self {
         Self { parent: (0..count).collect() }
     }
 
-    /// Adds the next number, by itself.
+    /// Adds the next number, separately.
     pub fn add(&mut self) {
         self.parent.push(self.parent.len());
     }

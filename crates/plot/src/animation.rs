@@ -1,5 +1,5 @@
-//! A motion that moves: the turning body with the trace of its axis and a clock, beside the section that fills, as one SVG
-//! without scripts; or one moment of it.
+//! An animated motion: the turning body with the trace of its axis and a clock, next to the section as it fills, as one
+//! SVG without scripts; or a single frame of it.
 
 use std::f64::consts::{PI, TAU};
 
@@ -45,7 +45,7 @@ pub struct AnimationScene<'a> {
     pub accessible: &'a [Vec<[f64; 2]>],
     /// What it is, in words.
     pub title: &'a str,
-    /// How long it plays, in seconds; then it begins anew.
+    /// Duration in seconds; then it repeats.
     pub seconds: f64,
 }
 
@@ -54,10 +54,10 @@ const RADIUS: f64 = 150.0;
 const MIDDLE: Point = [190.0, 236.0];
 /// Points of each circle on the body.
 const CIRCLE: usize = 36;
-/// The farthest point of a body is so far from the fixed point.
+/// Distance of the farthest point of the body from the fixed point.
 const REACH: f64 = 0.86;
-/// Of so many points of the trace one tells how much of it is seen.
-const TOLD: usize = 8;
+/// One of this many points of the trace is a key frame for its visible length.
+const PER_KEY_FRAME: usize = 8;
 /// A sheet of the section: its width, ψ′ ∈ [0, 2π], and its height, ϑ′ ∈ [0, π].
 const SHEET: [f64; 2] = [300.0, 150.0];
 const LEFT: f64 = 400.0;
@@ -259,7 +259,7 @@ impl Stage<'_> {
         }
         let whole = lengths[lengths.len() - 1].max(f64::MIN_POSITIVE);
         let offsets: Vec<String> =
-            lengths.iter().step_by(TOLD).map(|length| format!("{:.4}", 1.0 - length / whole)).collect();
+            lengths.iter().step_by(PER_KEY_FRAME).map(|length| format!("{:.4}", 1.0 - length / whole)).collect();
         let mut path = Path::default();
         path.line(&tips, false);
         canvas.element(&format!(
@@ -336,7 +336,7 @@ impl Stage<'_> {
             }
             canvas.text(&ticks.quantity, [width / 2.0, CLOCK + 34.0], CHART_TEXT, INK, Anchor::Middle);
             let places = self.values(|k| to_units(across(self.share(k))).to_string());
-            // Even: the first and the last place tell all.
+            // Uniform motion: the first and the last position suffice.
             let ends = match &places[..] {
                 [first, .., last] => vec![first.clone(), last.clone()],
                 _ => places,

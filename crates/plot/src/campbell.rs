@@ -130,10 +130,15 @@ fn entries(rows: &[CampbellRow], has_changes: bool) -> Vec<(Symbol, String)> {
         (Symbol::Line(pattern(known, color), width(known)), text.to_owned())
     };
     let mut entries = vec![
-        line(COLORS[0], Steadiness::Lasting, "one mode; in space the spin minus its frequency"),
-        line(COLORS[1], Steadiness::Lasting, "the other"),
+        line(COLORS[0], Steadiness::Lasting, "one mode; in space, the spin minus its frequency"),
+        line(COLORS[1], Steadiness::Lasting, "the other mode"),
         line(SUMS[0], Steadiness::Lasting, "the spin plus its frequency"),
-        line(SUMS[1], Steadiness::Lasting, "the same of the other (a body symmetric about the axis shows one of both)"),
+        line(
+            SUMS[1],
+            Steadiness::Lasting,
+            "the same for the other mode (a body symmetric about the axis shows only \
+        one of them)",
+        ),
         line(ONCE, Steadiness::Frictionless, "once per turn"),
     ];
     let is_there = |known: &Steadiness| rows.iter().any(|row| row.known == *known);
@@ -147,7 +152,7 @@ fn entries(rows: &[CampbellRow], has_changes: bool) -> Vec<(Symbol, String)> {
 const CHANGE: [Dash; 2] = [(Some(INK), 2.0), (None, 4.0)];
 
 /// Lines where the type changes, with the spins above the frame.
-fn changes(canvas: &Canvas, chart: &Chart, changes: &[f64], are_told: bool) {
+fn changes(canvas: &Canvas, chart: &Chart, changes: &[f64], are_labelled: bool) {
     let mut rows = [f64::NEG_INFINITY; 2];
     for &change in changes {
         let [x, _] = chart.at([change, 0.0]);
@@ -158,8 +163,8 @@ fn changes(canvas: &Canvas, chart: &Chart, changes: &[f64], are_told: bool) {
         canvas.dashed(&[[x, chart.rect.y], [x, chart.rect.bottom()]], &CHANGE, 1.2);
         let text = format!("{} rpm", short_number(change, 6));
         let half = text_width(&text, CHART_TEXT - 1.0) / 2.0;
-        // In the first of two rows that has room; a table beside the picture tells all.
-        if let Some(row) = rows.iter().position(|right| are_told && x - half > right + 6.0) {
+        // In the first of two rows that has room; the table lists all.
+        if let Some(row) = rows.iter().position(|right| are_labelled && x - half > right + 6.0) {
             rows[row] = x + half;
             let above = [x, chart.rect.y - 6.0 - 15.0 * row as f64];
             canvas.text(&text, above, CHART_TEXT - 1.0, INK, Anchor::Middle);

@@ -27,7 +27,7 @@ pub use diagram::{
     straight_diagram,
 };
 pub use map::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote, draw_map};
-pub use page::{Caption, Figure, Picture, Pixels, PlotError, Theme, Width, body_line, section_type, told};
+pub use page::{Caption, Figure, Picture, Pixels, PlotError, Theme, Width, body_line, section_type, value_text};
 pub use part::{PartScene, draw_part};
 pub use periods::draw_periods;
 pub use section::{

@@ -1,4 +1,4 @@
-//! A part as it was understood: three views of its ellipsoid with pivot, centre of mass and principal axes.
+//! The part as it was read: three views of its ellipsoid with pivot, centre of mass and principal axes.
 
 use bifdiag_schema::PartDocument;
 
@@ -83,7 +83,7 @@ pub fn draw_part(part: &PartDocument, scene: &PartScene, theme: Theme) -> Result
     let reach = reach(&ellipsoid, scene);
     let length = part.units.split(',').nth(1).unwrap_or_default().trim();
     let size = [3.0 * VIEW + 4.0 * MARGIN, VIEW + 2.0 * MARGIN + 96.0];
-    render(size, "A part as it was understood", theme, |canvas| {
+    render(size, "The part as it was read", theme, |canvas| {
         for (k, view) in VIEWS.iter().enumerate() {
             let left = MARGIN + k as f64 * (VIEW + MARGIN);
             draw_view(canvas, [left, MARGIN], *view, &ellipsoid, scene, &reach, length);

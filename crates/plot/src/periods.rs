@@ -63,7 +63,7 @@ fn eventful(document: &PeriodicFamiliesDocument, value: impl Fn(&PeriodicOrbitDo
     let places: Vec<f64> = document.families.iter().flat_map(of_family).collect();
     let (least, most) =
         places.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (least.min(*x), most.max(*x)));
-    // Of one place nothing is known of the scale.
+    // A single place gives no scale.
     if most > least { [2.0 * least - most, 2.0 * most - least] } else { [f64::NEG_INFINITY, f64::INFINITY] }
 }
 

@@ -98,7 +98,7 @@ fn is_drawn(points: &[Point], range: [f64; 2]) -> bool {
 /// # Errors
 /// [`PlotError`].
 pub fn draw_steady(scene: &SteadyScene, theme: Theme) -> Result<Picture, PlotError> {
-    let upwards = "angle between the end of the axis that is up and the centre of mass, in degrees";
+    let upwards = "angle between the upward end of the axis and the centre of mass, in degrees";
     let chart = Chart::new(RECT, ["spin in rpm", upwards], [scene.range, [0.0, 180.0]]).with_room_above(24.0);
     render(SIZE, "Steady axes over the spin", theme, |canvas| {
         chart.draw(canvas);

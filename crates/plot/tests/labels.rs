@@ -1,5 +1,5 @@
 //! Labels of diagrams: of every class of the survey, the presets, random bodies, rods and real parts, none meets another
-//! thing, and every region is told.
+//! thing, and every region is labelled.
 #![allow(clippy::disallowed_methods, clippy::cast_precision_loss)]
 
 mod picture_layout;
@@ -88,7 +88,7 @@ fn faults(name: &str, body: &Body, width: Width, view: DiagramView) -> (Vec<Stri
     faults.extend(unprintable(&picture, width));
     for region in &atlas.regions {
         // In a label, in the key, where regions of one ground share an entry, or in a note on what cannot be drawn.
-        let told = |text: &str| {
+        let labelled = |text: &str| {
             let is_named = |entry: &str| {
                 let rest = entry.strip_prefix(&region.id);
                 rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(", U = ") || rest.starts_with(':'))
@@ -96,9 +96,9 @@ fn faults(name: &str, body: &Body, width: Width, view: DiagramView) -> (Vec<Stri
             text.split(';').map(str::trim_start).any(is_named) || text.contains(&format!("{} (", region.id))
         };
         // … or where the key has left the picture.
-        let in_caption = |line: &str| line.split(": ").any(told);
-        if !layout.texts.iter().any(|(text, _, _)| told(text)) && !caption.text.lines().any(in_caption) {
-            faults.push(format!("{} is not told", region.id));
+        let in_caption = |line: &str| line.split(": ").any(labelled);
+        if !layout.texts.iter().any(|(text, _, _)| labelled(text)) && !caption.text.lines().any(in_caption) {
+            faults.push(format!("{} is not labelled", region.id));
         }
     }
     for (text, _, _) in &layout.texts {

@@ -1,4 +1,4 @@
-//! Maps: every entry is numbered or told with its place, and everything can be read.
+//! Maps: every entry is numbered or listed with its place, and everything can be read.
 
 mod picture_letters;
 mod picture_svg;
@@ -46,7 +46,7 @@ fn corner(count: usize) -> Map {
     pieces.extend((1..count).map(|k| area(k, [0.5 + side(k), 0.5], [0.5 + side(k - 1), 0.5 + side(k)])));
     let middle = |k: usize| [0.5 + 0.5 * (side(k) + side(k - 1)), 0.5 + 0.5 * side(k)];
     let seen = (1..count).map(|k| (k, middle(k))).chain([(0, [1.0, 1.0])]).collect();
-    map(count, MapBodies::Areas { pieces, seen, borders: vec![[[0.6, 0.6], [1.5, 0.6]]], told: "borders".to_owned() })
+    map(count, MapBodies::Areas { pieces, seen, borders: vec![[[0.6, 0.6], [1.5, 0.6]]], legend: "borders".to_owned() })
 }
 
 #[test]
@@ -58,7 +58,7 @@ fn every_class_of_a_crowded_map_has_a_number_or_a_place() {
         let mut placed = 0;
         for entry in &map.entries {
             let legend = &entry.name;
-            // A name may be told by its first digits.
+            // A name may be listed by its first digits.
             let is_name = |text: &str| text.len() >= 6 && legend.starts_with(text);
             let at = texts.iter().position(|(text, _)| is_name(text));
             let at = at.unwrap_or_else(|| panic!("{legend} of {count} is not in the legend"));
@@ -88,11 +88,12 @@ fn a_hundred_classes_fit_both_widths() {
         let picture = draw_map(&map, Theme::Light, width).unwrap();
         assert_texts_can_be_read(&picture, width);
         let texts = texts(&picture);
-        let is_told = |entry: &MapEntry, told: &str| told.len() >= 6 && entry.name.starts_with(told);
+        let is_listed = |entry: &MapEntry, start: &str| start.len() >= 6 && entry.name.starts_with(start);
         for entry in &map.entries {
-            let told: Vec<_> = texts.iter().filter(|(text, _)| is_told(entry, text)).collect();
-            let others = map.entries.iter().filter(|other| told.iter().any(|(text, _)| is_told(other, text))).count();
-            assert_eq!((told.len(), others), (1, 1), "{}", entry.name);
+            let listed: Vec<_> = texts.iter().filter(|(text, _)| is_listed(entry, text)).collect();
+            let others =
+                map.entries.iter().filter(|other| listed.iter().any(|(text, _)| is_listed(other, text))).count();
+            assert_eq!((start.len(), others), (1, 1), "{}", entry.name);
         }
     }
 }
@@ -115,7 +116,7 @@ fn long_texts_stand_in_lines() {
         assert_texts_can_be_read(&picture, width);
         let all: String = texts(&picture).into_iter().map(|(text, _)| text + " ").collect();
         for text in [&map.title, &map.subtitle, &map.lines[0].text, &map.lines[0].name] {
-            assert!(all.contains(text.trim()), "{text} is not told");
+            assert!(all.contains(text.trim()), "{text} is not listed");
         }
     }
 }
@@ -126,7 +127,7 @@ fn a_cell_without_room_for_its_number_is_told_with_its_place() {
     let entries = (0..columns * columns).map(|cell| Some(usize::from(cell == 51))).collect();
     let picture = draw_map(&map(2, MapBodies::Grid { columns, entries }), Theme::Light, Width::PAGE).unwrap();
     let texts = texts(&picture);
-    let told = texts.iter().filter(|(text, _)| text == "2").count() > 1
+    let is_counted = texts.iter().filter(|(text, _)| text == "2").count() > 1
         || texts.iter().any(|(text, _)| text == "at (0.53, 0.53)");
-    assert!(told, "{texts:?}");
+    assert!(is_counted, "{texts:?}");
 }

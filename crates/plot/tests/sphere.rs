@@ -107,7 +107,7 @@ fn periods_and_growth_times_stand_below() {
     let picture =
         draw_sphere(&scene(&[component(1)], &[equilibrium(Multiplicity::Points(1))]), Theme::Light, Width::PAGE)
             .unwrap();
-    for text in ["growth 0.25, period 2", "saddle-centre", "G1.1, from −r̂", "growth by the factor e in s"] {
+    for text in ["growth 0.25, period 2", "saddle-centre", "G1.1, from −r̂", "growth by a factor of e in s"] {
         assert!(says(&picture, text), "{text}\n{:?}", texts(&picture));
     }
 }
@@ -128,8 +128,8 @@ fn every_letter_of_a_view_stands_in_the_table() {
             // h is an energy.
             for (k, letter) in (0..count).zip("abcdefgijmop".chars()) {
                 // Five times in a view, and in its row.
-                let told = texts.iter().filter(|(text, _)| *text == letter.to_string()).count();
-                assert_eq!(told, 6, "{letter} of {count}");
+                let count_of = texts.iter().filter(|(text, _)| *text == letter.to_string()).count();
+                assert_eq!(count_of, 6, "{letter} of {count}");
                 assert!(texts.iter().any(|(text, _)| *text == k.to_string()), "the energy of {letter}");
             }
             assert_eq!(unprintable(&picture, width), Vec::<String>::new(), "{count}");

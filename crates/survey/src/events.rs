@@ -52,8 +52,8 @@ pub struct EventTracks {
     pub tracks: Vec<EventTrack>,
     /// Bodies in equal steps.
     pub bodies: usize,
-    /// Those of them that are special, on a border, undecided, or of another class than their stretch. Bodies beside them were
-    /// looked at in their place.
+    /// Those of them that are special, on a border, undecided, or of another class than their stretch. Neighbouring
+    /// bodies were examined instead.
     pub passed: usize,
 }
 
@@ -64,12 +64,13 @@ struct Seen {
     events: Vec<NamedEvent>,
 }
 
-/// How far beside a body that is special, undecided or on a border those are that are looked at in its place, in steps.
+/// How far from a special or undecided body, or one on a border, its replacements are, in steps.
 const BESIDE: f64 = 1e-3;
 /// How far beside a special body borders are sought, in steps.
 const NEAREST: f64 = 1e-6;
 
-/// Follows the events over so many bodies, in equal steps from one end of the way to the other. Borders are sought between
+/// Follows the events over a number of bodies, in equal steps from one end of the path to the other. Borders are sought
+/// between
 /// neighbours of different classes: two within one step, back to the same class, are not seen, nor is one that is nearer to a
 /// special body than a millionth of a step.
 #[must_use]
@@ -94,8 +95,8 @@ pub fn follow(segment: &BodySegment, bodies: usize, options: &BorderOptions) -> 
         let pairs: Vec<&[Seen]> = seen.windows(2).collect();
         each(&pairs, |pair| between(segment, pair, options)).into_iter().flatten().collect()
     };
-    // More special than its neighbours, a body has a class of its own: those on both sides are looked at in its place, one at an
-    // end of the way, so that borders are sought up to it.
+    // More special than its neighbours, a body has a class of its own: those on both sides are examined instead, one at
+    // an end of the path, so that borders are sought up to it.
     let (special, others): (Vec<f64>, Vec<f64>) =
         places.iter().copied().partition(|&t| special(segment, [t, t]).is_some());
     let mut seen = look(&others);
@@ -131,7 +132,7 @@ pub fn follow(segment: &BodySegment, bodies: usize, options: &BorderOptions) -> 
     for (number, pair) in ends.windows(2).enumerate() {
         let t = [pair[0], pair[1]];
         let inside: Vec<&Seen> = seen.iter().filter(|body| is_inside(pair, body)).collect();
-        // The body that is farthest from the borders tells the class; where that in the middle is undecided, the border below.
+        // The body farthest from the borders gives the class; if the middle one is undecided, the border below does.
         let below = number.checked_sub(1).and_then(|below| found.borders.get(below)).map(|border| &border.classes[1]);
         let far = |body: &Seen| (body.t - t[0]).min(t[1] - body.t);
         let inner = inside.iter().max_by(|p, q| far(p).total_cmp(&far(q)));
@@ -182,19 +183,19 @@ fn between(segment: &BodySegment, pair: &[Seen], options: &BorderOptions) -> Vec
     borders
 }
 
-/// Whether a place is that of a border, as far as this is known.
+/// Whether a place is that of a border, within its known error.
 fn is_at(border: &Border, t: f64) -> bool {
     (border.t - t).abs() <= border.error + f64::EPSILON
 }
 
-/// Whether no event goes on: where moments are equal the axes change their order and events go to infinity, and without weight
-/// there are none.
+/// Whether no event continues: where moments are equal the axes change their order and events go to infinity, and
+/// without weight there are no events.
 fn breaks(kind: &BorderEventKind) -> bool {
     matches!(kind, BorderEventKind::MomentsEqual { .. } | BorderEventKind::WeightVanishes)
 }
 
-/// Adds the bodies of a stretch. Events of one label follow each other by their momenta; those that reach the border before the
-/// stretch go on if it `joins` them.
+/// Adds the bodies of a stretch. Events of one label follow each other by their momenta; those that reach the border
+/// before the stretch continue if it `joins` them.
 fn add_bodies(tracks: &mut Vec<EventTrack>, bodies: &[&Seen], number: usize, joins: bool) {
     let mut labels: Vec<EventLabel> =
         bodies.iter().flat_map(|body| body.events.iter().map(|event| event.label)).collect();
@@ -308,7 +309,7 @@ mod tests {
         }
     }
 
-    /// Three bodies, of which none lies between the borders 10/9 and 3/2: events go on through what is between them.
+    /// Three bodies, none of which lies between the borders 10/9 and 3/2: events continue through the gap.
     #[test]
     fn short_stretches_are_looked_into() {
         let segment = way(["2", "1.05", "1", "1", "0", "0"], ["2", "1.95", "1", "1", "0", "0"]);
@@ -321,7 +322,7 @@ mod tests {
         assert_eq!(crossing.between, [None, Some(0)]);
     }
 
-    /// A body that is looked at lies on a border: it belongs to neither side, and those beyond it are seen.
+    /// A sampled body lies on a border: it belongs to neither side, and those beyond it are seen.
     #[test]
     fn a_body_on_a_border_is_left_out() {
         let end = |a2: &'static str| ["2", a2, "1", "1", "0", "0"];
@@ -336,7 +337,7 @@ mod tests {
         // Both ends have equal moments.
         assert_eq!(found.passed, left_out + 2);
         let [pitchfork] = of(&found, "pitchfork of L- and S2")[..] else { panic!("{:?}", found.tracks) };
-        // Two beside each body on a border, one beside each end.
+        // Two next to each body on a border, one next to each end.
         assert_eq!(pitchfork.points.len(), found.bodies - found.passed + 2 * left_out + 2);
     }
 

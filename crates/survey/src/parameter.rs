@@ -85,7 +85,7 @@ pub enum ParseRangeError {
         /// As written.
         value: String,
     },
-    /// The number of values is none.
+    /// The number of values is invalid.
     #[error("{parameter}: `{text}` is no number of grid values; write a whole number from 2 to 1000000")]
     Steps {
         /// Of which parameter.

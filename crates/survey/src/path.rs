@@ -5,8 +5,8 @@ use dashu_ratio::RBig;
 
 use crate::border::{BodySegment, Border, BorderOptions, all};
 
-/// A body in axes with A1 ≤ A2 ≤ A3 and r_i ≥ 0, and in units with A1 + A2 + A3 = 2 and the largest r_i = 1, exactly. Its
-/// diagram is the same up to its scale. Axes of equal moments stand by rising r_i.
+/// A body in axes with A1 ≤ A2 ≤ A3 and r_i ≥ 0, and in units with A1 + A2 + A3 = 2 and the largest r_i = 1, exactly.
+/// Its diagram is the same up to scale. Axes of equal moments are ordered by rising r_i.
 #[must_use]
 pub fn in_standard_axes(body: &Body) -> Body {
     oriented(body, None).body
@@ -30,15 +30,15 @@ pub fn in_near_axes(first: &Body, second: &Body) -> [Oriented; 2] {
     [first, second]
 }
 
-/// In standard axes; axes of equal moments stand as the components of r of the other body do by size, or by rising r_i. Of a ball
-/// r has the direction of the other body's.
+/// In standard axes; axes of equal moments are ordered like the components of r of the other body by size, or by rising
+/// r_i. For a ball, r has the direction of the other body's.
 fn oriented(body: &Body, other: Option<&Body>) -> Oriented {
     let values = |numbers: &[Number; 3]| numbers.each_ref().map(|x| x.value().clone());
     let (a, r) = (values(body.moments()), values(body.center()).map(|x| x.clone().max(-x)));
     let mut order = [0, 1, 2];
     order.sort_by(|&i, &j| a[i].cmp(&a[j]).then_with(|| r[i].cmp(&r[j])));
     if let Some(other) = other {
-        // Of all orders that in which both sequences rise together has the least distance.
+        // Of all orders, the one in which both sequences rise together has the least distance.
         let sizes = values(other.center());
         let mut first = 0;
         for group in order.chunk_by_mut(|&i, &j| a[i] == a[j]) {

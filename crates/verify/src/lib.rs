@@ -62,7 +62,7 @@ pub struct Report {
 /// Checks an atlas against its certificate: every field but `drawing`, which is no part of the proof.
 ///
 /// # Errors
-/// The first thing that is wrong; [`Refused::NoCertificate`] where nothing is there to be checked.
+/// The first error; [`Refused::NoCertificate`] if there is nothing to check.
 pub fn verify(document: &AtlasDocument) -> Result<Report, Refused> {
     checked(document, None)
 }

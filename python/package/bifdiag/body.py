@@ -15,8 +15,8 @@ from .motions import Motions
 from .real_parts import RealParts
 
 UNPHYSICAL = (
-    "no distribution of mass has these moments and this centre of mass "
-    "(it needs Ai + Aj > Ak, or Ai + Aj = Ak with rk = 0); the answers are those of the equations"
+    "no mass distribution has these moments and this centre of mass "
+    "(it needs Ai + Aj > Ak, or Ai + Aj = Ak with rk = 0); the equations are solved all the same"
 )
 
 
@@ -54,7 +54,7 @@ class Body(RealParts, Diagrams, Motions):
     h has the unit of r, l that of √(A r): H = ½⟨l, A⁻¹ l⟩ − ⟨γ, r⟩. γ points *down*: the body
     hangs at γ = +r̂. The page "Conventions" has the equations.
     Wrong input raises `InputError` or `BodyError`, a question without an answer `RangeError`; a
-    body that no distribution of mass can have gives a `BodyWarning`. ``threads``: None is one,
+    body that no mass distribution can have gives a `BodyWarning`. ``threads``: None is one,
     0 one per core, with the same results.
     """
 

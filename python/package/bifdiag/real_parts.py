@@ -54,7 +54,7 @@ class RealParts(Given):
             Units of mass, length and time of all inputs and results, such as ``"g,mm,s"``. Any number may also be a text
             with its own unit, ``"250 g"``, and with what it is known to, ``"1.2±0.01"``, ``"1.2+-1%"``: `critical_spin`.
         unphysical : bool
-            Accept an unphysical part, which no distribution of mass can have.
+            Accept an unphysical part, which no mass distribution can have.
         """
         if about not in ("fixed point", "centre of mass"):
             raise InputError(f'about = {about!r}: the points are "fixed point" and "centre of mass"')

@@ -33,14 +33,14 @@ Examples:
 pub struct AtlasArguments {
     #[command(flatten)]
     pub body: BodyArguments,
-    /// Only this part of the plane
+    /// Compute only this part of the plane
     #[arg(long, value_name = "hmin:hmax,lmin:lmax", allow_hyphen_values = true, value_parser = values::window)]
     #[arg(help_heading = "Work", hide_short_help = true)]
     pub window: Option<WindowDocument>,
-    /// What the answer must be worth
+    /// Required accuracy of the answer
     #[arg(long, value_parser = accuracy(), default_value = "exact", help_heading = "Work", hide_short_help = true)]
     pub accuracy: Accuracy,
-    /// Prove every step and write down what `bifdiag verify` needs to check it
+    /// Prove every step and record what `bifdiag verify` needs to check it
     #[arg(long, help_heading = "Work", hide_short_help = true)]
     pub certificate: bool,
     /// Write atlas.json and the diagram to DIR (default: bifdiag-out)
@@ -63,11 +63,11 @@ pub struct AtlasArguments {
 
 pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure> {
     if arguments.certificate && arguments.window.is_some() {
-        let why = "speaks of the whole plane and --window of a part of it; leave out one of them";
+        let why = "covers the whole plane and --window only a part of it; leave out one of them";
         return Err(Failure::input(format!("--certificate {why}")));
     }
     if arguments.certificate && arguments.accuracy == Accuracy::Fast {
-        let why = "is a proof and --accuracy fast does without; leave out one of them";
+        let why = "needs exact answers, which --accuracy fast does not give; leave out one of them";
         return Err(Failure::input(format!("--certificate {why}")));
     }
     arguments.diagram.check(arguments.window)?;

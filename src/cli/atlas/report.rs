@@ -19,17 +19,18 @@ use crate::cli::terminal::{Report, Table, significant};
 const DIGITS: usize = 8;
 
 /// What is said where the sample of a region, in doubles, lies outside it.
-pub const STRAY: &str = "~ in doubles the sample lies outside its region, which is narrower than they resolve there";
+pub const STRAY: &str = "~ rounded to doubles, the sample lies outside its region, which is too narrow for them there";
 
 /// Nothing is drawn at such a sample under the name of the region.
 pub fn stray_sample(id: &str) -> Failure {
     Failure::input(format!(
-        "--region {id}: in doubles its sample lies outside it, for it is narrower than they resolve there; give --h and --l, or \
-         another region"
+        "--region {id}: rounded to doubles, its sample lies outside it, because the region is too narrow for them \
+        there; give --h and --l, or another region"
     ))
 }
 
-/// Regions whose samples, in doubles, lie elsewhere; regions of `--accuracy fast` are not looked at, for it has others.
+/// Regions whose samples, in doubles, lie elsewhere; not checked for `--accuracy fast`, whose regions are numbered
+/// differently.
 pub fn strays(subject: &Subject, document: &AtlasDocument) -> Vec<String> {
     let is_narrow = |region: &&RegionDocument| {
         document.accuracy == Accuracy::Exact && region.sample.margin.h <= region.sample.margin.error_bound
@@ -79,7 +80,7 @@ pub fn text(subject: &Subject, atlas: &Atlas, document: &AtlasDocument, written:
     report.line(format!("{regions}, {events}{most}"));
     match (summary.complete, document.window) {
         (true, _) => {}
-        (false, Some(_)) => report.line("the window was searched, not the whole half-plane l > 0"),
+        (false, Some(_)) => report.line("only the window was searched, not the whole half-plane l > 0"),
         (false, None) => report.line("the half-plane l > 0 is not covered completely"),
     }
     if let Some(certificate) = &document.certificate {

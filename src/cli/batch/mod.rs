@@ -26,10 +26,10 @@ pub use query::{Query, Wanted};
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Batch")]
 pub struct BatchArguments {
-    /// Read one JSON object a line from FILE (-: stdin) and write one line for each
+    /// Read one JSON object per line from FILE (-: stdin) and answer each with one line
     #[arg(long, value_name = "FILE")]
     pub batch: Option<PathBuf>,
-    /// Exit with status 2 if a line of the batch is wrong
+    /// Exit with status 2 if a line of the batch is invalid
     #[arg(long, hide_short_help = true)]
     pub strict: bool,
 }
@@ -40,7 +40,7 @@ impl BatchArguments {
     pub fn path(&self, refused: &[(&'static str, &'static str, bool)]) -> Result<Option<&Path>, Failure> {
         let Some(path) = &self.batch else {
             if self.strict {
-                let why = "it says what a wrong line of a batch means; add --batch FILE or leave it out";
+                let why = "it applies to invalid lines of a batch; add --batch FILE or leave it out";
                 return Err(Failure::input(format!("--strict needs --batch: {why}")));
             }
             return Ok(None);
@@ -55,7 +55,7 @@ impl BatchArguments {
 }
 
 /// Why a part of the point is no option beside a batch.
-pub const LINES_SAY_IT: &str = "each line says its own";
+pub const LINES_SAY_IT: &str = "each line gives its own";
 
 /// A part of the point that is neither an option nor in a batch.
 pub fn no_point(missing: &str, example: &str) -> Failure {
@@ -175,24 +175,24 @@ impl Batch<'_> {
         let &Tally { lines, bad, unanswered, unphysical, ref ignored, .. } = tally;
         if unphysical > 0 {
             tracing::warn!(
-                "bodies of {unphysical} of {} do not exist: not Ai + Aj > Ak, nor Ai + Aj = Ak with rk = 0",
+                "the bodies of {unphysical} of {} cannot exist: neither Ai + Aj > Ak nor Ai + Aj = Ak with rk = 0",
                 counted(lines, "line", "lines")
             );
         }
         if !ignored.is_empty() {
             let count = |(key, lines): (&String, &usize)| format!("{} ({lines})", shown(key));
             let keys: Vec<String> = ignored.iter().map(count).collect();
-            tracing::warn!("these keys mean nothing here and were ignored (on so many lines): {}", keys.join(", "));
+            tracing::warn!("these keys have no meaning here and were ignored (number of lines): {}", keys.join(", "));
         }
         let of_batch = |what: &str, count: usize| {
             let (lines, verb) = (counted(lines, "line", "lines"), if count == 1 { "is" } else { "are" });
             format!("{count} of {lines} of the batch {verb} {what}; see those with \"error\"")
         };
         if bad > 0 && self.strict {
-            return Err(Failure::input(format!("--strict: {}", of_batch("wrong", bad))));
+            return Err(Failure::input(format!("--strict: {}", of_batch("invalid", bad))));
         }
         if bad > 0 && !self.quiet {
-            say(&of_batch("wrong", bad));
+            say(&of_batch("invalid", bad));
         }
         if unanswered == 0 {
             return Ok(());

@@ -158,7 +158,8 @@ impl<'a> QueryReader<'a> {
             Wanted::Point => Some(number(ENERGY, raw.h)?),
             Wanted::Momentum if ignored.iter().any(|key| key == "spin") => {
                 return Err(Failure::input(
-                    "spin: a line asks at one l; ask at a spin with `bifdiag critical --spin \"300 rpm\"`, or leave it out",
+                    "spin: a line asks about one l; for a spin use `bifdiag critical --spin \"300 rpm\"`, or leave it \
+                    out",
                 ));
             }
             Wanted::Momentum => {

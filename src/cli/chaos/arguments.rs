@@ -21,9 +21,10 @@ Examples:
   bifdiag chaos merge p-*.json --out chaos.npz
   bifdiag chaos map chaos.json --out pictures
 
-The share of each component of E that is chaotic, in Liouville measure: orbits start at random, as the invariant measure of \
-the energy surface has it, and each is followed until it is known to be regular or chaotic. A map that was stopped goes on where \
-it was when it is started again, and its file is byte for byte that of an unbroken one.";
+The chaotic share of each component of E, in Liouville measure: orbits start at random points, distributed by the \
+invariant measure of the energy surface, and each is followed until it is known to be regular or chaotic. An \
+interrupted map resumes where it stopped when the same command is run again, and its file is byte for byte that of an \
+uninterrupted run.";
 
 const DRAW_EXAMPLES: &str = "\
 Examples:
@@ -47,7 +48,7 @@ pub struct ChaosArguments {
 /// What else can be done with maps.
 #[derive(Debug, Subcommand)]
 pub enum ChaosCommand {
-    /// Draw a map, with the curves and the regions over it
+    /// Draw a map, overlaid with the curves and the regions
     #[command(after_help = DRAW_EXAMPLES)]
     Map(DrawArguments),
     /// Join the shards of a map
@@ -62,27 +63,27 @@ pub struct ShareArguments {
     pub body: BodyArguments,
     #[command(flatten)]
     pub point: PointArguments,
-    /// Instead of a point: the part of the plane that is mapped (default: that of the diagram)
+    /// Map this part of the plane instead of measuring one point (default: that of the diagram)
     #[arg(long, value_name = "hmin:hmax,lmin:lmax", allow_hyphen_values = true, value_parser = values::window)]
     #[arg(help_heading = "Map")]
     pub window: Option<WindowDocument>,
-    /// Cells of the map, along h and along l
+    /// Number of cells along h and along l
     #[arg(long, value_name = "NxM", default_value = "200x200", value_parser = cells, help_heading = "Map")]
     pub cells: [u64; 2],
-    /// Only part i of n of the map
+    /// Compute only part i of n of the map
     #[arg(long, value_name = "i/n", help_heading = "Map", hide_short_help = true)]
     pub shard: Option<Shard>,
-    /// Begin anew, although FILE.partial holds the beginning of a map
+    /// Start over even if FILE.partial holds an unfinished map
     #[arg(long, help_heading = "Map", hide_short_help = true)]
     pub restart: bool,
-    /// Standard deviation that is wanted of each share
+    /// Standard deviation wanted for each share
     #[arg(long, value_name = "E", default_value_t = 0.03, value_parser = values::share_error, help_heading = "Orbits")]
     pub error: f64,
-    /// Steps of the integrator after which an orbit stays open
+    /// Leave an orbit open after N steps of the integrator
     #[arg(long, value_name = "N", default_value_t = 20_480, value_parser = clap::value_parser!(u32).range(160..=1 << 24))]
     #[arg(help_heading = "Orbits", hide_short_help = true)]
     pub steps: u32,
-    /// Another choice of the orbits, equally spread
+    /// Seed for the choice of the orbits; all choices are equally spread
     #[arg(long, value_name = "K", default_value_t = 0, value_parser = values::seed, help_heading = "Orbits", hide_short_help = true)]
     pub seed: u64,
     /// Write the map to FILE (.npz, .parquet, .csv, .jsonl: tables; .json: a document)

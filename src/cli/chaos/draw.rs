@@ -74,7 +74,7 @@ fn panel(map: &ChaosMapDocument, painted: &[Painted], component: u32, most: u32)
 
 /// The part of the window where a region has this component, and a margin.
 fn part(map: &ChaosMapDocument, component: u32) -> ([f64; 2], [f64; 2]) {
-    /// Of the part, at each side; and at least so many cells.
+    /// The margin at each side, as a share of the part, and in cells at least.
     const MARGIN: f64 = 0.05;
     let cells = cells(map);
     let along = |k: usize| {
@@ -152,7 +152,7 @@ fn is_uniform(solver: &Solver, cells: &Cells, [i, j]: [u64; 2]) -> Result<bool, 
 }
 
 /// The name of each region with this component in the middle of where it is widest: a cell of it is farthest from any other cell.
-/// A region without a whole cell has its name amid its own squares in the one of which it has most.
+/// A region without a whole cell has its name in the middle of its squares, in the cell where it has most of them.
 fn labels(map: &ChaosMapDocument, painted: &[Painted], component: u32) -> Vec<([f64; 2], String)> {
     let mut regions: BTreeMap<&str, BTreeSet<[u64; 2]>> = BTreeMap::new();
     let own = || map.rows.iter().filter(|row| row.component == component);
@@ -181,7 +181,7 @@ fn labels(map: &ChaosMapDocument, painted: &[Painted], component: u32) -> Vec<([
     regions.into_iter().map(label).collect()
 }
 
-/// The middle one of the cells that are left last when their edge is taken away again and again.
+/// The middle one of the cells that remain last when the edge cells are removed repeatedly.
 fn innermost(mut cells: BTreeSet<[u64; 2]>) -> [u64; 2] {
     loop {
         let has = |i: Option<u64>, j: Option<u64>| matches!((i, j), (Some(i), Some(j)) if cells.contains(&[i, j]));
@@ -207,7 +207,7 @@ fn notes(map: &ChaosMapDocument) -> Vec<String> {
     let [n, m] = map.cells;
     let known = || map.rows.iter().filter(|row| row.orbits > 0);
     if known().next().is_none() {
-        return vec![format!("{n} × {m} cells, in none of which an orbit was judged")];
+        return vec![format!("{n} × {m} cells; no orbit was judged in any of them")];
     }
     let whole: f64 = known().map(|row| row.part).sum();
     let mean = |value: fn(&ChaosCellDocument) -> f64| {

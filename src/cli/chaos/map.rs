@@ -25,7 +25,7 @@ pub fn run(arguments: &ShareArguments, quiet: bool) -> Result<(), Failure> {
         [("--h", point.energy.is_some()), ("--l", point.momentum.is_some()), ("--json", arguments.json)]
     {
         if given {
-            return Err(Failure::input(format!("{option} is for one point, and a map was asked for; leave it out")));
+            return Err(Failure::input(format!("{option} applies to one point, not to a map; leave it out")));
         }
     }
     let target = output::format_of(arguments.out.as_deref())?;
@@ -43,14 +43,14 @@ pub fn run(arguments: &ShareArguments, quiet: bool) -> Result<(), Failure> {
     let map = bifdiag_documents::chaos_map(&subject, &cells, [from, to], &options);
     let mut journal = Journal::open(target.0, &serde_json::to_vec(&map)?, arguments.restart, |path, _| {
         Err(Failure::input(format!(
-            "{} holds the beginning of another map; finish that one with its own options, choose another --out, or give \
-             --restart to discard it",
+            "{} belongs to another unfinished map; finish that one with its own options, choose another --out, or \
+            give --restart to discard it",
             path.display()
         )))
     })?;
     let done = |journal: &Journal| (from + GROUP * journal.blocks().len() as u64).min(to);
     if !journal.blocks().is_empty() && !quiet {
-        say(&format!("going on behind {} done before", counted(done(&journal) - from, "tile", "tiles")));
+        say(&format!("resuming after {} done before", counted(done(&journal) - from, "tile", "tiles")));
     }
     let monitor = Arc::new(Monitor::default());
     let stop = Arc::clone(&monitor);
@@ -76,7 +76,7 @@ pub fn run(arguments: &ShareArguments, quiet: bool) -> Result<(), Failure> {
     progress.finish();
     if !interruptible.over() {
         return Err(Failure::work(format!(
-            "interrupted: {} holds what was found, and the same command goes on from there",
+            "interrupted: {} holds what was found; run the same command again to resume from there",
             journal.path().display()
         )));
     }

@@ -27,7 +27,7 @@ pub fn run(arguments: &MergeArguments) -> Result<(), Failure> {
     for shard in &shards {
         let [from, to] = shard.tiles;
         if from != next {
-            let what = if from > next { "missing" } else { "there twice" };
+            let what = if from > next { "missing" } else { "given twice" };
             let tiles = tiles(from.min(next), from.max(next));
             return Err(Failure::input(format!("{tiles} {what}; name each shard of the map once")));
         }
@@ -35,7 +35,7 @@ pub fn run(arguments: &MergeArguments) -> Result<(), Failure> {
     }
     if next != cells.tiles() {
         let tiles = tiles(next, cells.tiles());
-        return Err(Failure::input(format!("{tiles} missing; make that shard too and name it")));
+        return Err(Failure::input(format!("{tiles} missing; compute that shard too and name it")));
     }
     let map = ChaosMapDocument { tiles: [0, next], ..whole(first) };
     output::write(target, map, shards)
@@ -54,7 +54,7 @@ pub fn cells(map: &ChaosMapDocument) -> Cells {
     Cells { h: map.window.h, l: map.window.l, counts: map.cells }
 }
 
-/// A map or a shard of one, as its file has it.
+/// A map or a shard of one, as read from its file.
 pub fn shard(path: &Path) -> Result<ChaosMapDocument, Failure> {
     let wrong =
         |what: String| Failure::input(format!("{}: {what}; name the .json file of a map or a shard", path.display()));

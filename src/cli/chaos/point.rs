@@ -35,19 +35,19 @@ pub fn run(arguments: &ShareArguments, timings: &Timings) -> Result<(), Failure>
     answer(arguments.json, &document, || report(&subject, &document))
 }
 
-/// A point of which a number is missing.
+/// A point with a number missing.
 fn missing(option: &str, what: &str) -> Failure {
     Failure::input(format!("{option} is missing; give the {what}"))
 }
 
 /// What another point mends is wrong input.
 fn unmeasured(error: PointError) -> Failure {
-    let told = error.to_string();
+    let message = error.to_string();
     match error {
         PointError::Nowhere(_) | PointError::TooNear => Failure::input(error),
         PointError::Answer(error) => unanswered(error),
-        PointError::Range(cause) => Failure::work(told).because(cause),
-        PointError::Share(cause) => Failure::work(told).because(cause),
+        PointError::Range(cause) => Failure::work(message).because(cause),
+        PointError::Share(cause) => Failure::work(message).because(cause),
     }
 }
 

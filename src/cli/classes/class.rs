@@ -21,12 +21,12 @@ Examples:
   bifdiag class 01036ac4a504 --no-plot
   bifdiag class 0103 --json
 
-The beginning of a name is enough where no other class begins so.";
+The first digits of a name are enough if no other class begins with them.";
 
 /// `bifdiag class`.
 #[derive(Debug, Args)]
 pub struct ClassArguments {
-    /// The name of a class, 12 hexadecimal digits, or its beginning
+    /// Name of a class, 12 hexadecimal digits, or its first digits
     #[arg(value_name = "NAME")]
     pub name: String,
     /// Write no picture
@@ -76,12 +76,15 @@ fn find(name: &str) -> Result<ClassDocument, Failure> {
         (Some(only), 0) => Ok(only.clone()),
         (Some(first), more) => {
             let (count, first) = (more + 1, &first.name);
-            Err(Failure::input(format!("NAME {name}: {count} classes begin so, {first} and others; give more digits")))
+            Err(Failure::input(format!(
+                "NAME {name}: {count} classes begin with it, {first} and others; give more \
+            digits"
+            )))
         }
         (None, _) => Err(Failure::input(format!(
-            "NAME {name}: none of the classes that come with bifdiag begins so{}; a name is computed from the structure of a \
-             diagram, so it does not lead back to a body: `bifdiag classes --at --body …` (or --A … --r …) gives the class of a \
-             body and the classes beside it, and `bifdiag classes` lists those that are known",
+            "NAME {name}: no built-in class begins with it{}; a name is computed from the structure of a diagram and \
+            cannot be turned back into a body: `bifdiag classes --at --body …` (or --A … --r …) gives the class of a \
+            body and the neighbouring classes, and `bifdiag classes` lists those that are known",
             nearest(&digits, &all)
         ))),
     }
@@ -116,7 +119,7 @@ pub fn share(class: &ClassDocument) -> String {
 fn share_in_words(class: &ClassDocument) -> String {
     let (share, error) = (share(class), class.measure_error);
     if class.stratum.as_ref().is_some_and(|stratum| stratum.starts_with("the ball")) {
-        return format!("{share}, since they differ in scale alone");
+        return format!("{share}, because they differ only in scale");
     }
     match class.measure {
         0.0 => share,
@@ -129,9 +132,9 @@ fn share_in_words(class: &ClassDocument) -> String {
 fn report(class: &ClassDocument, document: &AtlasDocument, written: &[PathBuf]) -> String {
     let mut report = Report::default();
     let (whose, of) = if class.physical {
-        ("a class of bodies that exist", "bodies that exist")
+        ("a class of physical bodies", "physical bodies")
     } else {
-        ("a class that no body that exists is known to have", "bodies with A > 0")
+        ("a class that no physical body is known to have", "bodies with A > 0")
     };
     report.line(format!("class {}: {}; {whose}", class.name, counted(class.regions, "region", "regions")));
     let among = match &class.stratum {
@@ -149,23 +152,23 @@ fn report(class: &ClassDocument, document: &AtlasDocument, written: &[PathBuf]) 
     });
     report.line(format!("types of components: {}", class.types.join(", ")));
     report.line(format!("share of {among}{of}: {}", share_in_words(class)));
-    report.line("a body of it:");
+    report.line("an example:");
     let (moments, center) = (class.witness.body.moments.join(","), class.witness.body.center.join(","));
     report.line(format!("  bifdiag --A {moments} --r {center}"));
     if class.distance > 0.0 {
         let distance = significant(class.distance, 3);
-        report.line(format!("  no body of another class is known nearer than {distance}, special bodies among them"));
+        report.line(format!("  no body of another class is known nearer than {distance}, special bodies included"));
     }
     report.line("");
     if class.distance == 0.0 {
-        report.line("the classes beside it, and how far they are from this body:");
+        report.line("the neighbouring classes, and their distances from this body:");
         report.line(format!("  bifdiag classes --at --A {moments} --r {center}"));
     } else if class.neighbours.is_empty() {
-        report.line("no class is known to lie beside it");
+        report.line("no neighbouring class is known");
     } else {
         let mut table = Table::new(&["class beside it", "what happens on the border"]);
         for neighbour in &class.neighbours {
-            let only = if class.physical && !neighbour.physical { " (among bodies that do not exist)" } else { "" };
+            let only = if class.physical && !neighbour.physical { " (among unphysical bodies)" } else { "" };
             table.row([neighbour.class.clone(), format!("{}{only}", neighbour.event)]);
         }
         report.line(table.text());

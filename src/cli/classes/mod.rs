@@ -1,4 +1,4 @@
-//! `bifdiag classes`: the classes of bodies, and where a body stands among them.
+//! `bifdiag classes`: the classes of bodies, and the position of a body among them.
 
 mod class;
 
@@ -25,25 +25,27 @@ Examples:
   bifdiag classes --at --A 1,1.1,1.4 --r 0.5,0.3,0.8
   bifdiag classes --at --body paper --json
 
-Two bodies have one class when their diagrams are the same but for the lengths in them. With --at: which class a body has, and \
-how far it is to its borders. Distances are √(|ΔA|² + ∠²), for A with the sum 2 and the angle between the two r.";
+Two bodies belong to the same class when their diagrams differ only in lengths. With --at: the class of a body and \
+its distances to the borders of that class. A distance is √(|ΔA|² + ∠²), with A scaled to the sum 2 and ∠ the angle \
+between the two r.";
 
 /// `bifdiag classes`.
 #[derive(Debug, Args)]
 pub struct ClassesArguments {
-    /// Find the class of a body, and how far it is to the borders of that class
+    /// Find the class of a body and its distances to the borders of that class
     #[arg(long)]
     pub at: bool,
     #[command(flatten)]
     pub body: PlainBodyArguments,
-    /// Only bodies that exist: A_i + A_j > A_k, or equality and r_k = 0
+    /// Only physical bodies: A_i + A_j > A_k, or equality and r_k = 0
     #[arg(long, help_heading = "Work")]
     pub physical: bool,
-    /// With --at: look along N random lines through the body, too (default: 48 where its own diagram suggests no border)
+    /// With --at: also search along N random lines through the body (default: 48 where its own diagram suggests no
+    /// border)
     #[arg(long, value_name = "N", help_heading = "Work", requires = "at")]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=1_000_000), hide_short_help = true)]
     pub lines: Option<u32>,
-    /// With --at: chooses the lines (default: 0)
+    /// With --at: seed for the lines (default: 0)
     #[arg(long, value_name = "N", help_heading = "Work", requires = "at", hide_short_help = true)]
     pub seed: Option<u64>,
     /// Print the answer as JSON
@@ -57,7 +59,7 @@ pub fn run(arguments: &ClassesArguments) -> Result<(), Failure> {
     }
     if let Some(option) = arguments.body.given().next() {
         return Err(Failure::input(format!(
-            "{option} describes a body, and nothing is asked of it; add --at to tell its class"
+            "{option} describes a body, but nothing is asked about it; add --at to find its class"
         )));
     }
     let mut document = bifdiag_documents::shipped_classes();
@@ -95,21 +97,22 @@ fn table(ClassesDocument { classes, others, .. }: &ClassesDocument) -> String {
     let mut report = Report::default();
     report.line(table.text());
     let existing = classes.iter().filter(|class| class.physical).count();
-    report.line(format!("{}, {existing} of them of bodies that exist", counted(classes.len(), "class", "classes")));
+    report.line(format!("{}, {existing} of them of physical bodies", counted(classes.len(), "class", "classes")));
     let special = others.iter().filter(|class| class.stratum.is_some()).count();
     report.line(format!(
-        "and apart from these {special} of special bodies, {} known only of bodies that do not exist (--json lists them)",
+        "and besides these {special} of special bodies, {} known only for unphysical bodies (--json lists them)",
         others.len() - special
     ));
     report.text()
 }
 
-/// `--at`: where a body stands among the classes.
+/// `--at`: the position of a body among the classes.
 fn standing(arguments: &ClassesArguments) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
     if arguments.physical && subject.body.flags().unphysical {
         return Err(Failure::input(
-            "--physical: no mass has the moments of this body, of which one exceeds the sum of the others; leave out --physical",
+            "--physical: no mass distribution has the moments of this body: one exceeds the sum of the others; leave \
+            out --physical",
         ));
     }
     let usual = NearestOptions::default();
@@ -144,9 +147,9 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
     let name = document.name.as_deref().unwrap_or_default();
     report.line(format!("class {name}"));
     if document.known {
-        report.line(format!("  bifdiag class {name} tells more"));
+        report.line(format!("  bifdiag class {name} shows details"));
     } else {
-        report.line("  it is none of the classes that come with bifdiag, so `bifdiag class` does not know it");
+        report.line("  it is not a built-in class, so `bifdiag class` does not know it");
     }
     if let Some(stratum) = &document.stratum {
         report.line(format!("a special body: {stratum} (axes by rising moments)"));
@@ -178,15 +181,15 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
         report.line("the body is on a border of its class, or within rounding of one");
     }
     report.line(
-        "axes by rising moments; what is special about the body (equal moments, zeros of r) stays so on the way, and bodies that \
-         are more special are not counted",
+        "axes by rising moments; what makes the body special (equal moments, zeros of r) is kept on the way, and more \
+        special bodies are not counted",
     );
 }
 
 /// A few roundings of A with the sum 2 and of r with the length 1.
 const ROUNDING: f64 = 1e-15;
 
-/// A distance, as far as the body's own rounding leaves it.
+/// A distance, 0 within the body's own rounding.
 fn distance(distance: f64) -> String {
     if distance < ROUNDING { "0".to_owned() } else { significant(distance, 4) }
 }

@@ -19,20 +19,20 @@ use crate::cli::failure::Failure;
 use crate::cli::input::values::Grid;
 use crate::cli::terminal::{Report, Timings, counted, print};
 
-/// The file of a grid, whose extension tells the format: true for a picture.
+/// The file of a grid, whose extension selects the format: true for a picture.
 pub fn target(out: Option<&Path>) -> Result<(bool, &Path), Failure> {
     let path = out.ok_or_else(|| Failure::input("--grid needs --out FILE.npz or --out FILE.png"))?;
     match path.extension().and_then(|extension| extension.to_str()) {
         Some("npz") => Ok((false, path)),
         Some("png") => Ok((true, path)),
         _ => Err(Failure::input(format!(
-            "--out {}: the extension tells the format; give FILE.npz or FILE.png",
+            "--out {}: the extension selects the format; give FILE.npz or FILE.png",
             path.display()
         ))),
     }
 }
 
-/// What stands in the array `region`: the index of the region, or one of the codes of [`grid`].
+/// The values of the array `region`: the index of the region, or one of the codes of [`grid`].
 fn code(spot: Spot) -> i32 {
     match spot {
         Spot::Region(region) => i32::try_from(region.index()).unwrap_or(i32::MAX),

@@ -29,9 +29,9 @@ Examples:
   bifdiag classify --batch points.jsonl > types.jsonl
   echo '{\"h\": 3.8, \"l\": \"13/4\"}' | bifdiag classify --body paper --batch -
 
-Each line of a batch is {\"A\": [2, 1.1, 1], \"r\": [0.94868, 0, 0.61623], \"h\": 3.8, \"l\": 3.25}, numbers or strings; a \
-line without A and r means the body of the command line, other keys are ignored with a warning. One line is written for \
-each, in the same order; a wrong line gives {\"error\": …, \"line\": n}.";
+Each line of a batch is {\"A\": [2, 1.1, 1], \"r\": [0.94868, 0, 0.61623], \"h\": 3.8, \"l\": 3.25}, with numbers or \
+strings; a line without A and r uses the body of the command line; other keys are ignored with a warning. Each line \
+is answered by one line, in the same order; an invalid line gives {\"error\": …, \"line\": n}.";
 
 /// `bifdiag classify`.
 #[derive(Debug, Args)]
@@ -42,23 +42,23 @@ pub struct ClassifyArguments {
     pub point: PointArguments,
     #[command(flatten)]
     pub batch: BatchArguments,
-    /// The regions of all points of a grid: n energies and m momenta, both ends included; with --out FILE
+    /// Find the regions of a grid of n energies and m momenta, both ends included; needs --out FILE
     #[arg(long, value_name = "hmin:hmax:n,lmin:lmax:m", allow_hyphen_values = true, value_parser = values::grid)]
     #[arg(help_heading = "Grid")]
     pub grid: Option<Grid>,
-    /// Where the grid goes: FILE.npz (arrays h, l, region, regions, meta) or FILE.png (a pixel for each point)
+    /// Write the grid to FILE.npz (arrays h, l, region, regions, meta) or FILE.png (one pixel per point)
     #[arg(long, value_name = "FILE", help_heading = "Grid")]
     pub out: Option<PathBuf>,
-    /// What the answer must be worth
+    /// Required accuracy of the answer
     #[arg(long, value_parser = accuracy(), default_value = "exact", help_heading = "Work", hide_short_help = true)]
     pub accuracy: Accuracy,
-    /// Leave the ids of the regions out: no atlas is made (for batches over many bodies)
+    /// Omit the ids of the regions, so that no atlas is made (for batches over many bodies)
     #[arg(long, help_heading = "Work", hide_short_help = true)]
     pub no_region: bool,
-    /// Print the answer of one point as JSON with its proof, which `bifdiag verify` checks
+    /// Print the answer for one point as JSON with its proof, which `bifdiag verify` checks
     #[arg(long, help_heading = "Output")]
     pub certificate: bool,
-    /// Print the answer as JSON (a batch always is)
+    /// Print the answer as JSON (implied by --batch)
     #[arg(long, help_heading = "Output")]
     pub json: bool,
 }
@@ -71,7 +71,7 @@ pub fn run(arguments: &ClassifyArguments, timings: &Timings, quiet: bool) -> Res
         let batch = arguments.batch.batch.is_some();
         let replaced = [("--h", h.is_some()), ("--l", l.is_some()), ("--batch", batch)];
         if let Some((option, _)) = replaced.into_iter().find(|(_, given)| *given) {
-            return Err(Failure::input(format!("--grid and {option} both say where; leave out one of them")));
+            return Err(Failure::input(format!("--grid and {option} both give the points; leave out one of them")));
         }
         let out = many::target(arguments.out.as_deref())?;
         return many::grid(&arguments.body.subject()?, grid, accuracy, out, timings);
@@ -136,8 +136,8 @@ fn report(subject: &Subject, document: &ClassificationDocument) -> String {
     report.line(match document.status {
         Status::Regular => "regular",
         Status::Forbidden => "forbidden: h is below the minimum of the effective potential, U is empty",
-        Status::Critical => "critical: exactly on a curve; there meet",
-        Status::Undecided => "undecided: closer to a curve than the error bound; possible are",
+        Status::Critical => "critical: exactly on a curve, where these meet",
+        Status::Undecided => "undecided: closer to a curve than the error bound; candidates",
     });
     if let Some(components) = document.components.as_ref().filter(|components| !components.is_empty()) {
         report.line("");

@@ -16,7 +16,10 @@ pub fn run(subject: &Subject, h: &Number, l: &Number, timings: &Timings) -> Resu
     let solver = Solver::new(subject.body.clone(), Accuracy::Exact);
     let found = solver.classify(h, l).map_err(unanswered)?;
     if let Answer::Critical(_) = found.answer {
-        return Err(Failure::work("the point lies on a curve: what can be proved is where a point beside it lies"));
+        return Err(Failure::work(
+            "the point lies on a curve; only for a point beside it can it be proved in which \
+        region it lies",
+        ));
     }
     let places = solver.places(h, l, &found.answer).map_err(failed("the region of the point is not known"))?;
     let [region] = places[..] else { return Err(Failure::work("the region of the point is not known")) };
@@ -28,14 +31,14 @@ pub fn run(subject: &Subject, h: &Number, l: &Number, timings: &Timings) -> Resu
     leave_out_drawing(&mut atlas, subject)?;
     let document = proved_point(subject, [h, l], region, &proved, atlas).ok_or_else(|| {
         Failure::work(if l.value().is_zero() {
-            "--certificate: l = 0 is the border of what an atlas proves, l > 0; without --certificate the point is classified, \
-             exactly as well"
+            "--certificate: an atlas proves l > 0 only, and this point has l = 0; without --certificate it is \
+            classified, exactly too"
         } else {
-            "--certificate: l is nearer to an event of the diagram than the bounds that the certificate gives it; \
-             without --certificate the point is classified, exactly as well"
+            "--certificate: l is nearer to an event of the diagram than the certificate's bounds for that event; \
+            without --certificate the point is classified, exactly too"
         })
     })?;
-    // A document that is refused is none.
+    // A refused document is not written.
     timings.stage("verify", || verify_point(&document)).map_err(failed("the proof is not confirmed"))?;
     answer(true, &document, String::new)
 }

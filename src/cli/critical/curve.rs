@@ -26,7 +26,7 @@ pub fn draw(
 ) -> Result<(), Failure> {
     if subject.body.is_euler() {
         return Err(Failure::input(
-            "--out: without weight the steady axes are the same at every spin, so that there is nothing to draw",
+            "--out: without weight the steady axes are the same at every spin, so there is nothing to draw",
         ));
     }
     let scene = timings.stage("critical", || scene(subject, ends, count))?;

@@ -32,9 +32,9 @@ Examples:
   bifdiag critical --body lagrange --l 0:4:401 --out lagrange.npz
   bifdiag critical --batch momenta.jsonl > equilibria.jsonl
 
-Each line of a batch is {\"A\": [2, 1.1, 1], \"r\": [0.94868, 0, 0.61623], \"l\": 3.25}, numbers or strings; a line \
-without A and r means the body of the command line, other keys are ignored with a warning. One line is written for \
-each, in the same order; a wrong line gives {\"error\": …, \"line\": n}.";
+Each line of a batch is {\"A\": [2, 1.1, 1], \"r\": [0.94868, 0, 0.61623], \"l\": 3.25}, with numbers or strings; a \
+line without A and r uses the body of the command line; other keys are ignored with a warning. Each line is answered \
+by one line, in the same order; an invalid line gives {\"error\": …, \"line\": n}.";
 
 /// How relative equilibria are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -43,7 +43,7 @@ pub enum Method {
     #[default]
     ClosedForm,
     /// Follow each curve from l = 0, its cusp or its pitchfork by Newton continuation: slower, a second way to the same
-    /// list; eigenvalues and verdicts are those of the closed form
+    /// list; eigenvalues and verdicts come from the closed form
     Newton,
 }
 
@@ -52,25 +52,25 @@ pub enum Method {
 pub struct CriticalArguments {
     #[command(flatten)]
     pub body: BodyArguments,
-    /// Vertical angular momentum, or a range a:b:n of n momenta; its sign is that of omega
+    /// Vertical angular momentum, or a range a:b:n of n values; its sign is that of omega
     #[arg(long = "l", value_name = "l|a:b:n", allow_hyphen_values = true, value_parser = Numbers::parse)]
     #[arg(help_heading = "Momentum")]
     pub momentum: Option<Numbers>,
-    /// Instead of l: list every axis about which the body turns steadily at this spin (rpm, Hz, rad/s, deg/s), or at a range
-    /// of spins, such as "0:3000:301 rpm"
+    /// Instead of l: list every axis of steady rotation at this spin (rpm, Hz, rad/s, deg/s), or at a range of spins,
+    /// such as "0:3000:301 rpm"
     #[arg(long, value_name = "\"300 rpm\"", allow_hyphen_values = true, conflicts_with = "momentum")]
     #[arg(value_parser = Spins::parse, help_heading = "Momentum")]
     pub spin: Option<Spins>,
-    /// How they are found
+    /// How to find them
     #[arg(long, value_enum, default_value_t, value_name = "METHOD", help_heading = "Momentum", hide_short_help = true)]
     pub method: Method,
     #[command(flatten)]
     pub batch: BatchArguments,
-    /// Print the answer as JSON, at a range one line for each momentum or spin (a batch always is)
+    /// Print the answer as JSON, for a range one line per momentum or spin (implied by --batch)
     #[arg(long, conflicts_with = "out", help_heading = "Output")]
     pub json: bool,
-    /// Write the table of a range or a spin to FILE (.npz, .parquet, .csv, .jsonl; -: CSV to stdout, as a range without
-    /// --out); .svg or .png: draw the steady axes of a range of spins, angle from the centre of mass against rpm
+    /// Write the table of a range or a spin to FILE (.npz, .parquet, .csv, .jsonl; -: CSV to stdout, the default for a
+    /// range); .svg or .png: plot the steady axes of a range of spins, angle from the centre of mass against rpm
     #[arg(long, value_name = "FILE", value_parser = Output::parse, help_heading = "Output")]
     pub out: Option<Output>,
 }
@@ -85,7 +85,7 @@ pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Res
     }
     let refused = [
         ("--l", LINES_SAY_IT, momentum.is_some()),
-        ("--spin", "a line asks at one l, not at a spin", spin.is_some()),
+        ("--spin", "a line asks about one l, not a spin", spin.is_some()),
         ("--out", "its answers are lines on stdout", out.is_some()),
     ];
     if let Some(path) = batch.path(&refused)? {
@@ -153,7 +153,7 @@ fn at_spin(
             let size = if asked < smallest { "slow" } else { "fast" };
             let [smallest, largest] = [smallest, largest].map(|omega| significant(omega * subject.second(), 6));
             Failure::input(format!(
-                "--spin {spin} is too {size} for this body in f64; between {smallest} and {largest} rad/s, or 0, is possible"
+                "--spin {spin} is too {size} for this body in f64; use a spin from {smallest} to {largest} rad/s, or 0"
             ))
         }
         error => failed(NOT_FOUND)(error),

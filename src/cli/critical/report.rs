@@ -76,7 +76,7 @@ pub fn steady_axes(subject: &Subject, document: &SteadyAxesDocument) -> String {
     report.line(format!("axis: the end that points up, {frame}; gamma in the JSON points down, in principal axes"));
     for axis in document.axes.iter().filter(|axis| axis.fold) {
         report.line(format!(
-            "at this spin two steady axes meet on {}: slower, there is neither",
+            "at this spin two steady axes meet on {}; just below it neither exists",
             axis.equilibrium.branch
         ));
     }
@@ -92,7 +92,7 @@ fn vector(v: [f64; 3]) -> String {
     format!("({x:>9}, {y:>9}, {z:>9})")
 }
 
-/// The curve of an axis; at one spin a curve can be met at several l, which then stand beside its name.
+/// The curve of an axis; at one spin a curve can occur at several l, which are then added to its name.
 fn curve_of(axis: &SteadyAxisDocument, axes: &[SteadyAxisDocument]) -> String {
     let branch = &axis.equilibrium.branch;
     let is_met_again = axes.iter().any(|other| other.equilibrium.branch == *branch && other.l != axis.l);
@@ -120,7 +120,7 @@ fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriu
         None => (String::new(), "per unit of time".to_owned()),
     };
     report.line(format!(
-        "period: of a small oscillation; growth: the time in which a small deviation grows by the factor e{times}"
+        "period: of a small oscillation; growth: the time in which a small deviation grows by a factor of e{times}"
     ));
     report.line(format!("eigenvalues: of the linearised flow at fixed l, {rates}"));
     if points.iter().any(|point| matches!(point.multiplicity, Multiplicity::Points(2..))) {
@@ -130,10 +130,14 @@ fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriu
     }
     match points.iter().filter(|point| point.multiplicity == Multiplicity::Circle).count() {
         0 => {}
-        1 => report.line("circle: a whole circle of relative equilibria, listed by one of them and judged as a whole"),
+        1 => report.line(
+            "circle: a whole circle of relative equilibria, represented by one of them and judged as a \
+        whole",
+        ),
         circles => {
             report.line(format!(
-                "circle: {circles} whole circles of relative equilibria, each listed by one of them and judged as a whole"
+                "circle: {circles} whole circles of relative equilibria, each represented by one of them and judged \
+                as a whole"
             ));
         }
     }

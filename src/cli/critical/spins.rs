@@ -24,7 +24,7 @@ const RANGE: &str =
     "a range of spins is written \"a:b:n UNIT\", such as \"0:3000:301 rpm\" for 301 spins from 0 to 3000 rpm";
 
 impl Spins {
-    /// Of the text of the option.
+    /// Parses the option.
     pub fn parse(text: &str) -> Result<Self, Failure> {
         if !text.contains(':') {
             return text.parse().map(Self::One).map_err(Failure::input);
@@ -39,7 +39,7 @@ impl Spins {
         let (from, to) = (end(from)?, end(to)?);
         if from.rad_per_s() < 0.0 || from.rad_per_s() > to.rad_per_s() {
             return Err(Failure::input(format!(
-                "from {from} to {to}: write a smaller spin first, not below 0; {RANGE}"
+                "from {from} to {to}: write the smaller spin first, not below 0; {RANGE}"
             )));
         }
         match count.parse() {
@@ -64,7 +64,7 @@ pub enum Output {
 }
 
 impl Output {
-    /// Of the text of an option.
+    /// Parses the option.
     pub fn parse(text: &str) -> Result<Self, Failure> {
         let path = PathBuf::from(text);
         let format = match path.extension().and_then(|extension| extension.to_str()) {
@@ -89,7 +89,7 @@ mod tests {
         let wrong = |text| Spins::parse(text).unwrap_err().to_string();
         assert!(wrong("0:3000:301").contains("has no unit"));
         assert!(wrong("0:3000 rpm").starts_with("a range of spins is written"));
-        assert!(wrong("9:3:4 rpm").contains("write a smaller spin first"));
+        assert!(wrong("9:3:4 rpm").contains("write the smaller spin first"));
         assert!(wrong("1:3:1 rpm").starts_with("n = `1` is not a whole number"));
     }
 }

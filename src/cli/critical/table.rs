@@ -119,10 +119,10 @@ pub fn at_spins(subject: &Subject, ends: [&Spin; 2], count: u32) -> Result<Colum
     Ok(rows.columns(body, None, None, before, [])?)
 }
 
-/// The angle in degrees from the centre of mass to the end of an axis that points up, in principal axes: 0 for a body that
-/// stands, 180 for one that hangs; NaN without weight.
+/// The angle in degrees from the centre of mass to the end of an axis that points up, in principal axes: 0 for a
+/// standing body, 180 for a hanging one; NaN without weight.
 pub fn from_center(body: &Body, up: [f64; 3]) -> f64 {
-    /// Coordinates of γ are rounded: a smaller angle, in radians, is none.
+    /// Coordinates of γ are rounded: a smaller angle, in radians, counts as 0.
     const ROUNDING: f64 = 4.0 * f64::EPSILON;
     if body.is_euler() {
         return f64::NAN;

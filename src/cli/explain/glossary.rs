@@ -45,8 +45,8 @@ impl Glossary {
         Self { entries }
     }
 
-    /// The entries that a word means: those that have it for a term or another name; for the name of one of many things,
-    /// such as R5 or M7, that of its kind; and those of which it is a part, such as Krein.
+    /// The entries that a word refers to: those with this term or other name; for the name of one of many things, such
+    /// as R5 or M7, the entry of its kind; and those whose name contains it, such as Krein.
     pub fn find(&self, word: &str) -> Vec<&Entry> {
         let number = word.strip_suffix(['s', 'S']).filter(|one| one.len() > 1);
         let is_kind = |entry: &Entry| kind(word).is_some_and(|term| entry.terms.contains(&term));
@@ -71,14 +71,15 @@ impl Glossary {
         let mut near: Vec<(usize, &str)> = names.map(distance).collect();
         near.sort_by_key(|(edits, _)| *edits);
         near.dedup_by(|p, q| folded(p.1) == folded(q.1));
-        // A word of which less than two thirds are right means nothing here.
+        // A word with less than two thirds of its letters right matches nothing.
         near.retain(|(edits, name)| 3 * edits <= word.chars().count().max(folded(name).chars().count()));
         near.into_iter().map(|(_, name)| name).take(MOST).collect()
     }
 }
 
 impl Entry {
-    /// All its names; of `stable (energy)` what stands in the parentheses, too, and of `fold (of steady axes)` what stands before.
+    /// All its names; of `stable (energy)` also the part in parentheses, and of `fold (of steady axes)` also the part
+    /// before them.
     fn names(&self) -> impl Iterator<Item = &'static str> + '_ {
         let all = self.terms.iter().chain(&self.also_called).copied();
         let part = |name: &'static str| {
@@ -100,7 +101,7 @@ impl Entry {
     }
 }
 
-/// What stands between commas or semicolons that are not in parentheses.
+/// The parts between commas or semicolons outside parentheses.
 fn parts(cell: &'static str) -> Vec<&'static str> {
     let mut depth = 0_i32;
     let outside = |c: char| {
@@ -128,7 +129,7 @@ pub fn folded(word: &str) -> String {
             '×' => out.push('x'),
             'ℝ' => out.push('r'),
             'é' | 'è' => out.push('e'),
-            // The circumflex of r̂, and what stands between words.
+            // The circumflex of r̂, and separators of words.
             '\u{302}' | ' ' | '(' | ')' | '_' | '\'' | '’' | '′' | '`' | '.' => {}
             _ => out.extend(c.to_lowercase()),
         }
@@ -136,7 +137,7 @@ pub fn folded(word: &str) -> String {
     out
 }
 
-/// The term for the things of which a word names one.
+/// The term for the kind of thing that a word names.
 fn kind(word: &str) -> Option<&'static str> {
     let upper = word.to_uppercase().replace('−', "-");
     let number = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());

@@ -19,13 +19,13 @@ Examples:
   bifdiag explain \"relative equilibrium\"
   bifdiag explain                     all terms
 
-The entries are those of docs/glossary.md. Capitals, hyphens, plurals and other spellings do not matter; R5, G2.1 or S2-3D2 mean \
-their kind. Names of commands are explained, too.";
+The entries come from docs/glossary.md. Capitals, hyphens, plurals and other spellings do not matter; R5, G2.1 or \
+S2-3D2 are explained by their kind. Names of commands are explained, too.";
 
 /// `bifdiag explain`.
 #[derive(Debug, Args)]
 pub struct ExplainArguments {
-    /// A word that the program prints
+    /// A term that the program prints
     #[arg(value_name = "WORD")]
     pub words: Vec<String>,
     /// Print the answer as JSON
@@ -59,7 +59,7 @@ pub fn run(arguments: &ExplainArguments, commands: &[(String, String)]) -> Resul
 fn of_command((name, about): &(String, String)) -> ExplainedTermDocument {
     ExplainedTermDocument {
         terms: vec![name.clone()],
-        meaning: format!("{about}. `bifdiag {name} --help` tells all of its options, with examples."),
+        meaning: format!("{about}. `bifdiag {name} --help` describes all of its options, with examples."),
         also_called: Vec::new(),
         section: "Commands".to_owned(),
     }

@@ -22,26 +22,26 @@ Examples:
   bifdiag explore --body paper --h 3.8 --l 3.25
   bifdiag explore --page web/dist --no-open
 
-The page is built in web/ of the sources (`npm ci && npm run build`); wheels and released programs carry it. It is served to \
-this machine alone, until Ctrl-C.";
+The page is built in web/ of the sources (`npm ci && npm run build`); wheels and released programs include it. It is \
+served to this machine only, until Ctrl-C.";
 
 /// `bifdiag explore`.
 #[derive(Debug, Args)]
 pub struct ExploreArguments {
     #[command(flatten)]
     pub body: PlainBodyArguments,
-    /// Energy to begin with
+    /// Initial energy
     #[arg(long = "h", value_name = "h", allow_hyphen_values = true, value_parser = values::number)]
     #[arg(requires = "momentum", help_heading = "Point")]
     pub energy: Option<Number>,
-    /// Vertical angular momentum to begin with
+    /// Initial vertical angular momentum
     #[arg(long = "l", value_name = "l", allow_hyphen_values = true, value_parser = values::number)]
     #[arg(requires = "energy", help_heading = "Point")]
     pub momentum: Option<Number>,
-    /// The built page (default: `page` beside the program, else web/dist here)
+    /// Folder of the built page (default: `page` beside the program, else web/dist here)
     #[arg(long, value_name = "DIR", help_heading = "Page", hide_short_help = true)]
     pub page: Option<PathBuf>,
-    /// The port to serve at (default: one that is free)
+    /// Serve at this port (default: a free one)
     #[arg(
         long,
         value_name = "N",
@@ -51,7 +51,7 @@ pub struct ExploreArguments {
         hide_short_help = true
     )]
     pub port: u16,
-    /// Print the address only, and open no browser
+    /// Print the address without opening a browser
     #[arg(long, help_heading = "Page")]
     pub no_open: bool,
 }
@@ -60,8 +60,9 @@ pub fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
     let subject = arguments.body.optional_subject()?;
     let page = arguments.page.clone().or_else(found).ok_or_else(|| {
         Failure::input(
-            "this program has no page beside it; give --page DIR, the folder that `npm ci && npm run build` makes in web/ of the \
-             sources, or install the wheel, which carries it",
+            "this program comes without the page; give --page DIR, the folder that `npm ci && npm run build` makes in \
+            web/ of the \
+             sources, or install the wheel, which includes it",
         )
     })?;
     let folder = Folder::read(&page).map_err(|error| {
@@ -97,7 +98,7 @@ fn found() -> Option<PathBuf> {
     beside.into_iter().chain([Path::new("web").join("dist")]).find(|page| page.join("index.html").is_file())
 }
 
-/// Asks the system to show an address; whether it took it.
+/// Asks the system to open an address; true if it accepted.
 fn opened(url: &str) -> bool {
     let (program, first): (&str, &[&str]) = if cfg!(target_os = "macos") {
         ("open", &[])

@@ -1,6 +1,6 @@
 //! As much of HTTP/1.1 as a browser on this machine needs to load a page: GET and HEAD, one request a connection. Only what
-//! lies in the page's folder when the program starts is served, under the name that it has there: regular files, none of
-//! them outside of the folder. Where `NAME.br` lies beside a file, a browser that takes Brotli gets that.
+//! lies in the page's folder when the program starts is served, under the name that it has there: regular files inside
+//! the folder only. If there is a `NAME.br` beside a file, it is sent to browsers that accept Brotli.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -63,7 +63,7 @@ impl Folder {
         Ok(Self { root, files })
     }
 
-    /// The file of a path, and the type that a browser needs to be told.
+    /// The file of a path, and its content type.
     pub fn file(&self, path: &str) -> Option<(PathBuf, &'static str)> {
         let file = self.files.get(path)?;
         let kind = match file.extension().and_then(|suffix| suffix.to_str()) {

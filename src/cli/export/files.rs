@@ -64,7 +64,7 @@ impl FileSet {
         Ok(())
     }
 
-    /// Names the pictures of earlier runs, which go unless they are written anew.
+    /// Names the pictures of earlier runs, which are removed unless they are rewritten.
     pub fn remove_pictures(&mut self, stem: &str) {
         for format in PictureFormat::value_variants() {
             self.remove(format!("{stem}.{}", format.ending()));
@@ -107,13 +107,13 @@ impl FileSet {
         })
     }
 
-    /// Names a file of the directory that tells of an earlier run and goes when the others are written.
+    /// Marks a file of an earlier run for removal when the others are written.
     pub fn remove(&mut self, name: impl AsRef<Path>) {
         self.stale.push(self.directory.join(name));
     }
 
     /// Writes every file under a temporary name in its directory and, when all are whole and on the disk, renames
-    /// them. If one cannot be written, none is, and directories made on the way are taken away again.
+    /// them. If one cannot be written, none is, and directories created for it are removed again.
     pub fn write(self) -> Result<Vec<PathBuf>, Failure> {
         let _guard = uninterrupted();
         let written = self.write_whole();
@@ -162,7 +162,7 @@ impl FileSet {
         for path in self.stale.into_iter().filter(|path| !written.contains(path) && path.is_file()) {
             fs::remove_file(&path).map_err(|error| {
                 let path = path.display();
-                Failure::work(format!("cannot remove {path}, which tells of an earlier run: {error}")).because(error)
+                Failure::work(format!("cannot remove {path}, which an earlier run left: {error}")).because(error)
             })?;
         }
         Ok(written)
@@ -199,8 +199,8 @@ fn write_temporary(directory: &Path, prefix: &str, contents: Contents) -> io::Re
     Ok(file)
 }
 
-/// A lock on a directory, held while the files of a set are renamed, so that those of two runs do not mix. There is none
-/// where the system cannot lock directories.
+/// A lock on a directory, held while the files of a set are renamed, so that those of two runs do not mix. Absent where
+/// the system cannot lock directories.
 fn locked(directory: &Path) -> Option<File> {
     let file = File::open(directory).ok()?;
     file.lock().ok()?;

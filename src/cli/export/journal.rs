@@ -1,6 +1,6 @@
 //! The journal beside an output file: what has been computed survives the end of the process.
 //!
-//! `FILE.partial` begins with a line that tells which run it belongs to. Blocks follow, each of them its length, its bytes
+//! `FILE.partial` begins with a line that identifies its run. Blocks follow, each of them its length, its bytes
 //! and their SHA-256. Whatever does not end in a whole block is cut off when the run is taken up again.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -38,8 +38,9 @@ pub fn unusable(path: &Path, error: io::Error) -> Failure {
 }
 
 impl Journal {
-    /// Opens the journal beside an output file: takes up what is there, or begins, and with `restart` always begins.
-    /// `identity` is a line without its end; where another one stands, `other` refuses it, or has it discarded.
+    /// Opens the journal beside an output file: resumes an existing one or begins a new one, with `restart` always a
+    /// new one. `identity` is a line without its end; if the file has a different one, `other` refuses it or has it
+    /// discarded.
     pub fn open(
         out: &Path,
         identity: &[u8],

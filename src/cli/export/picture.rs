@@ -60,17 +60,17 @@ pub struct PictureArguments {
     #[arg(long, value_parser = named(&THEMES), default_value = "light", help_heading = "Output", hide_possible_values = true)]
     #[arg(value_name = "light|dark|print", hide_short_help = true)]
     pub theme: Theme,
-    /// Dots of a png in an inch of print
+    /// Resolution of png, in dots per inch of print
     #[arg(long, value_name = "N", value_parser = resolution, allow_hyphen_values = true, default_value_t = RESOLUTION)]
     #[arg(help_heading = "Output", hide_short_help = true)]
     pub dpi: f64,
-    /// Make tikz a LaTeX document of its own
+    /// Make tikz a standalone LaTeX document
     #[arg(long, help_heading = "Output", hide_short_help = true)]
     pub standalone: bool,
 }
 
 impl PictureArguments {
-    /// One format, and all else as it is by default.
+    /// One format, with the defaults for everything else.
     pub fn plain(format: PictureFormat) -> Self {
         Self { format: vec![format], theme: Theme::Light, dpi: RESOLUTION, standalone: false }
     }
@@ -115,21 +115,22 @@ const LEGENDS: [Named<LegendPlace>; 4] = [
 pub struct DiagramArguments {
     #[command(flatten)]
     pub width: WidthArgument,
-    /// Draw h over l, straightened so that every region can be seen, or the plane with insets
+    /// Draw the plane with insets, or h over l straightened so that every region can be seen
     #[arg(long, value_parser = named(&VIEWS), default_value = "auto", help_heading = "Output", hide_possible_values = true)]
     #[arg(value_name = "plane|straight|auto", hide_short_help = true)]
     pub view: DiagramView,
-    /// Leave the dots at the samples of the regions out, as the straightened plane does
+    /// Omit the dots at the samples of the regions, as the straightened plane does
     #[arg(long, help_heading = "Output", hide_short_help = true)]
     pub no_samples: bool,
-    /// Put the legend below the diagram, into a picture of its own, or nowhere; FILE.caption.txt and .tex say what left
+    /// Put the legend below the diagram, into a separate picture, or nowhere; FILE.caption.txt and .tex hold what is
+    /// left out
     #[arg(long, value_parser = named(&LEGENDS), default_value = "auto", help_heading = "Output", hide_possible_values = true)]
     #[arg(value_name = "auto|none|below|file", hide_short_help = true)]
     pub legend: LegendPlace,
-    /// Write this above the diagram in place of the body, or nothing
+    /// Title above the diagram in place of the body, or none
     #[arg(long, value_name = "TEXT|none", help_heading = "Output", hide_short_help = true)]
     pub title: Option<String>,
-    /// Put the table of small motions below the diagram, if all of it finds room, and not into the caption
+    /// Put the table of small motions below the diagram, if it fits, instead of into the caption
     #[arg(long, help_heading = "Output", hide_short_help = true)]
     pub table: bool,
 }
@@ -138,7 +139,7 @@ impl DiagramArguments {
     /// Refuses what the straightened plane cannot show.
     pub fn check(&self, window: Option<WindowDocument>) -> Result<(), Failure> {
         if self.view == DiagramView::Straight && window.is_some() {
-            let why = "shows the whole plane and --window a part of it; leave out one of them";
+            let why = "shows the whole plane and --window only a part of it; leave out one of them";
             return Err(Failure::input(format!("--view straight {why}")));
         }
         Ok(())
@@ -159,7 +160,7 @@ impl DiagramArguments {
 /// For what width a picture is laid out.
 #[derive(Clone, Debug, Args)]
 pub struct WidthArgument {
-    /// Width of the picture in print, in mm, cm, in or TeX's pt: letters have at least 6 pt there
+    /// Printed width of the picture, in mm, cm, in or TeX's pt; its letters have at least 6 pt
     #[arg(long, value_parser = width, default_value = "178mm", help_heading = "Output")]
     #[arg(value_name = "LENGTH", allow_hyphen_values = true, hide_short_help = true)]
     pub width: Width,

@@ -20,7 +20,7 @@ const DEFAULT_DIRECTORY: &str = "bifdiag-out";
 pub fn directory(out: Option<&Path>, wanted: bool) -> Result<Option<PathBuf>, Failure> {
     match out {
         Some(directory) if directory == Path::new("-") => Err(Failure::input(
-            "--out -: a directory is needed; leave --out away and use --json to write the atlas to stdout",
+            "--out -: a directory is needed; leave out --out and use --json to write the atlas to stdout",
         )),
         Some(directory) => Ok(Some(directory.to_owned())),
         None => Ok(wanted.then(|| PathBuf::from(DEFAULT_DIRECTORY))),
@@ -82,7 +82,7 @@ pub enum DataTarget {
 }
 
 impl DataTarget {
-    /// Of the text of an option.
+    /// Parses the option.
     pub fn parse(text: &str) -> Result<Self, Failure> {
         if text == "-" {
             return Ok(Self::Stdout);
@@ -94,7 +94,8 @@ impl DataTarget {
                 "this bifdiag was built without the feature `parquet`; give FILE.npz, FILE.csv or FILE.jsonl"
             }
             _ => {
-                "the extension tells the format: give FILE.npz, FILE.csv, FILE.jsonl or FILE.parquet, or - for CSV on stdout"
+                "the extension selects the format: give FILE.npz, FILE.csv, FILE.jsonl or FILE.parquet, or - for CSV \
+                on stdout"
             }
         };
         let mut formats = DataFormat::value_variants().iter();

@@ -18,7 +18,7 @@ pub struct PlainBodyArguments {
     /// Principal moments of inertia
     #[arg(long = "A", value_name = "A1,A2,A3", allow_hyphen_values = true, value_parser = values::moments)]
     pub moments: Option<Triple>,
-    /// Centre of mass in principal axes, m g absorbed
+    /// Centre of mass in principal axes, multiplied by m g
     #[arg(long = "r", value_name = "r1,r2,r3", allow_hyphen_values = true, value_parser = values::center)]
     pub center: Option<Triple>,
     /// A named body; `bifdiag bodies` lists them
@@ -196,10 +196,10 @@ pub fn add_integrals(report: &mut Report, integrals: &[FurtherIntegralDocument])
 fn warn(subject: &Subject) {
     if subject.body.flags().unphysical {
         tracing::warn!(
-            "no distribution of mass has these moments and this centre of mass (it needs Ai + Aj > Ak, or Ai + Aj = Ak \
-             with rk = 0); the answer is that of the equations"
+            "no mass distribution has these moments and this centre of mass (it needs Ai + Aj > Ak, or Ai + Aj = Ak \
+            with rk = 0); the equations are solved all the same"
         );
     } else if subject.part.as_ref().is_some_and(|part| !part.physical) {
-        tracing::warn!("no distribution of mass has these mass properties; the answer is that of the equations");
+        tracing::warn!("no mass distribution has these mass properties; the equations are solved all the same");
     }
 }

@@ -18,7 +18,7 @@ pub enum Numbers {
 const MOST: u32 = 10_000_000;
 
 impl Numbers {
-    /// Of the text of the option.
+    /// Parses the option.
     pub fn parse(text: &str) -> Result<Self, Failure> {
         if !text.contains(':') {
             return values::number(text).map(Self::One);

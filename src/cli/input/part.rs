@@ -34,40 +34,40 @@ pub const PART: &str = "A real part";
 #[derive(Debug, Args)]
 #[command(next_help_heading = PART)]
 pub struct PartArguments {
-    /// Tensor of inertia about the fixed point (with --com and --mass)
+    /// Inertia tensor about the fixed point (with --com and --mass)
     #[arg(long, value_name = "Ixx,Iyy,Izz,Ixy,Ixz,Iyz", allow_hyphen_values = true, value_parser = values::tensor, hide_short_help = true)]
     pub inertia: Option<[Quantity; 6]>,
-    /// Tensor of inertia about the centre of mass (with --com and --mass)
+    /// Inertia tensor about the centre of mass (with --com and --mass)
     #[arg(long, value_name = "Ixx,Iyy,Izz,Ixy,Ixz,Iyz", allow_hyphen_values = true, value_parser = values::tensor)]
     pub inertia_com: Option<[Quantity; 6]>,
     /// A mesh (.stl, .obj, .ply) or an inertial block (.urdf, MJCF .xml)
     #[arg(long = "part", value_name = "FILE")]
     pub file: Option<PathBuf>,
-    /// Which link of a .urdf or .xml
+    /// Link to read from a .urdf or .xml
     #[arg(long, value_name = "NAME", hide_short_help = true)]
     pub link: Option<String>,
-    /// Density of a mesh, with its unit or in those of --units; or give --mass
+    /// Density of a mesh, with its unit or in --units; or give --mass
     #[arg(long, value_name = "2.7g/cm3", allow_hyphen_values = true, value_parser = values::density, hide_short_help = true)]
     pub density: Option<Quantity>,
-    /// What the products of inertia are; needed when one of them is not 0
+    /// Convention of the products of inertia; needed when one of them is not 0
     #[arg(long, value_name = "tensor|integral", value_parser = values::named(&PRODUCTS), hide_short_help = true)]
     pub products: Option<Products>,
-    /// Centre of mass; from the fixed point, or with --pivot in the same axes as that
+    /// Centre of mass, from the fixed point; with --pivot, in the same axes as the pivot
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::place)]
     pub com: Option<[Quantity; 3]>,
     /// Mass
     #[arg(long, value_name = "m", allow_hyphen_values = true, value_parser = values::mass)]
     pub mass: Option<Quantity>,
-    /// Units of mass, length and time, of the part and of all results (default: kg,m,s)
+    /// Units of mass, length and time, for the part and all results (default: kg,m,s)
     #[arg(long, value_name = "kg,mm,s", value_parser = values::units, hide_short_help = true)]
     pub units: Option<Units>,
-    /// Acceleration of gravity, in m/s² whatever --units are (default: 9.80665)
+    /// Acceleration of gravity, always in m/s² (default: 9.80665)
     #[arg(long = "g", value_name = "g", allow_hyphen_values = true, value_parser = values::gravity, hide_short_help = true)]
     pub gravity: Option<Quantity>,
-    /// The fixed point, in the axes in which the part is described (default: their origin)
+    /// The fixed point, in the axes of the part's description (default: their origin)
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::place, hide_short_help = true)]
     pub pivot: Option<[Quantity; 3]>,
-    /// Accept a part that no distribution of mass has
+    /// Accept a part that no mass distribution has
     #[arg(long, hide_short_help = true)]
     pub unphysical: bool,
 }
@@ -104,8 +104,7 @@ impl GivenPart {
             return Ok(self);
         }
         Err(Failure::input(
-            "±: only `bifdiag critical-spin` answers for numbers that are known to within so much; leave out ± and what \
-             follows it",
+            "±: only `bifdiag critical-spin` accepts numbers with an uncertainty; leave out ± and what follows it",
         ))
     }
 }
@@ -148,7 +147,10 @@ impl PartArguments {
             )));
         }
         if let Some(option) = given.scale {
-            tracing::warn!("{option} ±: tensor and weight of a file grow alike with it, so that no spin depends on it");
+            tracing::warn!(
+                "{option} ±: the tensor and the weight of a file scale alike with it, so no spin depends \
+            on it"
+            );
         }
         Ok(Some(given))
     }
@@ -163,7 +165,7 @@ impl PartArguments {
         let numbers = self.numbers()?;
         let (option, properties) = self.properties(given, &numbers)?;
         if self.gravity.is_none() {
-            tracing::warn!("--g is not given: standard gravity is taken, {STANDARD_GRAVITY} m/s²");
+            tracing::warn!("--g is not given: using standard gravity, {STANDARD_GRAVITY} m/s²");
         }
         let part = Part { properties, gravity: numbers.gravity.value.clone(), units: numbers.units.clone() };
         let principal =
@@ -206,8 +208,8 @@ impl PartArguments {
         Ok(pivot.map_or([0.0; 3], |pivot| nominal(&pivot).map(|x| x.to_f64().value())))
     }
 
-    /// The numbers as they were measured, from the fixed point; `None` where all are exact. Of a file they are its mass
-    /// properties, seen from the pivot.
+    /// The numbers as they were measured, from the fixed point; `None` where all are exact. For a file, its mass
+    /// properties about the pivot.
     fn measured(&self, numbers: &Numbers, properties: &MassProperties) -> Option<MeasuredPart> {
         let exact = |value: RBig| Measured { value, within: RBig::ZERO };
         let gravity = || numbers.gravity.clone();
@@ -245,7 +247,7 @@ impl PartArguments {
         }
         let of_files = [("--link", self.link.is_some()), ("--density", self.density.is_some())];
         if let Some((option, _)) = of_files.into_iter().find(|(_, given)| *given) {
-            return Err(Failure::input(format!("{option} does nothing without --part")));
+            return Err(Failure::input(format!("{option} has no effect without --part")));
         }
         let missing = |missing, example| incomplete(given, missing, example);
         let (option, list) = match (&numbers.inertia, &numbers.inertia_com) {
@@ -262,7 +264,8 @@ impl PartArguments {
         if self.inertia.is_some() {
             if self.pivot.is_some() {
                 return Err(Failure::input(
-                    "--pivot with --inertia: that tensor is about the fixed point already; give --inertia-com, or no --pivot",
+                    "--pivot with --inertia: that tensor is already about the fixed point; give --inertia-com, or no \
+                    --pivot",
                 ));
             }
             let read =
@@ -282,7 +285,7 @@ impl PartArguments {
         }
         let useless = [("--com", self.com.is_some()), ("--products", self.products.is_some())];
         if let Some((option, _)) = useless.into_iter().find(|(_, given)| *given) {
-            return Err(Failure::input(format!("{option} does nothing with --part: the file says it")));
+            return Err(Failure::input(format!("{option} has no effect with --part: the file gives it")));
         }
         let exact =
             |number: &Option<Measured>| number.as_ref().map(|number| Number::from_rational(number.value.clone()));
@@ -425,7 +428,7 @@ pub fn shown(text: &str) -> String {
     value.map_or_else(|| text.to_owned(), |value| format!("{}…", significant(value.to_f64(), 14)))
 }
 
-/// A number that was computed of a part: a decimal, exactly where it is a short one, else with so many digits.
+/// A number computed for a part: a decimal, exact if it is short, otherwise rounded to this many digits.
 pub fn shown_of_part(text: &str, digits: usize) -> String {
     // Fractions of a turned tensor have hundreds of digits, more than a number that may be given.
     let parsed = text.parse::<Number>().map(|number| number.value().clone()).or_else(|_| text.parse::<RBig>());

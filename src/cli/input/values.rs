@@ -42,7 +42,7 @@ impl Triple {
     }
 }
 
-/// A vector of which the direction counts: as written, and brought to length 1.
+/// A vector used for its direction: as written, and normalized.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vertical {
     pub given: Triple,
@@ -54,7 +54,7 @@ pub fn nominal<const N: usize>(numbers: &[Measured; N]) -> [RBig; N] {
     numbers.each_ref().map(|x| x.value.clone())
 }
 
-/// A vector brought to length 1; one of this length, within rounding, stays as it is.
+/// A normalized vector; one of length 1 within rounding is left unchanged.
 pub fn to_direction(v: [f64; 3]) -> Result<[f64; 3], Failure> {
     if (dot(v, v) - 1.0).abs() <= 2.0 * f64::EPSILON {
         return Ok(v);
@@ -220,7 +220,7 @@ pub fn threads(text: &str) -> Result<NonZeroUsize, Failure> {
     count.ok_or_else(|| Failure::input(format!("the number of threads is a whole number from 1 to {MAX_THREADS}")))
 }
 
-/// A number of which only the nearest double is needed.
+/// A number needed only as the nearest double.
 pub fn float(text: &str) -> Result<f64, Failure> {
     Ok(number(text)?.to_f64())
 }
@@ -248,7 +248,7 @@ pub fn vector(text: &str) -> Result<[f64; 3], Failure> {
     Ok(triple(text)?.rounded())
 }
 
-/// A vector brought to length 1; one of this length, within rounding, stays as it is.
+/// A normalized vector; one of length 1 within rounding is left unchanged.
 pub fn direction(text: &str) -> Result<[f64; 3], Failure> {
     to_direction(vector(text)?)
 }
@@ -352,7 +352,7 @@ pub fn preset() -> impl TypedValueParser<Value = &'static Preset> {
     PossibleValuesParser::new(names).try_map(|name| Preset::find(&name).ok_or("bifdiag bodies lists the names"))
 }
 
-/// What the answer must be worth, as it is written.
+/// The values of `--accuracy`.
 const LEVELS: [Named<Accuracy>; 2] = [
     ("exact", "Never undecided: f64 where its error bounds suffice, exact arithmetic elsewhere", Accuracy::Exact),
     ("fast", "f64 with error bounds alone; may say undecided", Accuracy::Fast),
@@ -360,7 +360,7 @@ const LEVELS: [Named<Accuracy>; 2] = [
 
 /// What became of the words of version 1.
 const SUCCESSORS: [(&str, &str); 3] = [
-    ("draft", "there are no coarser answers any more: leave it out for `exact`, or give `fast`"),
+    ("draft", "coarser answers were removed: leave it out for `exact`, or give `fast`"),
     ("standard", "leave it out for `exact`, which is never undecided, or give `fast` for f64 alone"),
     ("certified", "answers are `exact` by default; `bifdiag atlas --certificate` adds the certificate"),
 ];

@@ -47,7 +47,7 @@ pub fn file(problem: &Problem<'_>, path: &Path) -> Result<(PathBuf, Vec<u8>), Fa
     }
     let page_at = path.with_extension("html");
     tracing::warn!(
-        "ffmpeg, which makes {}, is not installed: {} is written instead",
+        "ffmpeg is not installed, so {} cannot be made: {} is written instead",
         path.display(),
         page_at.display()
     );
@@ -76,7 +76,7 @@ fn film(scene: &AnimationScene<'_>) -> Result<Vec<u8>, Failure> {
     ffmpeg.args(["-framerate", &rate.to_string(), "-i", "-", "-vf", even, "-pix_fmt", "yuv420p"]).arg(&out);
     let running = ffmpeg.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn();
     let mut running = running.map_err(failure)?;
-    // What it says when it ends early is told below.
+    // If it ends early, its message is reported below.
     let mut taken = Ok(());
     if let Some(mut input) = running.stdin.take() {
         for frame in 0..scene.frames.len() {
@@ -143,7 +143,7 @@ fn animation<T>(problem: &Problem<'_>, most: usize, draw: impl FnOnce(&Animation
     }))
 }
 
-/// The edges of a body out of a mesh in its principal axes, of many so many that a picture can hold them.
+/// The edges of a mesh in principal axes, thinned out if there are too many for a picture.
 fn edges_of(problem: &Problem<'_>, most: usize) -> Result<Vec<[[f64; 3]; 2]>, Failure> {
     let part = &problem.arguments.body.part;
     let Some(file) = &part.file else { return Ok(Vec::new()) };

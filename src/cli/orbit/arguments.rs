@@ -29,7 +29,8 @@ Examples:
 The start, at time 0, is gamma (or Euler's angles theta from 0 to pi, psi and phi: gamma = (sin theta sin psi, sin theta cos psi, \
 cos theta)) with the angular momentum l or the angular velocity omega = l/A, in the body's axes; or a \
 point of the section: (h, l), theta, psi and sheet of its PP-torus, as `bifdiag section` writes them. The attitude is a \
-unit quaternion w,x,y,z that takes vectors of the body to space, whose third axis is gamma: both point down, along gravity. theta, \
+unit quaternion w,x,y,z that takes vectors from the body to space, whose third axis is gamma: both point down, along \
+gravity. theta, \
 psi, phi are Euler's angles of the third axis.";
 
 /// `bifdiag orbit`.
@@ -77,29 +78,30 @@ pub struct OrbitArguments {
     #[arg(long, value_name = "ANGLE", allow_hyphen_values = true, value_parser = values::angle)]
     #[arg(help_heading = "Motion", hide_short_help = true, conflicts_with = "euler")]
     pub phi: Option<f64>,
-    /// Times: n of them from t0 to t1, or a FILE (-: stdin) with one on each line; negative ones are in the past
+    /// Times: n values from t0 to t1, or a FILE (-: stdin) with one per line; negative times are in the past
     #[arg(long, value_name = "t0:t1:n|FILE", default_value = "0:10:21", allow_hyphen_values = true)]
     #[arg(value_parser = Times::parse, help_heading = "Motion")]
     pub times: Times,
-    /// Truncation error of a step of the Taylor series, relative to the size of the motion
+    /// Truncation error per step of the Taylor series, relative to the size of the motion
     #[arg(long, value_name = "TOL", allow_hyphen_values = true, value_parser = values::step_tolerance)]
     #[arg(default_value = "1e-15", hide_short_help = true, help_heading = "Motion")]
     pub tol: f64,
-    /// Enclose the motion in intervals that are proved to hold it
+    /// Enclose the motion in intervals that are proved to contain it
     #[arg(long, help_heading = "Motion", conflicts_with_all = ["tol", "animate"])]
     pub proved: bool,
     /// Digits of the proof's arithmetic, from 5 to 250 (default: as many as --bound needs)
     #[arg(long, value_name = "D", requires = "proved", hide_short_help = true, help_heading = "Motion")]
     #[arg(value_parser = values::proof_digits)]
     pub digits: Option<u32>,
-    /// The widest interval wanted; the proof ends where the motion cannot be told so well
+    /// Widest interval wanted; the proof ends where the intervals would be wider
     #[arg(long, value_name = "WIDTH", requires = "proved", hide_short_help = true, help_heading = "Motion")]
     #[arg(default_value = "1e-10", value_parser = values::proof_bound)]
     pub bound: f64,
     /// Write the samples to FILE.csv, .npz, .parquet or .jsonl (-: CSV to stdout)
     #[arg(long, value_name = "FILE", value_parser = DataTarget::parse, help_heading = "Output")]
     pub data: Option<DataTarget>,
-    /// Write a moving picture of the body, the trace of its axis, and the section that fills, to FILE.svg, FILE.html or, with ffmpeg, FILE.mp4
+    /// Write an animation of the body, the trace of its axis, and the section as it fills, to FILE.svg, FILE.html or,
+    /// with ffmpeg, FILE.mp4
     #[arg(long, value_name = "FILE", value_parser = animation, help_heading = "Output", hide_short_help = true)]
     pub animate: Option<PathBuf>,
     /// Print the answer as JSON
@@ -145,7 +147,7 @@ impl<'a> Problem<'a> {
 fn animation(text: &str) -> Result<PathBuf, Failure> {
     match Path::new(text).extension().and_then(|extension| extension.to_str()) {
         Some("svg" | "html" | "mp4") => Ok(text.into()),
-        _ => Err(Failure::input("the extension tells the format: give FILE.svg, FILE.html or FILE.mp4")),
+        _ => Err(Failure::input("the extension selects the format: give FILE.svg, FILE.html or FILE.mp4")),
     }
 }
 
@@ -209,9 +211,7 @@ fn of_point(arguments: &OrbitArguments, top: &HeavyTop, given: &'static str) -> 
         return Err(wrong_theta(theta));
     }
     let torus = PpTorus::new(top).map_err(|_no_axis| {
-        Failure::input(
-            "--theta and --psi need r ≠ 0, of which this body has none; give --gamma with --omega or --l-vector",
-        )
+        Failure::input("--theta and --psi need r ≠ 0, and this body has r = 0; give --gamma with --omega or --l-vector")
     })?;
     let point = TorusPoint { theta, psi, sheet: arguments.sheet.unwrap_or(1) };
     torus.state(point, h, l).map_err(|error| match error {

@@ -33,7 +33,7 @@ pub fn run(arguments: &OrbitArguments, timings: &Timings, quiet: bool) -> Result
     output(&problem, &motion, interrupted, timings)?;
     drop(work);
     let computed =
-        format!("computed are {} of {}", motion.samples.len(), counted(problem.times.len(), "sample", "samples"));
+        format!("{} of {} computed", motion.samples.len(), counted(problem.times.len(), "sample", "samples"));
     match motion.report.failure {
         Some(cause) => Err(Failure::work(computed).because(cause)),
         None if interrupted => Err(Failure::work(format!("interrupted: {computed}; no file was written"))),

@@ -70,7 +70,7 @@ impl Times {
     }
 }
 
-/// Empty lines, lines that start with # and a heading are passed over; of several columns the first counts.
+/// Empty lines, lines that start with # and a header are skipped; the first of several columns is used.
 fn of_file(path: &Path) -> Result<Vec<f64>, Failure> {
     let wrong = |what: String| Failure::input(format!("--times {}{what}", path.display()));
     let text = read(path).map_err(|error| {

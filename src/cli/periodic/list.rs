@@ -202,8 +202,8 @@ impl Work<'_> {
         let identity = serde_json::to_vec(&self.document(Vec::new()))?;
         Journal::open(path, &identity, self.arguments.restart, |path, _| {
             Err(Failure::input(format!(
-                "{} holds the beginning of another list; finish that one with its own options, choose another --data, or give \
-                 --restart to discard it",
+                "{} belongs to another unfinished list; finish that one with its own options, choose another --data, \
+                or give --restart to discard it",
                 path.display()
             )))
         })
@@ -217,7 +217,7 @@ impl Work<'_> {
             kept.families = read_back(journal)?;
             if done > 0 && !quiet {
                 let name = if self.asked.held == Held::Momentum { "momenta" } else { "energies" };
-                say(&format!("going on behind {done} of {} {name} done before", self.asked.values.len()));
+                say(&format!("resuming after {done} of {} {name} done before", self.asked.values.len()));
             }
         }
         let total = self.asked.values.len() as u64;
@@ -248,7 +248,7 @@ impl Work<'_> {
             || "interrupted".to_owned(),
             |journal| {
                 let path = journal.path().display();
-                format!("interrupted: {path} holds what was found, and the same command goes on from there")
+                format!("interrupted: {path} holds what was found; run the same command again to resume from there")
             },
         )))
     }

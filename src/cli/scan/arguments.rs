@@ -25,16 +25,17 @@ Examples:
   bifdiag scan border --body katok:2 --vary A3=0.7:0.8
   bifdiag scan events --body kovalevskaya --vary A2=1:2.2
 
-One row for each body: A, r, the class of its diagram, numbers of regions, events and relative equilibria, types found. \
-FILE.summary.json says what all have in common. A scan that was stopped goes on where it was when it is started again, \
-and its files are byte for byte those of an unbroken one.";
+One row per body: A, r, the class of its diagram, the numbers of regions, events and relative equilibria, the types \
+found. FILE.summary.json summarizes all rows. An interrupted scan resumes where it stopped when the same command is \
+run again, and its files are byte for byte those of an uninterrupted run.";
 
 const MERGE_EXAMPLES: &str = "\
 Examples:
   bifdiag scan merge shard-1.parquet shard-2.parquet --out all.parquet
   bifdiag scan merge shard-*.csv --out all.csv
 
-A shard is its file with rows and its FILE.summary.json. The result is byte for byte that of the scan in one piece.";
+A shard consists of a file with rows and its FILE.summary.json. The result is byte for byte that of the scan in one \
+piece.";
 
 const MAP_EXAMPLES: &str = "\
 Examples:
@@ -51,7 +52,7 @@ Examples:
   bifdiag scan events --body kovalevskaya --vary A2=1:2.2
   bifdiag scan events --body paper --vary r2=0:0.4:60 --l 0:6 --data events.csv
 
-Each event (cusp, pitchfork, crossing) is followed from border to border; --data FILE holds its places.";
+Each event (cusp, pitchfork, crossing) is followed from border to border; --data FILE lists its positions.";
 
 /// `bifdiag scan`.
 #[derive(Debug, Args)]
@@ -100,37 +101,37 @@ static FAMILIES: [Named<BodyFamily>; 3] = [
 pub struct SampleArguments {
     #[command(flatten)]
     pub body: PlainBodyArguments,
-    /// The bodies to choose from; without it, the body of --A and --r with --vary
+    /// Family of bodies; without it, vary the body of --A and --r by --vary
     #[arg(long, value_parser = named(&FAMILIES), help_heading = "Bodies")]
     pub family: Option<BodyFamily>,
-    /// A table (CSV) with the columns A1, A2, A3, r1, r2, r3: each row is a body
+    /// Read the bodies from a CSV table with the columns A1, A2, A3, r1, r2, r3
     #[arg(long, value_name = "FILE", help_heading = "Bodies", conflicts_with_all = ["family", "vary", "samples", "seed"])]
     pub bodies: Option<PathBuf>,
     /// A parameter (A1, A2, A3, r1, r2, r3) and its range; with N: a grid of N values
     #[arg(long, value_name = "A2=FROM:TO[:N]", value_delimiter = ',', help_heading = "Bodies")]
     pub vary: Vec<ParameterRange>,
-    /// Number of bodies of a low-discrepancy sequence
+    /// Take N bodies of a low-discrepancy sequence
     #[arg(long, value_name = "N", help_heading = "Bodies", value_parser = clap::value_parser!(u64).range(1..1 << 53))]
     pub samples: Option<u64>,
-    /// Where the sequence starts; 0: in the middle
+    /// Start of the sequence; 0: in the middle
     #[arg(long, value_name = "N", default_value_t = 0, help_heading = "Bodies", hide_short_help = true)]
     pub seed: u64,
-    /// Only part i of n of the bodies
+    /// Scan only part i of n of the bodies
     #[arg(long, value_name = "i/n", help_heading = "Work", hide_short_help = true)]
     pub shard: Option<Shard>,
-    /// What the answers must be worth
+    /// Required accuracy of the answers
     #[arg(long, value_parser = accuracy(), default_value = "exact", help_heading = "Work", hide_short_help = true)]
     pub accuracy: Accuracy,
-    /// Begin anew, although FILE.partial holds the beginning of a scan
+    /// Start over even if FILE.partial holds an unfinished scan
     #[arg(long, help_heading = "Work", hide_short_help = true)]
     pub restart: bool,
-    /// Leave a FILE alone that another scan has finished, or that is none
+    /// Do not replace FILE if another scan has finished it, or if it is not a scan
     #[arg(long, help_heading = "Output", hide_short_help = true)]
     pub keep: bool,
     /// Write the rows to FILE (.parquet, .csv, .jsonl; -: stdout) and the summary to FILE.summary.json
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub out: Option<PathBuf>,
-    /// Format of the rows (default: by the ending of FILE, JSON Lines on stdout)
+    /// Format of the rows (default: by the extension of FILE; JSON Lines on stdout)
     #[arg(long, value_enum, help_heading = "Output")]
     pub format: Option<Format>,
     /// Print the summary as JSON
@@ -158,10 +159,10 @@ pub struct MapArguments {
     /// The rows of a scan
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// Parameter to the right
+    /// Parameter of the horizontal axis
     #[arg(long, value_name = "PARAMETER", value_parser = parameter, help_heading = "Map")]
     pub x: BodyParameter,
-    /// Parameter upwards
+    /// Parameter of the vertical axis
     #[arg(long, value_name = "PARAMETER", value_parser = parameter, help_heading = "Map")]
     pub y: BodyParameter,
     /// What the colours show
@@ -181,10 +182,10 @@ pub struct MapArguments {
 pub struct BorderArguments {
     #[command(flatten)]
     pub body: PlainBodyArguments,
-    /// A parameter and the two values between which the class changes; several are varied together
+    /// A parameter and two values between which the class changes; several vary together
     #[arg(long, value_name = "A2=FROM:TO", value_delimiter = ',', help_heading = "Border")]
     pub vary: Vec<ParameterRange>,
-    /// What the answers must be worth
+    /// Required accuracy of the answers
     #[arg(long, value_parser = accuracy(), default_value = "exact", help_heading = "Work")]
     pub accuracy: Accuracy,
     /// Print the answer as JSON
@@ -197,13 +198,13 @@ pub struct BorderArguments {
 pub struct EventsArguments {
     #[command(flatten)]
     pub body: PlainBodyArguments,
-    /// The parameter that varies and its range; with N: over so many bodies (default: 240)
-    #[arg(long, value_name = "A2=FROM:TO[:N]", help_heading = "Way")]
+    /// The parameter that varies and its range; N is the number of bodies (default: 240)
+    #[arg(long, value_name = "A2=FROM:TO[:N]", help_heading = "Path")]
     pub vary: ParameterRange,
-    /// The momenta that the picture shows (default: nearly all events)
+    /// Range of momenta in the picture (default: nearly all events)
     #[arg(long = "l", value_name = "FROM:TO", value_parser = values::momenta, help_heading = "Output")]
     pub momenta: Option<[f64; 2]>,
-    /// Write the places of the events to FILE.csv, FILE.npz, FILE.jsonl or FILE.parquet (-: CSV to stdout)
+    /// Write the positions of the events to FILE.csv, FILE.npz, FILE.jsonl or FILE.parquet (-: CSV to stdout)
     #[arg(long, value_name = "FILE", value_parser = DataTarget::parse, help_heading = "Output")]
     pub data: Option<DataTarget>,
     /// Write the picture to DIR (default: bifdiag-out; with --json or --data -: nowhere)

@@ -104,7 +104,7 @@ fn add(report: &mut Report, document: &EventTracksDocument) {
     ));
     if document.passed > 0 {
         let left_out = counted(document.passed as usize, "of them is left out", "of them are left out");
-        report.line(format!("{left_out}: special, on a border or undecided; bodies beside are looked at instead"));
+        report.line(format!("{left_out}: special, on a border or undecided; neighbouring bodies are examined instead"));
     }
     report.line("");
     if document.events.is_empty() {
@@ -124,7 +124,7 @@ fn add(report: &mut Report, document: &EventTracksDocument) {
     }
     report.line(table.text());
     report.line(format!("from, to: values of {parameter}"));
-    report.line("l: the least and the most among the bodies that were looked at");
+    report.line("l: the smallest and the largest among the bodies examined");
     report
         .line("borders are sought between neighbouring bodies of different classes; two within one step may be missed");
     for border in &document.borders {

@@ -41,7 +41,7 @@ impl Identity {
     /// In what two scans differ, apart from their part of the bodies.
     pub fn difference(&self, other: &Self) -> Option<&'static str> {
         if self.design != other.design {
-            Some("which bodies it looks at")
+            Some("the choice of bodies")
         } else if self.accuracy != other.accuracy {
             Some("the accuracy")
         } else if self.program != other.program {
@@ -59,7 +59,7 @@ pub struct Rows {
 }
 
 impl Rows {
-    /// Opens the journal beside an output file: takes up what is there, or begins.
+    /// Opens the journal beside an output file, to resume an existing one or to begin.
     pub fn open(out: &Path, identity: &Identity, restart: bool) -> Result<Self, Failure> {
         let line = serde_json::to_vec(&identity.document())?;
         let journal = Journal::open(out, &line, restart, |path, line| {
@@ -68,7 +68,8 @@ impl Rows {
                 None => "its first line",
             };
             Err(Failure::input(format!(
-                "{} holds the beginning of another scan ({difference} differs); finish that scan with its own options, choose \
+                "{} belongs to another unfinished scan ({difference} differs); finish that scan with its own options, \
+                choose \
                  another --out, or give --restart to discard it",
                 path.display()
             )))

@@ -14,14 +14,14 @@ use crate::pictures::{Seen, map};
 pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
     if arguments.x == arguments.y {
         let (axis, all) = (arguments.y, BodyParameter::ALL.map(BodyParameter::name).join(", "));
-        return Err(Failure::input(format!("--y {axis}: both axes show it; choose two of {all}")));
+        return Err(Failure::input(format!("--y {axis}: both axes show the same parameter; choose two of {all}")));
     }
     let file = &arguments.file;
     let format = output::format_of_input(file)?;
     if output::summary_path(file).exists() {
         output::checked_summary(file)?;
     } else {
-        tracing::warn!("{} has no summary beside it: whether its rows are whole is not known", file.display());
+        tracing::warn!("{} has no summary beside it: its rows may be incomplete", file.display());
     }
     let table = |error: Failure| Failure::input(format!("{}: {error}", file.display()));
     let mut bodies = Vec::new();
@@ -37,7 +37,7 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
     let axes = [("--x", arguments.x), ("--y", arguments.y)];
     if bodies.is_empty() {
         let path = file.display();
-        return Err(Failure::input(format!("{path}: no bodies are in it; name a file with the rows of a scan")));
+        return Err(Failure::input(format!("{path}: it contains no bodies; name a file with the rows of a scan")));
     }
     for (place, (option, parameter)) in axes.into_iter().enumerate() {
         if bodies.iter().all(|body| body.at[place] == bodies[0].at[place]) {
@@ -49,12 +49,12 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
     let picture = timings.stage("map", || draw_map(&map, arguments.picture.theme, arguments.width.width))?;
     if picture.millimetres_high() > Picture::HIGHEST {
         tracing::warn!(
-            "the picture is {:.0} mm high, more than the {} mm of a page: its legend has {} entries; a map over smaller ranges, \
-             or --show regions, has less{}",
+            "the picture is {:.0} mm high, more than the {} mm of a page: its legend has {} entries; a map over \
+            smaller ranges, or --show regions, has fewer{}",
             picture.millimetres_high(),
             Picture::HIGHEST,
             map.entries.len(),
-            if arguments.width.width.is_column() { ", and --width 178mm is lower" } else { "" },
+            if arguments.width.width.is_column() { ", and --width 178mm makes it lower" } else { "" },
         );
     }
     let mut files = FileSet::new(&arguments.out);

@@ -49,7 +49,7 @@ fn parts(shards: &[PathBuf], out: &Path) -> Result<Vec<Part>, Failure> {
         }
     }
     parts.sort_by_key(|part| part.identity.range);
-    // A shard of no bodies stands between its neighbours and covers nothing.
+    // A shard without bodies comes between its neighbours and covers nothing.
     parts.retain(|part| part.identity.range[0] < part.identity.range[1] || part.identity.design.count() == 0);
     check_cover(&parts)?;
     Ok(parts)
@@ -73,7 +73,7 @@ fn part(path: &Path, out: &Path) -> Result<Part, Failure> {
     Ok(Part { path: path.to_owned(), format, identity })
 }
 
-/// Each body is in one of the parts, which stand in the order of their bodies.
+/// Each body is in exactly one of the parts, which are in the order of their bodies.
 fn check_cover(parts: &[Part]) -> Result<(), Failure> {
     let Some(first) = parts.first() else { return Ok(()) };
     let count = first.identity.design.count();
@@ -107,7 +107,10 @@ fn check_cover(parts: &[Part]) -> Result<(), Failure> {
 
 fn missing([from, to]: [u64; 2], count: u64, place: &str) -> Failure {
     let to = to - 1;
-    Failure::input(format!("bodies {from} to {to} of {count} are missing ({place}); make that shard too and name it"))
+    Failure::input(format!(
+        "bodies {from} to {to} of {count} are missing ({place}); compute that shard too and name \
+    it"
+    ))
 }
 
 /// Passes the rows of a shard on, each in its place.
@@ -123,7 +126,7 @@ fn pass_rows(part: &Part, take: &mut dyn FnMut(RowDocument) -> Result<(), Failur
         if row.index != wanted || wanted >= to {
             let index = row.index;
             return Err(Failure::input(format!(
-                "{path}: row {found} has number {index} where {wanted} should stand; make this shard again"
+                "{path}: row {found} has number {index} where {wanted} is expected; compute this shard again"
             )));
         }
         take(row)?;
@@ -132,5 +135,5 @@ fn pass_rows(part: &Part, take: &mut dyn FnMut(RowDocument) -> Result<(), Failur
     if found == wanted {
         return Ok(());
     }
-    Err(Failure::input(format!("{path} has {found} rows where its summary says {wanted}; make this shard again")))
+    Err(Failure::input(format!("{path} has {found} rows where its summary says {wanted}; compute this shard again")))
 }

@@ -25,12 +25,15 @@ pub fn summary_path(rows: &Path) -> PathBuf {
 /// The format of an output file.
 pub fn format_of(out: &Path, format: Option<Format>) -> Result<Format, Failure> {
     let Some(format) = format.or_else(|| Format::of(out)) else {
-        let right = "use .parquet, .csv or .jsonl, or say it with --format";
-        return Err(Failure::input(format!("--out {}: the ending says no format; {right}", out.display())));
+        let right = "use .parquet, .csv or .jsonl, or give --format";
+        return Err(Failure::input(format!(
+            "--out {}: the extension does not give the format; {right}",
+            out.display()
+        )));
     };
     let folder = out.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
     fs::metadata(folder).map_err(|error| {
-        Failure::input(format!("--out {}: {error}; choose a file in a folder that is there", out.display()))
+        Failure::input(format!("--out {}: {error}; choose a file in an existing folder", out.display()))
     })?;
     available(format, out)
 }
@@ -39,7 +42,7 @@ pub fn format_of(out: &Path, format: Option<Format>) -> Result<Format, Failure> 
 pub fn format_of_input(path: &Path) -> Result<Format, Failure> {
     let format = Format::of(path).ok_or_else(|| {
         let right = "name a file with the rows of a scan";
-        Failure::input(format!("{}: the ending is none of .parquet, .csv and .jsonl; {right}", path.display()))
+        Failure::input(format!("{}: the extension is not .parquet, .csv or .jsonl; {right}", path.display()))
     })?;
     available(format, path)
 }
@@ -96,7 +99,7 @@ pub fn checked_summary(rows: &Path) -> Result<ScanSummaryDocument, Failure> {
     if digest == summary.sha256 {
         return Ok(summary);
     }
-    let why = "is not what its summary describes (its SHA-256 is another): it is truncated or altered; make it again";
+    let why = "does not match its summary (its SHA-256 differs): it is truncated or altered; compute it again";
     Err(Failure::input(format!("{} {why}", rows.display())))
 }
 
@@ -114,7 +117,7 @@ pub fn finished(out: &Path, wanted: &Identity) -> Result<ScanSummaryDocument, Fa
         Ok((_, found)) => found.difference(wanted).unwrap_or("the shard"),
         Err(_no_scan) => {
             return Err(Failure::input(format!(
-                "{} is there and is no finished scan; choose another --out, or leave out --keep to replace it",
+                "{} exists and is not a finished scan; choose another --out, or leave out --keep to replace it",
                 out.display()
             )));
         }
@@ -129,7 +132,7 @@ fn no_summary(rows: &Path, reason: &impl ToString) -> Failure {
     let (path, summary, reason) = (rows.display(), summary_path(rows), reason.to_string());
     let summary = summary.display();
     Failure::input(format!(
-        "{path}: its summary {summary} cannot be read ({reason}); a shard is its file with rows and its summary"
+        "{path}: its summary {summary} cannot be read ({reason}); a shard consists of a file with rows and its summary"
     ))
 }
 
@@ -163,7 +166,7 @@ pub fn report(document: &ScanSummaryDocument, out: &Path) -> String {
     let single = document.classes.iter().filter(|class| class.bodies == 1).count();
     let classes = counted(document.classes.len(), "class", "classes");
     report.line(match (document.classes.len(), single) {
-        (0, _) => "no class was met".to_owned(),
+        (0, _) => "no class was found".to_owned(),
         (1, 1) => format!("{classes}, met once"),
         (all, single) if all == single => format!("{classes}, each met once"),
         _ => format!("{classes}, {single} of them met once"),

@@ -55,7 +55,7 @@ fn columns() -> Vec<Column> {
             () if is("integer") => Kind::Whole,
             () if is("number") => Kind::Real,
             () if is("boolean") => Kind::Truth,
-            // Texts, and words such as the status, whose type stands elsewhere.
+            // Texts, and words such as the status, whose type is defined elsewhere.
             () => Kind::Text,
         };
         Column { name: name.clone(), kind, always: required.iter().any(|known| known == name) }
@@ -136,7 +136,7 @@ fn write_cells<T: DataType>(
 }
 
 fn no_parquet(error: ParquetError) -> Failure {
-    Failure::input(format!("this is no Parquet file of a scan: {error}")).because(error)
+    Failure::input(format!("this is not a Parquet file of a scan: {error}")).because(error)
 }
 
 /// The rows of a file.
@@ -147,8 +147,12 @@ pub fn rows(file: File) -> Result<impl Iterator<Item = Result<RowDocument, Failu
         let row = row.map_err(no_parquet)?;
         let fields: Map<String, Value> =
             row.get_column_iter().map(|(name, field)| (name.clone(), value(field))).collect();
-        serde_json::from_value(Value::Object(fields))
-            .map_err(|error| Failure::input(format!("row {number} of the Parquet file is no row of a scan: {error}")))
+        serde_json::from_value(Value::Object(fields)).map_err(|error| {
+            Failure::input(format!(
+                "row {number} of the Parquet file is not a row of a scan: \
+            {error}"
+            ))
+        })
     }))
 }
 

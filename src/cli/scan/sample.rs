@@ -40,7 +40,7 @@ pub fn run(arguments: &SampleArguments, quiet: bool) -> Result<(), Failure> {
     }
     let mut journal = Rows::open(out, &identity, arguments.restart)?;
     if journal.count() > 0 && !quiet {
-        say(&format!("going on behind {} done before", counted(journal.count(), "body", "bodies")));
+        say(&format!("resuming after {} done before", counted(journal.count(), "body", "bodies")));
     }
     let progress = Progress::new(journal.count(), range[1] - range[0], "bodies", quiet);
     while range[0] + journal.count() < range[1] {
@@ -119,7 +119,7 @@ fn design(arguments: &SampleArguments) -> Result<Design, Failure> {
         }
         (None, None) => {
             return Err(Failure::input(
-                "nothing says which bodies to scan; give --family general --samples 100000, --family katok, or a body with \
+                "no bodies are given; use --family general --samples 100000, --family katok, or a body with \
                  --vary A2=0.5:2:200",
             ));
         }
@@ -162,7 +162,7 @@ fn listed(path: &Path) -> Result<Design, Failure> {
     }
     let count = bodies.len() as u64;
     if count == 0 {
-        return Err(wrong("there is no body in it".to_owned()));
+        return Err(wrong("it contains no body".to_owned()));
     }
     let list = BodyList::new(output::hexadecimal(digest), bodies);
     Design::new(BodyFamily::Listed(list), Vec::new(), Some(count), 0).map_err(Failure::input)

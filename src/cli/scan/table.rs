@@ -16,9 +16,9 @@ use crate::cli::failure::{Failure, failed};
 pub enum Format {
     /// Apache Parquet, for pandas, Polars, DuckDB, Spark
     Parquet,
-    /// Comma-separated values with a heading
+    /// Comma-separated values with a header
     Csv,
-    /// One JSON object a line
+    /// One JSON object per line
     Jsonl,
 }
 
@@ -67,7 +67,7 @@ impl Format {
                 let rows = csv::Reader::from_reader(BufReader::new(file)).into_deserialize();
                 let row = |row: Result<RowDocument, csv::Error>| {
                     row.map_err(|error| {
-                        Failure::input(format!("this is no CSV file of a scan: {error}")).because(error)
+                        Failure::input(format!("this is not a CSV file of a scan: {error}")).because(error)
                     })
                 };
                 Box::new(rows.map(row))
@@ -75,7 +75,7 @@ impl Format {
             Self::Jsonl => Box::new(BufReader::new(file).lines().zip(1_u64..).map(|(line, number)| {
                 let line = line.map_err(Failure::input)?;
                 serde_json::from_str(&line)
-                    .map_err(|error| Failure::input(format!("line {number} is no row of a scan: {error}")))
+                    .map_err(|error| Failure::input(format!("line {number} is not a row of a scan: {error}")))
             })),
             #[cfg(feature = "parquet")]
             Self::Parquet => Box::new(parquet::rows(file)?),

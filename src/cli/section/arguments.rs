@@ -23,11 +23,11 @@ Examples:
   bifdiag section --body kovalevskaya --region R1,R3 --crossings 200
   bifdiag section --atlas bifdiag-out/atlas.json --region all --out sections
 
---starts FILE.csv has the heading theta,psi,sheet and a point of the PP-torus on each line (other columns are passed over, \
-so that each crossing of a table that --data wrote starts an orbit); --data writes for each \
-crossing orbit, index, time, gamma, l, sheet, s_dot, theta, psi (index 0 is the start). Crossings \
-go to FILE.partial as they are found, with --data FILE --no-plot alone in constant memory. At the first Ctrl-C the run \
-ends, no file is replaced, and the exit status is 1; the same command goes on from FILE.partial.";
+--starts FILE.csv has the header theta,psi,sheet and one point of the PP-torus per line (other columns are ignored, \
+so that each crossing in a table written by --data starts an orbit); --data writes for each crossing orbit, index, \
+time, gamma, l, sheet, s_dot, theta, psi (index 0 is the start). Crossings go to FILE.partial as they are found, with \
+--data FILE --no-plot alone in constant memory. The first Ctrl-C ends the run with exit status 1 and replaces no \
+file; the same command resumes from FILE.partial.";
 
 /// Which function vanishes on the section.
 const CONDITIONS: [Named<SectionCondition>; 2] = [
@@ -67,14 +67,18 @@ pub enum ColorArgument {
 
 /// How orbits are judged.
 const VERDICTS: [Named<VerdictsName>; 4] = [
-    ("whole", "Over the whole of each orbit; open ones are followed further for it alone", VerdictsName::Whole),
-    ("early", "Each orbit ends where its verdict is found", VerdictsName::Early),
+    (
+        "whole",
+        "From the whole of each orbit; open ones are followed further for the verdict alone",
+        VerdictsName::Whole,
+    ),
+    ("early", "End each orbit where its verdict is found", VerdictsName::Early),
     (
         "only",
-        "The verdict without exponents and rotation numbers: the work for it ends where it is found",
+        "The verdict without exponents and rotation numbers: the work for it ends once it is found",
         VerdictsName::Only,
     ),
-    ("none", "Not at all, which takes a quarter of the time", VerdictsName::None),
+    ("none", "No verdict, which takes a quarter of the time", VerdictsName::None),
 ];
 
 /// `bifdiag section`.
@@ -84,32 +88,32 @@ pub struct SectionArguments {
     pub body: BodyArguments,
     #[command(flatten)]
     pub point: PointArguments,
-    /// Take the body and the points from an atlas.json (-: stdin), of all regions or that of --region
+    /// Take the body and the points from an atlas.json (-: stdin), for all regions or those of --region
     #[arg(long, value_name = "FILE", help_heading = "Point", hide_short_help = true)]
     pub atlas: Option<PathBuf>,
-    /// Instead of --h and --l: the sample of a region such as R4, of several in one picture, or of all
+    /// Instead of --h and --l: use the sample of a region such as R4, of several in one picture, or of all
     #[arg(long, value_name = "ID,…|all", value_delimiter = ',', value_parser = values::trimmed, help_heading = "Point")]
     pub region: Vec<String>,
     /// Number of orbits, spread evenly over the section (default: 24)
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = values::orbits)]
     #[arg(help_heading = "Orbits")]
     pub orbits: Option<NonZeroU32>,
-    /// Another choice of the starting points, equally spread (default: 0)
+    /// Seed for the starting points; all choices are equally spread (default: 0)
     #[arg(long, value_name = "K", allow_hyphen_values = true, value_parser = values::seed, help_heading = "Orbits", hide_short_help = true)]
     pub seed: Option<u64>,
-    /// Start at the points of FILE (-: stdin) instead: CSV with the heading theta,psi,sheet
+    /// Start at the points of FILE (-: stdin) instead: CSV with the header theta,psi,sheet
     #[arg(long, value_name = "FILE.csv", help_heading = "Orbits", hide_short_help = true)]
     pub starts: Option<PathBuf>,
     /// Crossings of each orbit
     #[arg(long, value_name = "M", default_value = "500", allow_hyphen_values = true)]
     #[arg(value_parser = values::crossings, help_heading = "Orbits")]
     pub crossings: NonZeroU32,
-    /// Stop each orbit at time T even if it has fewer crossings, such as 1e4; the last step ends after T, the last crossing
-    /// does not lie there
+    /// Stop each orbit at time T, such as 1e4, even if it has fewer crossings; the last step may end after T, but no
+    /// crossing lies there
     #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = values::duration)]
     #[arg(help_heading = "Orbits", hide_short_help = true)]
     pub max_time: Option<f64>,
-    /// Is each orbit regular, chaotic, or is that open? (default: whole; none where only --data is written)
+    /// Decide whether each orbit is regular, chaotic or open (default: whole; none where only --data is written)
     #[arg(long, value_parser = values::named(&VERDICTS), help_heading = "Orbits", hide_short_help = true)]
     pub verdict: Option<VerdictsName>,
     /// The section condition S = 0
@@ -119,16 +123,17 @@ pub struct SectionArguments {
     #[arg(long, value_name = "TOL", allow_hyphen_values = true, value_parser = values::step_tolerance)]
     #[arg(default_value = "1e-15", hide_short_help = true, help_heading = "Orbits")]
     pub tol: f64,
-    /// Write the points to FILE.npz, FILE.parquet, FILE.csv or FILE.jsonl (-: CSV to stdout); with several regions, a file for each
+    /// Write the points to FILE.npz, FILE.parquet, FILE.csv or FILE.jsonl (-: CSV to stdout); one file per region if
+    /// there are several
     #[arg(long, value_name = "FILE", value_parser = DataTarget::parse, help_heading = "Output")]
     pub data: Option<DataTarget>,
     /// Write picture, points and summary to DIR (default: bifdiag-out; with --json or --data -: nowhere)
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub out: Option<PathBuf>,
-    /// Where the picture shows the section
+    /// Surface on which the section is drawn
     #[arg(long, value_parser = values::named(&PROJECTIONS), default_value = "torus", help_heading = "Output", hide_short_help = true)]
     pub projection: Projection,
-    /// Colour the points by this (default: verdict where verdicts are found, else orbit)
+    /// What the colour of a point shows (default: verdict where verdicts are found, else orbit)
     #[arg(long, value_enum, help_heading = "Output", hide_short_help = true)]
     pub color: Option<ColorArgument>,
     #[command(flatten)]
@@ -138,7 +143,7 @@ pub struct SectionArguments {
     /// Draw nothing
     #[arg(long, help_heading = "Output")]
     pub no_plot: bool,
-    /// Print what was computed, and how well each orbit went, as JSON
+    /// Print the results, and how accurate each orbit is, as JSON
     #[arg(long, help_heading = "Output")]
     pub json: bool,
 }

@@ -1,5 +1,5 @@
-//! The crossings of a section in its journal. Each block is an orbit's next crossings, what the orbit was like until then,
-//! and where it goes on.
+//! The crossings of a section in its journal. Each block has an orbit's next crossings, its report so far, and the
+//! state from which it continues.
 
 use std::io;
 use std::path::Path;
@@ -20,7 +20,7 @@ const REPORT: usize = 8;
 #[derive(Clone, Copy, Debug)]
 pub struct Standing {
     pub report: OrbitReport,
-    /// Where it goes on; `None` where it has ended.
+    /// The state from which it continues; `None` if it has ended.
     pub halt: Option<OrbitCheckpoint>,
 }
 
@@ -61,9 +61,9 @@ impl Crossings {
             let path = path.display();
             if !discards {
                 let right = "finish that, take the file away, or give another FILE";
-                return Err(Failure::input(format!("--data: {path} holds the beginning of another section; {right}")));
+                return Err(Failure::input(format!("--data: {path} belongs to another unfinished section; {right}")));
             }
-            tracing::warn!("{path} held the beginning of another section; it begins anew");
+            tracing::warn!("{path} belonged to another unfinished section; it is started over");
             Ok(())
         })?;
         let columns = table::columns(&[]).into_iter().chain([("time_low", time_low(&[]))]);
@@ -273,7 +273,7 @@ fn words(bytes: &[u8; 8 * HEAD]) -> [u64; HEAD] {
 
 /// The ends that are kept.
 const ENDS: [OrbitEnd; 3] = [OrbitEnd::Crossings, OrbitEnd::Time, OrbitEnd::StaysOnSection];
-/// An orbit that goes on, and one that failed.
+/// An orbit that continues, and one that failed.
 const GOES_ON: u64 = 100;
 const FAILED: u64 = 101;
 

@@ -43,11 +43,11 @@ pub fn run(arguments: &SectionArguments, timings: &Timings, quiet: bool) -> Resu
     if complete {
         return Ok(());
     }
-    let interrupted = format!("interrupted: complete are {finished} of {}", counted(wanted, "orbit", "orbits"));
+    let interrupted = format!("interrupted: {finished} of {} complete", counted(wanted, "orbit", "orbits"));
     Err(Failure::work(match journal {
         Some(journal) => {
             let journal = journal.display();
-            format!("{interrupted}; {journal} holds what was found, and the same command goes on from there")
+            format!("{interrupted}; {journal} holds what was found; run the same command again to resume from there")
         }
         None => format!("{interrupted}; no file was written"),
     }))

@@ -68,7 +68,7 @@ fn row<'a>(plan: &Plan<'_>, section: &'a Done) -> Result<Row<'a>, Failure> {
     Ok(Row { section, portrait, of, names, colors, values, caption })
 }
 
-/// What stands beside (h, l): the region and the type.
+/// The text after (h, l): the region and the type.
 fn caption(document: &SectionDocument) -> String {
     // The type is that of the paper's section.
     let own = document.condition == ConditionName::Height;

@@ -79,8 +79,8 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// The data file of a site beside which its crossings are kept as they are found, and whether those of another section go.
-    /// There is none where orbits end with their verdicts: these cannot be taken up again.
+    /// The data file of a site beside which its crossings are kept as they are found, and whether those of another
+    /// section are discarded. `None` where orbits end with their verdicts: these cannot be resumed.
     pub fn resumed(&self, region: Option<&str>) -> Option<(PathBuf, bool)> {
         match (&self.arguments.data, &self.directory) {
             _ if self.verdict == VerdictsName::Early => None,
@@ -118,8 +118,8 @@ fn verdict(arguments: &SectionArguments) -> Result<VerdictsName, Failure> {
         (Some(verdict @ (VerdictsName::Only | VerdictsName::None)), Some(color)) => {
             let verdict = if verdict == VerdictsName::None { "none" } else { "only" };
             Err(Failure::input(format!(
-                "--verdict {verdict} and --color {color} contradict each other: what the colour tells is not measured then; \
-                 leave out one of them"
+                "--verdict {verdict} and --color {color} contradict each other: what the colour shows is not measured \
+                then; leave out one of them"
             )))
         }
         (Some(verdict), _) => Ok(verdict),

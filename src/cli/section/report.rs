@@ -99,7 +99,7 @@ fn add_summary(report: &mut Report, document: &SectionDocument) {
         let counted = |name| document.orbits.iter().filter(|orbit| orbit.verdict == name).count();
         let [regular, chaotic, open] = [VerdictName::Regular, VerdictName::Chaotic, VerdictName::Open].map(counted);
         report.line(format!("verdicts: {regular} regular, {chaotic} chaotic, {open} open"));
-        report.line("chaotic is not unstable: an unstable periodic orbit is not chaotic");
+        report.line("chaotic does not mean unstable: an unstable periodic orbit is not chaotic");
     }
 }
 

@@ -34,7 +34,7 @@ pub struct Site {
 pub struct Sites {
     pub subject: Subject,
     pub list: Vec<Site>,
-    /// All regions were asked for: those without a section are passed over.
+    /// All regions were requested: those without a section are skipped.
     pub all: bool,
 }
 
@@ -68,7 +68,7 @@ impl Sites {
         if !arguments.region.is_empty() {
             return match point().next() {
                 Some(option) => {
-                    Err(Failure::input(format!("--region and {option} both say where; leave out one of them")))
+                    Err(Failure::input(format!("--region and {option} both give the point; leave out one of them")))
                 }
                 None => Self::of_body(subject, &arguments.region),
             };
@@ -119,10 +119,10 @@ impl Sites {
             .map_err(|error| wrong(&format!("{error}; give an atlas.json that can be read, or - for stdin")))?;
         let atlas = bifdiag_documents::reading::atlas(&text, &path.to_string_lossy()).map_err(|error| {
             let version = format!("version {SCHEMA_VERSION} (bifdiag atlas --json writes one)");
-            Failure::input(format!("--atlas {file} is no atlas of {version}: {error}")).because(error)
+            Failure::input(format!("--atlas {file} is not an atlas of {version}: {error}")).because(error)
         })?;
         let body = Body::parse(&atlas.body.given.moments, &atlas.body.given.center)
-            .map_err(|error| wrong(&format!("its body is not one: {error}")))?;
+            .map_err(|error| wrong(&format!("its body is invalid: {error}")))?;
         // Names of files are made of them.
         for region in &atlas.regions {
             region.id.parse::<RegionId>().map_err(|error| wrong(&error))?;
@@ -165,7 +165,7 @@ fn chosen(samples: Vec<(String, f64, f64)>, wanted: &[String]) -> Result<Vec<Sit
     Ok(chosen.into_iter().filter_map(site).collect())
 }
 
-/// A starting point and the line of the file on which it stands, from 1.
+/// A starting point and its line in the file, counted from 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seed {
     pub point: TorusPoint,
@@ -182,7 +182,7 @@ pub fn load(path: &Path) -> Result<Vec<Seed>, Failure> {
     })?;
     let seeds = parse(&text).map_err(|(line, problem)| wrong_line(path, line, &problem))?;
     if seeds.is_empty() {
-        let right = "write the heading theta,psi,sheet and one start on each line";
+        let right = "write the header theta,psi,sheet and one start on each line";
         return Err(Failure::input(format!("--starts {file} holds no start; {right}")));
     }
     Ok(seeds)
@@ -193,7 +193,7 @@ pub fn wrong_line(path: &Path, line: usize, problem: &str) -> Failure {
     Failure::input(format!("--starts {}, line {line}: {problem}", path.display()))
 }
 
-/// Columns in any order, others ignored; empty lines and lines that start with # are passed over.
+/// Columns in any order, others ignored; empty lines and lines that start with # are skipped.
 fn parse(text: &str) -> Result<Vec<Seed>, (usize, String)> {
     let text = text.trim_start_matches('\u{feff}');
     let lines = text.lines().enumerate().map(|(i, line)| (i + 1, line.trim()));
@@ -203,7 +203,7 @@ fn parse(text: &str) -> Result<Vec<Seed>, (usize, String)> {
     let mut places = [0; 3];
     for (place, name) in places.iter_mut().zip(HEADING) {
         let found = names.iter().position(|found| *found == name);
-        let lacks = || (number, format!("the heading `{heading}` lacks {name}; write theta,psi,sheet"));
+        let lacks = || (number, format!("the header `{heading}` lacks {name}; write theta,psi,sheet"));
         *place = found.ok_or_else(lacks)?;
     }
     lines
@@ -214,7 +214,7 @@ fn parse(text: &str) -> Result<Vec<Seed>, (usize, String)> {
 fn seed(text: &str, wanted: usize, places: [usize; 3]) -> Result<TorusPoint, String> {
     let values: Vec<&str> = text.split(',').map(str::trim).collect();
     if values.len() != wanted {
-        return Err(format!("{}, but the heading has {wanted}", counted(values.len(), "value", "values")));
+        return Err(format!("{}, but the header has {wanted}", counted(values.len(), "value", "values")));
     }
     let [theta, psi, sheet] = places.map(|place| values[place]);
     let angle = |name: &str, value: &str| {
@@ -258,8 +258,8 @@ mod tests {
             let found = parse(text).unwrap_err();
             assert!(found.0 == line && found.1.starts_with(problem), "{found:?}");
         };
-        wrong("theta,psi\n", 1, "the heading `theta,psi` lacks sheet");
-        wrong("theta,psi,sheet\n1,2\n", 2, "2 values, but the heading has 3");
+        wrong("theta,psi\n", 1, "the header `theta,psi` lacks sheet");
+        wrong("theta,psi,sheet\n1,2\n", 2, "2 values, but the header has 3");
         wrong("theta,psi,sheet\n\nx,2,1\n", 3, "theta = `x` is not a number");
         wrong("theta,psi,sheet\n1,nan,1\n", 2, "psi = `nan` is not a number");
         wrong("theta,psi,sheet\n-0.1,2,1\n", 2, "theta = -0.1 is not between 0 and pi");

@@ -19,12 +19,12 @@ const CROSSINGS: usize = 1 << 18;
 /// Fewest orbits that are followed at one time, so that no lane is idle.
 const ORBITS: usize = 128;
 
-/// Follows the orbits of a section into the journal of a file, from where an earlier run has left them. Interrupted, it
-/// is not complete, and the same again goes on. Where `chaos` is given, the orbits are judged when all are there. The
-/// crossings are in the journal alone.
+/// Follows the orbits of a section into the journal of a file, from where an earlier run has left them. If interrupted,
+/// the section is incomplete, and the same call resumes it. If `chaos` is given, the orbits are judged once all are
+/// complete. The crossings are only in the journal.
 ///
 /// # Errors
-/// When the journal cannot be read or written, or belongs to another section; with `discards` it is begun anew instead.
+/// When the journal cannot be read or written, or belongs to another section; with `discards` it is restarted instead.
 pub fn follow(
     (out, discards): (&Path, bool),
     setting: &SectionSetting,

@@ -63,7 +63,7 @@ pub fn points(columns: &[Column], time_low: &Values) -> Vec<SectionPoint> {
     (0..time_low.len()).map(point).collect()
 }
 
-/// The measures of a point's orbit, where they were asked for, and λ(t); NaN where there is none.
+/// The measures of a point's orbit, if requested, and λ(t); NaN where undefined.
 fn measures(
     document: &SectionDocument,
     orbits: &[OrbitSection],

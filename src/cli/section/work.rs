@@ -21,7 +21,7 @@ pub struct Done {
     pub orbits: Vec<OrbitSection>,
     /// How regular each of them is, if that was asked for.
     pub chaos: Vec<ChaosMeasure>,
-    /// What was found, from which the same command goes on.
+    /// The journal from which the same command resumes.
     pub journal: Option<Crossings>,
     /// Orbits that were not cut short by an interrupt.
     pub whole_orbits: usize,

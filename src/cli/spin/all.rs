@@ -39,7 +39,7 @@ fn text(subject: &Subject, document: &SteadySpinsDocument) -> String {
         report.line("steady axes that move with the spin:");
         families(&mut report, &moving, document.part.is_some());
     }
-    // Of a ball it is said above.
+    // For a ball this is said above.
     if document.families.iter().all(|family| family.axes != Multiplicity::Sphere) {
         report.line(counts(document));
     }
@@ -58,8 +58,8 @@ fn permanent_axis_text(report: &mut Report, subject: &Subject, permanent: &Perma
         report.line(one_of);
     }
     match (permanent.changes.is_empty(), unknown) {
-        (true, true) => report.line("its type changes at no spin"),
-        (true, false) => report.line("its type and the regions beside it change at no spin"),
+        (true, true) => report.line("its type does not change with the spin"),
+        (true, false) => report.line("its type and the regions beside it do not change with the spin"),
         (false, _) => {
             report.line(table_of_changes(&permanent.changes, if unknown { "not known" } else { "same" }));
         }
@@ -126,7 +126,7 @@ fn legend(report: &mut Report, families: &[&SteadyFamilyDocument]) {
         listed.push(&family.branch);
         let axes = match family.axes {
             Multiplicity::Points(2) => ": two axes, each the other's mirror image",
-            Multiplicity::Circle => ": a circle of axes, of which one is listed",
+            Multiplicity::Circle => ": a circle of axes, represented by one of them",
             _ => "",
         };
         report.line(format!("{}: {}{axes}", family.branch, family.branch_name));
@@ -140,19 +140,19 @@ fn legend(report: &mut Report, families: &[&SteadyFamilyDocument]) {
     }
     if has_stretch(Verdict::Spectrum) {
         report.line(
-            "spectrally only: no eigenvalue grows; whether it is stable at one spin, `bifdiag critical --spin` says",
+            "spectrally only: no eigenvalue grows; `bifdiag critical --spin` says whether it is stable at a given spin",
         );
     }
     let has = |start| families.iter().any(|family| family.start == start);
     if has(SteadyStart::Fold) {
-        report.line("fold: at this spin two steady axes appear in one place; slower, there is neither");
+        report.line("fold: at this spin two steady axes appear in one place; just below it neither exists");
     }
     if has(SteadyStart::Fork) {
         report.line("fork: at this spin the axes leave another steady axis");
     }
 }
 
-/// The isolated spins at which Arnold's theorem does not apply, each with what it is a spin of.
+/// The isolated spins at which Arnold's theorem does not apply, each with the family or axis that it belongs to.
 pub fn exceptions(report: &mut Report, isolated: impl Iterator<Item = (String, IsolatedSpinDocument)>) {
     let mut lines: Vec<String> = Vec::new();
     for (name, IsolatedSpinDocument { spin, kind, verdict, why }) in isolated {
@@ -165,7 +165,7 @@ pub fn exceptions(report: &mut Report, isolated: impl Iterator<Item = (String, I
     if lines.is_empty() {
         report.line("by Arnold's theorem: at each of these spins");
     } else {
-        report.line("by Arnold's theorem: at each of these spins but");
+        report.line("by Arnold's theorem: at all of these spins except");
         for line in lines {
             report.line(line);
         }
@@ -188,5 +188,5 @@ fn counts(document: &SteadySpinsDocument) -> String {
         };
         format!("{}{circles}{until}", count.axes)
     });
-    format!("number of steady axes, each end that is up counted: {}", list.collect::<Vec<_>>().join(", "))
+    format!("number of steady axes, counting each end that points up: {}", list.collect::<Vec<_>>().join(", "))
 }

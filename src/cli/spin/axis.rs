@@ -57,20 +57,19 @@ pub fn listed(axis: [f64; 3]) -> String {
     format!("({})", axis.map(|x| significant(x, 6)).join(", "))
 }
 
-/// What is said of axes in principal axes that are as near as the one that is reported; nothing where there is none.
+/// Names the axes (in principal axes) that are as near as the reported one; `None` if there are none.
 pub fn as_near(subject: &Subject, others: Vec<[f64; 3]>) -> Option<String> {
-    let verb = if others.len() == 1 { "is" } else { "are" };
     let axes: Vec<String> = others.into_iter().map(|axis| listed(subject.to_given(axis))).collect();
-    (!axes.is_empty()).then(|| format!("as near {verb} {}", axes.join(", ")))
+    (!axes.is_empty()).then(|| format!("equally near: {}", axes.join(", ")))
 }
 
-/// What is said of a permanent axis that is followed in place of the given one.
+/// Says which permanent axis is followed instead of the given one.
 pub fn followed_text(nearest: &NearestAxisDocument) -> String {
     let angle = significant(nearest.angle_deg, 3);
-    format!("the nearest permanent axis, {}, {angle}° from the one given, is followed", listed(nearest.axis))
+    format!("following the nearest permanent axis, {}, {angle}° from the one given", listed(nearest.axis))
 }
 
-/// What is said of a permanent axis that is one of a circle or sphere of them.
+/// Says whether a permanent axis is one of a circle or sphere of them.
 pub fn one_of(subject: &Subject, axis: [f64; 3]) -> Option<&'static str> {
     match permanent_multiplicity(&subject.body, subject.to_principal(axis))? {
         Multiplicity::Points(_) => None,

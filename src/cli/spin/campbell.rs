@@ -31,11 +31,11 @@ Examples:
 pub struct CampbellArguments {
     #[command(flatten)]
     pub body: BodyArguments,
-    /// The axis of rotation, pointing up: x, y, z or a direction; where no rotation about it is permanent, the steady one that
-    /// tends to the principal axis nearest to it at fast spins is followed
+    /// Axis of rotation, pointing up: x, y, z or a direction; if it is not permanent, follow the steady rotation that
+    /// tends at fast spins to the principal axis nearest to it
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "Rotation")]
     pub axis: AxisArgument,
-    /// The largest spin, with its unit: rpm, Hz, rad/s, deg/s
+    /// Largest spin, with its unit: rpm, Hz, rad/s, deg/s
     #[arg(long, value_name = "\"6000 rpm\"", allow_hyphen_values = true, help_heading = "Rotation")]
     pub to: Spin,
     /// Write campbell.svg and campbell.csv to DIR
@@ -68,7 +68,7 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
     };
     let Followed { rows, crossings, changes, notes } = followed;
     if rows.iter().any(|row| row.frequencies.into_iter().chain([row.growth]).any(f64::is_infinite)) {
-        let right = "at such a spin the frequencies leave the range of numbers; give a smaller one";
+        let right = "at such a spin the frequencies overflow; give a smaller one";
         return Err(Failure::input(format!("--to {}: {right}", arguments.to)));
     }
     let mut files = FileSet::new(&arguments.out);
@@ -140,7 +140,8 @@ fn moving(subject: &Subject, given: [f64; 3], largest: &Spin) -> Result<Followed
         near if near.iter().all(|family| family.is_permanent) => return Err(not_permanent(subject, given)),
         _ => {
             return Err(Failure::input(format!(
-                "--axis: at fast spins the steady axes {} are equally near to it; give one that is nearer to that which is meant",
+                "--axis: at fast spins the steady axes {} are equally near to it; give an axis that is nearer to one \
+                of them",
                 bifdiag_documents::fast_axes(subject, &near)
             )));
         }
@@ -171,7 +172,7 @@ fn moving(subject: &Subject, given: [f64; 3], largest: &Spin) -> Result<Followed
     });
     let circle = if family.axes == Multiplicity::Circle { ", one of a circle of them" } else { "" };
     let note = format!(
-        "the steady rotation from {} rpm on that tends to {} at fast spins is followed ({}{circle})",
+        "following the steady rotation that begins at {} rpm and tends to {} at fast spins ({}{circle})",
         significant(start, 8),
         bifdiag_documents::fast_axes(subject, std::slice::from_ref(family)),
         family.branch
@@ -204,10 +205,10 @@ fn not_permanent(subject: &Subject, given: [f64; 3]) -> Failure {
                     format!("({}){circle}", axis.map(|x| significant(x, 6)).join(", "))
                 })
                 .collect();
-            let are = if listed.len() > 1 { "axes that have them are" } else { "axis that has them is" };
+            let are = if listed.len() > 1 { "permanent axes are" } else { "permanent axis is" };
             Failure::input(format!(
-                "--axis: rotation about it is steady at {}, so that it has no frequencies over the spin; the nearest {are} {}, \
-                 {}° away",
+                "--axis: rotation about it is steady at {}, so there are no frequencies to plot against the spin; the \
+                nearest {are} {}, {}° away",
                 steady_at(subject, given),
                 listed.join(" and "),
                 significant(angle, 3)

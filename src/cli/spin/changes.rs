@@ -4,7 +4,7 @@ use bifdiag_schema::SpinChangeDocument;
 
 use crate::cli::terminal::{Table, significant};
 
-/// The changes as a table; `without` stands where no change of regions is listed.
+/// The changes as a table; `without` is the entry where no change of regions is listed.
 pub fn table_of_changes(changes: &[SpinChangeDocument], without: &str) -> String {
     let mut table = Table::new(&["up", "rpm", "rad/s", "below", "above", "regions", "h", "l", "error (rad/s)"]);
     for change in changes {

@@ -30,12 +30,12 @@ Without --axis: every steady axis, the spins at which it appears and changes its
 pub struct CriticalSpinArguments {
     #[command(flatten)]
     pub body: BodyArguments,
-    /// The axis of rotation: x, y, z or a direction; a permanent axis within 0.5 degrees of it is followed (default: all
-    /// steady axes, and every spin at which one appears or changes)
+    /// Axis of rotation: x, y, z or a direction; a permanent axis within 0.5 degrees of it is used instead (default:
+    /// all steady axes, and every spin at which one appears or changes)
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "Rotation")]
     pub axis: Option<AxisArgument>,
-    /// How well moments and weight are known: 1%, or axis=0.5%,across=1%,weight=2% (moments for the first two); bounds on the
-    /// spins at which such parts change
+    /// Uncertainty of moments and weight: 1%, or axis=0.5%,across=1%,weight=2% (moments for the first two); gives
+    /// bounds on the spins at which such parts change
     #[arg(long, value_name = "1%", value_parser = tolerance::tolerance, help_heading = "Rotation")]
     pub tolerance: Option<ToleranceArgument>,
     /// Print the spins as JSON
@@ -47,7 +47,7 @@ pub fn run(arguments: &CriticalSpinArguments, timings: &Timings) -> Result<(), F
     let (subject, measured) = arguments.body.measured_subject()?;
     if measured.is_some() && arguments.tolerance.is_some() {
         return Err(Failure::input(
-            "--tolerance and ± in the numbers of the part both say how well it is known; leave out one of them",
+            "--tolerance and ± in the numbers of the part both give its uncertainty; leave out one of them",
         ));
     }
     let tolerances = match (&arguments.tolerance, &measured) {
@@ -79,8 +79,8 @@ pub fn run(arguments: &CriticalSpinArguments, timings: &Timings) -> Result<(), F
 fn the_permanent_axis(subject: &Subject) -> Result<AxisArgument, Failure> {
     let none = || {
         Failure::input(
-            "no axis of this body is permanent at every spin: give --axis, or leave out the tolerance, and all steady axes are \
-             listed",
+            "no axis of this body is permanent at every spin: give --axis, or leave out the tolerance to list all \
+            steady axes",
         )
     };
     if subject.body.is_euler() {
@@ -89,8 +89,8 @@ fn the_permanent_axis(subject: &Subject) -> Result<AxisArgument, Failure> {
             format!("--axis={axis}")
         });
         return Err(Failure::input(format!(
-            "without weight every principal axis is permanent: give {}, {} or {}, or leave out the tolerance, and all steady \
-             axes are listed",
+            "without weight every principal axis is permanent: give {}, {} or {}, or leave out the tolerance to list \
+            all steady axes",
             principal[0], principal[1], principal[2]
         )));
     }
@@ -143,9 +143,9 @@ fn text(subject: &Subject, document: &CriticalSpinDocument, found: &AxisSpins) -
     let unknown = document.note.is_some();
     if document.changes.is_empty() {
         report.line(if unknown {
-            "its type changes at no spin"
+            "its type does not change with the spin"
         } else {
-            "its type and the regions beside it change at no spin"
+            "its type and the regions beside it do not change with the spin"
         });
     } else {
         report.line(table_of_changes(&document.changes, if unknown { "not known" } else { "same" }));
@@ -172,7 +172,7 @@ fn stretches(report: &mut Report, document: &CriticalSpinDocument) {
     report.line(format!("\n{}", table.text().trim_end()));
     let by_arnold = || document.stretches.iter().filter(|stretch| stretch.nonlinear.why == Reason::Arnold);
     if by_arnold().any(|stretch| stretch.isolated.is_none()) {
-        report.line("by Arnold's theorem: but for isolated spins, which were not found");
+        report.line("by Arnold's theorem: except at isolated spins, which were not found");
     } else if by_arnold().next().is_some() {
         let named = |stretch: &SpinStretchDocument| format!("{} up", stretch.up.word());
         let isolated =
@@ -194,7 +194,7 @@ fn as_near(report: &mut Report, subject: &Subject, document: &CriticalSpinDocume
     let near = principal_near(subject, document.axis, nearest.angle_deg);
     let listed: Vec<String> = near.iter().map(|axis| listed(*axis)).collect();
     if listed.len() > 1 {
-        report.line(format!("at this angle are {}", listed.join(", ")));
+        report.line(format!("also at this angle: {}", listed.join(", ")));
     }
     for (axis, listed) in near.iter().zip(&listed) {
         if one_of(subject, *axis).is_some() {

@@ -23,29 +23,29 @@ Examples:
   bifdiag spin-down --body paper --from G1.3 --json
   bifdiag spin-down --body paper --from G1.3 --out way
 
-Friction in the body damps all that is not steady; friction at the pivot or in the air takes l, in the limit much more slowly. The \
-rotation then follows its curve as long as that is a minimum of U_l.";
+Friction in the body damps all that is not steady; friction at the pivot or in the air removes l, in the limit much \
+more slowly. The rotation then follows its curve as long as that is a minimum of U_l.";
 
 /// `bifdiag spin-down`.
 #[derive(Debug, Args)]
 pub struct SpinDownArguments {
     #[command(flatten)]
     pub body: BodyArguments,
-    /// The curve of the rotation, by its id in `bifdiag atlas`
+    /// Curve of the rotation, by its id in `bifdiag atlas`
     #[arg(long, value_name = "CURVE", help_heading = "Rotation")]
     pub from: String,
-    /// Its vertical angular momentum, whose sign changes nothing (default: the largest l of the curve; of one without end
-    /// twice the l of the last event)
+    /// Initial vertical angular momentum; its sign does not matter (default: the largest l of the curve, or twice the l
+    /// of the last event if the curve is unbounded)
     #[arg(long = "l", value_name = "l", allow_hyphen_values = true, value_parser = values::number, help_heading = "Rotation")]
     pub momentum: Option<Number>,
-    /// Draw the way over the diagram, to DIR/spin-down.svg
+    /// Draw the path over the diagram, to DIR/spin-down.svg
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub out: Option<PathBuf>,
     #[command(flatten)]
     pub width: WidthArgument,
     #[command(flatten)]
     pub picture: PictureArguments,
-    /// Print the way as JSON
+    /// Print the path as JSON
     #[arg(long, help_heading = "Output")]
     pub json: bool,
 }
@@ -73,13 +73,13 @@ pub fn run(arguments: &SpinDownArguments, timings: &Timings) -> Result<(), Failu
     };
     if let Some(given) = arguments.momentum.as_ref().filter(|given| given.to_f64() < 0.0) {
         tracing::warn!(
-            "--l {given}: the way is that of l = {l}, but that l and omega have the other sign",
+            "--l {given}: the path is that of l = {l}, with the signs of l and omega reversed",
             given = given.text()
         );
     }
     if !(lower < l && l <= upper) {
         if lower == upper && arguments.momentum.is_none() {
-            let right = "it begins and ends at one l in doubles: give --from another curve";
+            let right = "it begins and ends at the same l in doubles: give --from another curve";
             return Err(Failure::input(format!("--from {id}: {right}")));
         }
         let range = if upper.is_finite() {
@@ -159,14 +159,14 @@ fn text(subject: &Subject, from: &str, document: &SpinDownDocument, written: &[P
     report.line("");
     if let Some(first) = document.path.first().filter(|first| first.curve != from) {
         report.line(format!(
-            "{from} ends at l = {} in a pitchfork, from which {} goes on",
+            "{from} ends at l = {} in a pitchfork, from which {} continues",
             significant(first.l[0], DIGITS),
             first.curve
         ));
     }
     report.line("regions: just below and just above in h");
     motion_units(subject, &mut report);
-    report.line("in the limit in which l is lost much more slowly than all that is not steady is damped");
+    report.line("in the limit where l is lost much more slowly than all that is not steady is damped");
     report.written(written);
     report.text()
 }
@@ -178,8 +178,8 @@ fn then(stretch: &SlowdownDocument, is_free: bool) -> String {
         if onto.is_empty() { format!("{why}: falls") } else { format!("{why}: falls, to {onto}") }
     };
     match stretch.event {
-        SlowdownEvent::Crossing => "goes on".to_owned(),
-        SlowdownEvent::Turn => format!("pitchfork: goes on along {onto}"),
+        SlowdownEvent::Crossing => "continues".to_owned(),
+        SlowdownEvent::Turn => format!("pitchfork: continues along {onto}"),
         SlowdownEvent::Pitchfork => falls("pitchfork"),
         SlowdownEvent::Cusp => falls("cusp"),
         SlowdownEvent::Start => falls("no minimum"),

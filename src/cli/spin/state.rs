@@ -1,4 +1,4 @@
-//! `bifdiag state`: where a state lies, and what it is.
+//! `bifdiag state`: where a state lies, and whether it is a steady rotation.
 
 use bifdiag_body::Number;
 use bifdiag_body::part::Spin;
@@ -25,24 +25,24 @@ Examples:
   bifdiag state --body paper --spin \"2 rad/s\" --axis 0,1,1 --vertical 0,0,1
   bifdiag state --body paper --omega 1,0,2 --vertical 0,0,1 --json
 
-A body turns about a fixed point; --vertical points up, in the part's frame (without a part: in principal axes). With --spin \
-and --axis the default is: the axis points up.";
+The body turns about a fixed point; --vertical points up, in the part's frame (without a part: in principal axes). \
+With --spin and --axis, the axis points up by default.";
 
 /// `bifdiag state`.
 #[derive(Debug, Args)]
 pub struct StateArguments {
     #[command(flatten)]
     pub body: BodyArguments,
-    /// Rate of turning about --axis, with its unit: rpm, Hz, rad/s, deg/s
+    /// Spin about --axis, with its unit: rpm, Hz, rad/s, deg/s
     #[arg(long, value_name = "\"3000 rpm\"", allow_hyphen_values = true, help_heading = "State")]
     pub spin: Option<Spin>,
-    /// The axis of the spin: x, y, z or a direction
+    /// Axis of the spin: x, y, z or a direction
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "State")]
     pub axis: Option<AxisArgument>,
-    /// The angular velocity in rad/s, instead of --spin and --axis
+    /// Angular velocity in rad/s, instead of --spin and --axis
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::triple, help_heading = "State")]
     pub omega: Option<Triple>,
-    /// The direction upward (default: along --axis)
+    /// Upward direction (default: along --axis)
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "State")]
     pub vertical: Option<AxisArgument>,
     /// Print the state as JSON
@@ -77,7 +77,7 @@ pub fn run(arguments: &StateArguments, timings: &Timings) -> Result<(), Failure>
         let solver = Solver::new(subject.body.clone(), Accuracy::Exact);
         exact::State::new(&solver, subject.to_principal(state.omega).map(|x| x / subject.second()), &question)
     });
-    let found = found.map_err(failed("the state leaves the range of numbers"))?;
+    let found = found.map_err(failed("the state overflows"))?;
     let document = bifdiag_documents::state(&subject, state.asked(&subject), &found);
     answer(arguments.json, &document, || text(&subject, &document, &question, &found))
 }
@@ -185,7 +185,7 @@ fn meant(report: &mut Report, steady: &SteadyDocument, vertical: [f64; 3]) {
     if angle > OTHER {
         let [x, y, z] = steady.axis.map(|x| significant(x, 6));
         let angle = significant(angle.to_degrees(), 3);
-        report.line(format!("the nearest steady rotation, about ({x}, {y}, {z}), {angle}° away, is taken"));
+        report.line(format!("using the nearest steady rotation, about ({x}, {y}, {z}), {angle}° away"));
     }
 }
 
@@ -207,10 +207,14 @@ fn other_text(
     report.line(if document.nearest.is_none() && document.margin.is_none() {
         place
     } else {
-        format!("the motion is no steady rotation about the vertical; {place}")
+        format!("the motion is not a steady rotation about the vertical; {place}")
     });
     if let (Some(_), Some(margin)) = (&document.region, &document.margin) {
-        report.line(format!("the nearest curve is {} in h away ({})", significant(margin.h, 6), margin.nearest));
+        report.line(format!(
+            "the nearest curve is at a distance of {} in h ({})",
+            significant(margin.h, 6),
+            margin.nearest
+        ));
     }
     let (Some(nearest), Some(steady)) = (&document.nearest, &found.nearest) else { return };
     let kind = AxisKind::of(&subject.body, question.up);
@@ -235,7 +239,7 @@ fn other_text(
     ));
     let others = equally_near_steady(&subject.body, &question.omega, question.up, (steady.axis, steady.angle));
     if let Some(others) = as_near(subject, others) {
-        report.line(format!("{others}; what follows is of the first"));
+        report.line(format!("{others}; what follows refers to the first"));
     }
     report_steady(report, nearest);
 }

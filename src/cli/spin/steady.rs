@@ -20,10 +20,10 @@ pub fn report_steady(report: &mut Report, steady: &SteadyDocument) {
         Some(Multiplicity::Points(_)) | None => {}
     }
     if let Some(frequencies) = frequencies(steady) {
-        report.line(format!("{frequencies}, seen from the turning body"));
+        report.line(format!("{frequencies}, seen from the rotating body"));
     }
     if let Some(time) = steady.growth_time_s {
-        report.line(format!("a deviation grows by the factor e in {} s", significant(time, 4)));
+        report.line(format!("a deviation grows by a factor of e in {} s", significant(time, 4)));
     }
     if let Some(note) = &steady.note {
         report.line(note);

@@ -22,10 +22,10 @@ const DIGITS: usize = 6;
 /// Half a unit of the last digit, relative to the smallest number with that many digits.
 const ROUNDING: f64 = 5e-6;
 
-/// Where the column of what was found inside a range stands.
+/// Position of the column of types found inside a range.
 const INSIDE: usize = 4;
 
-/// What can be given a tolerance of its own, and which of the four it stands for.
+/// The names that can have their own tolerance, and which of the four each sets.
 const NAMES: [(&str, [bool; 4]); 4] = [
     ("axis", [true, false, false, false]),
     ("across", [false, true, true, false]),
@@ -82,14 +82,14 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
     if tolerance.moving {
         let [share, ..] = relative;
         report.line(format!(
-            "every body whose principal moments and components of r differ by a factor of 1 ± {share} at most (bounds, not \
-             samples):"
+            "every body whose principal moments and components of r differ by at most a factor of 1 ± {share} \
+            (bounds, not samples):"
         ));
         return beside(report, tolerance, document.slow.as_ref());
     }
     let [axis, first, second, weight] = relative;
     report.line(if [first, second, weight].iter().all(|other| *other == axis) {
-        format!("every part whose moments and weight differ by a factor of 1 ± {axis} at most (bounds, not samples):")
+        format!("every part whose moments and weight differ by at most a factor of 1 ± {axis} (bounds, not samples):")
     } else {
         let known = [(axis, "the moment about the axis"), (first, "the others"), (weight, "the weight")];
         let loose = known.iter().filter(|(share, _)| *share != "0");
@@ -101,7 +101,7 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
     report.line(classes(tolerance));
     if !tolerance.ranges.is_empty() {
         report.line(format!(
-            "what is found inside a range, and which input alone moves it most, are from {} sampled parts",
+            "what is found inside a range, and which single input moves it most, come from {} sampled parts",
             tolerance.sampled_parts
         ));
     }
@@ -123,7 +123,8 @@ fn beside(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[Spi
     report.line(match tolerance.tilt_deg {
         None => "the axis is permanent for all of them".to_owned(),
         Some(0.0) => {
-            "at no spin was a steady rotation near the nominal one shown for all of them: they may tilt too far"
+            "no spin was found at which all of them were shown to have a steady rotation near the nominal one: they \
+            may tilt too far"
                 .to_owned()
         }
         // Below this it is the rounding of the bounds.

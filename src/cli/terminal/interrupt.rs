@@ -12,7 +12,7 @@ use super::stderr::say;
 /// How long an interrupt waits for a write or for work to end. A reader that never takes what is written must not keep
 /// the process alive.
 const PATIENCE: Duration = Duration::from_millis(700);
-/// Time between two looks.
+/// Polling interval.
 const PAUSE: Duration = Duration::from_millis(5);
 
 /// Held while something is written: a set of files, or whole lines of output.
@@ -27,7 +27,7 @@ static WRITTEN: AtomicBool = AtomicBool::new(false);
 /// The work under way, if results of it can be kept.
 static WORK: Mutex<Work> = Mutex::new(Work::Nothing);
 
-/// Work of which something can be kept.
+/// Work whose partial results can be kept.
 enum Work {
     /// Nothing that could be kept.
     Nothing,
@@ -53,7 +53,7 @@ pub fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
     lock(&UNFINISHED)
 }
 
-/// Work that an interrupt stops: while it goes on, the first interrupt does not end the process.
+/// Work that an interrupt stops: while it runs, the first interrupt does not end the process.
 #[derive(Debug)]
 pub struct Stoppable(());
 
@@ -143,7 +143,12 @@ fn end(since: Instant) -> ! {
     }
     if !matches!(guard, Err(TryLockError::WouldBlock)) {
         let written = WRITTEN.load(Ordering::Relaxed);
-        say(if written { "interrupted; what was written is whole" } else { "interrupted; nothing was written" });
+        say(if written {
+            "interrupted; the files already written are complete"
+        } else {
+            "interrupted; nothing was \
+        written"
+        });
     }
     std::process::exit(1);
 }

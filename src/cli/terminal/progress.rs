@@ -17,7 +17,7 @@ const BAR_AFTER: Duration = Duration::from_secs(1);
 /// Between two lines where no terminal is.
 const BETWEEN_LINES: Duration = Duration::from_secs(30);
 
-/// Between two looks at a counter.
+/// Interval between two readings of a counter.
 const PERIOD: Duration = Duration::from_millis(100);
 
 /// The state of work of known or unknown length: a bar on a terminal, else a line now and then.
@@ -39,7 +39,7 @@ impl Progress {
 
     /// Of `total` bytes, or of an unknown number; a message says what they are.
     pub fn of_bytes(total: Option<u64>, quiet: bool) -> Self {
-        // What comes from a pipe is its own measure: lines are written as it goes on.
+        // The length of a pipe is unknown: lines are written as it is read.
         let quiet = quiet || !is_terminal();
         let template = if total.is_some() { "{bar:40} {percent}% {msg}, {eta} left" } else { "{spinner} {msg}" };
         Self::styled(total, template, "bytes", quiet)
@@ -82,7 +82,7 @@ impl Progress {
         }
     }
 
-    /// What stands beside the bar.
+    /// The text beside the bar.
     pub fn message(&self, message: impl fmt::Display) {
         if let Some(bar) = &self.bar {
             bar.set_message(message.to_string());
@@ -103,8 +103,8 @@ impl Progress {
             let of = bar.length().map_or_else(String::new, |total| format!(" of {total}"));
             let pace = match (bar.per_sec(), bar.length()) {
                 (0.0, _) => String::new(),
-                (rate, None) => format!(", {rate:.0} a second"),
-                (rate, Some(_)) => format!(", {rate:.0} a second, {} left", HumanDuration(bar.eta())),
+                (rate, None) => format!(", {rate:.0} per second"),
+                (rate, Some(_)) => format!(", {rate:.0} per second, {} left", HumanDuration(bar.eta())),
             };
             say(&format!("{position}{of} {}{pace}{}", self.things, bar.message()));
         }
@@ -124,7 +124,7 @@ impl Progress {
         result
     }
 
-    /// Does a part of the work, which counts smaller things while it goes on: these are told beside the bar.
+    /// Does a part of the work, which counts smaller things meanwhile: their number is shown beside the bar.
     pub fn beside<T>(&self, counter: &AtomicU64, things: &str, work: impl FnOnce() -> T) -> T {
         let look = || {
             let count = HumanCount(counter.load(Ordering::Relaxed));
@@ -134,7 +134,7 @@ impl Progress {
         self.looking(look, work)
     }
 
-    /// Does the work, with a look at it now and then.
+    /// Does the work, calling the observer from time to time.
     fn looking<T>(&self, look: impl Fn() + Sync, work: impl FnOnce() -> T) -> T {
         if self.bar.is_none() {
             return work();

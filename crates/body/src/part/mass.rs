@@ -187,7 +187,7 @@ impl Inequality {
     /// That of a tensor about the centre of mass which fails.
     fn of(about_com: &Symmetric) -> Self {
         let mut failed = Self { moments: [RBig::ZERO, RBig::ZERO, RBig::ZERO], missing: RBig::ZERO };
-        // However little is missing, some of these digits tell.
+        // However small the difference, these digits show it.
         for digits in [30_u8, 60, 120, 240] {
             let axes = PrincipalAxes::new(about_com, &[RBig::ZERO, RBig::ZERO, RBig::ZERO], digits.into());
             let mut values = axes.values;
@@ -230,9 +230,9 @@ const DIGITS: i64 = 7;
 /// The most digits of one.
 const DIGITS_MAX: i64 = 240;
 
-/// Rounded to so many digits.
+/// Rounded to this many digits.
 fn rounded(x: &RBig, digits: i64) -> RBig {
-    // Of the nearest double, or of one near it.
+    // From the nearest double, or one next to it.
     let exponent = format!("{:e}", x.to_f64().value()).split_once('e').and_then(|(_, exponent)| exponent.parse().ok());
     let scale = ten_to(digits - 1 - exponent.unwrap_or(0));
     RBig::from((x * &scale).round()) / scale
@@ -326,24 +326,24 @@ mod tests {
             inequality.to_string(),
             "the two smaller principal moments add up to less than the largest: 0.1 + 0.19 < 0.3, 0.01 is missing"
         );
-        let told = |entries: [&str; 6]| {
+        let message = |entries: [&str; 6]| {
             let Existence::Impossible(inequality) = of(entries) else { panic!("{entries:?}") };
             inequality.to_string().split_once(": ").unwrap().1.to_owned()
         };
         // As printed, the inequality holds, however little is missing.
-        assert_eq!(told(["1", "1", "2.0000001", "0", "0", "0"]), "1 + 1 < 2.0000001, 0.0000001 is missing");
-        assert_eq!(told(["100", "200", "300.00001", "0", "0", "0"]), "100 + 200 < 300.00001, 0.00001 is missing");
+        assert_eq!(message(["1", "1", "2.0000001", "0", "0", "0"]), "1 + 1 < 2.0000001, 0.0000001 is missing");
+        assert_eq!(message(["100", "200", "300.00001", "0", "0", "0"]), "100 + 200 < 300.00001, 0.00001 is missing");
         assert_eq!(
-            told(["1234567.89", "1", "1234568.9", "0", "0", "0"]),
+            message(["1234567.89", "1", "1234568.9", "0", "0", "0"]),
             "1 + 1234567.89 < 1234568.9, 0.01 is missing"
         );
         let little = format!("2.{}1", "0".repeat(39));
         assert_eq!(
-            told(["1", "1", &little, "0", "0", "0"]),
+            message(["1", "1", &little, "0", "0", "0"]),
             format!("1 + 1 < {little}, 0.{}1 is missing", "0".repeat(39))
         );
         // Irrational moments are printed so far that the difference is seen.
-        let turned = told(["1", "1.0000001", "2.0000003", "0.0001", "0", "0"]);
+        let turned = message(["1", "1.0000001", "2.0000003", "0.0001", "0", "0"]);
         let [a, b, c] = [0, 2, 4].map(|k| turned.split([' ', ',']).nth(k).unwrap()).map(value);
         assert!(&a + &b < c && c - a - b > value("1.9e-7"), "{turned}");
         // A negative moment fails, too.

@@ -34,7 +34,7 @@ impl Measured {
 /// How many numbers a part has: six of the tensor, three of the centre of mass, the mass and gravity.
 pub const INPUTS: usize = 11;
 
-/// Where the centre of mass stands among them.
+/// Position of the centre of mass among them.
 const COM: usize = 6;
 
 /// Their names.

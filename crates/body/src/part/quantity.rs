@@ -249,7 +249,7 @@ fn names_and_powers(word: &str) -> Option<Vec<(&str, i8)>> {
     Some(vec![(first, 1), (second, power)])
 }
 
-/// Of a name: 0 for mass, 1 for length, 2 for time, and what it is in kg, m, s.
+/// For a name: 0 for mass, 1 for length, 2 for time, and its value in kg, m, s.
 fn known(name: &str) -> Option<(usize, RBig)> {
     [&MASSES[..], &LENGTHS[..], &TIMES[..]].into_iter().enumerate().find_map(|(kind, table)| {
         let &(_, p, q) = table.iter().find(|(known, ..)| *known == name)?;

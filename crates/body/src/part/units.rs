@@ -228,7 +228,8 @@ impl Spin {
         rpm.to_f64().value()
     }
 
-    /// In rad/s: exact if it was given in rad/s, else with 60 digits of π, so that it is none of the simple numbers near it.
+    /// In rad/s: exact if it was given in rad/s, else with 60 digits of π, so that it differs from the simple numbers
+    /// near it.
     #[must_use]
     pub fn exact_rad_per_s(&self) -> RBig {
         match self.unit.half_turns() {

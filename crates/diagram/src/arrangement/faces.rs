@@ -149,7 +149,7 @@ pub struct Faces {
 }
 
 impl Cells {
-    /// The cells of slabs with these numbers of curves, each by itself.
+    /// The cells of slabs with these numbers of curves, all separate.
     pub fn new(curves: impl IntoIterator<Item = usize>) -> Self {
         let mut slabs = Table::new();
         let mut count = 0;

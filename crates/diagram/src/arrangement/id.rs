@@ -35,7 +35,7 @@ impl SlabId {
         self.0.checked_sub(1).map(EventId)
     }
 
-    /// The event at which the slab ends; there is none with this number for the last slab.
+    /// The event at which the slab ends; no event has this number for the last slab.
     #[must_use]
     pub fn event_at_end(self) -> EventId {
         EventId(self.0)
@@ -47,7 +47,7 @@ impl SlabId {
 pub struct Cell {
     /// The slab.
     pub slab: SlabId,
-    /// Position, from below, of the curve on which the cell stands.
+    /// Position, from below, of the curve below the cell.
     pub position: usize,
 }
 

@@ -192,8 +192,8 @@ fn vertical_orders(set: &CriticalSet, events: &[Event], pairs: &[ProvedPair]) ->
         .collect()
 }
 
-/// The order of a and b, a < b, two curves of which one ends where the other begins: between events at the same x both
-/// stand in a slab of no width. Equal when rounding hides it.
+/// The order of a and b, a < b, two curves, one of which ends where the other begins: between events at the same x both
+/// are in a slab of width 0. Equal when rounding hides it.
 fn touching_order(set: &CriticalSet, p: CurveId, q: CurveId) -> Ordering {
     let (a, b) = (&set.curves[p.min(q)], &set.curves[p.max(q)]);
     let at = |curve: &Curve| {

@@ -85,8 +85,9 @@ impl PairOrder {
         self.stretches.iter().find_map(|stretch| stretch.order).unwrap_or(Ordering::Greater)
     }
 
-    /// Crossings by rising x. Where an open range separates opposite orders there is at least one crossing: it is given
-    /// the middle of the range, half of which is its error; `height` gives h and its error bound at x.
+    /// Crossings by rising x. Where an open range separates opposite orders there is at least one crossing: its
+    /// position is the middle of the range, with half its width as the error; `height` gives h and its error bound at
+    /// x.
     #[must_use]
     pub fn crossings(&self, height: impl Fn(f64) -> (f64, f64)) -> Vec<PairCrossing> {
         let mut found = Vec::new();

@@ -27,8 +27,8 @@ pub(super) fn settle(events: &mut [Event], order: impl Fn(CurveId, CurveId, [f64
 }
 
 /// Glues the faces; where orders and events contradict each other, tries those orders of the events that their errors
-/// allow. An order of events that cannot be glued is wrong; one that can is taken, and events that then still stand
-/// within their errors of each other are found and reported by the caller.
+/// allow. An order of events that cannot be glued is wrong; one that can is taken, and events that are then still
+/// within their errors of each other are reported by the caller.
 pub(super) fn settle_by_gluing(
     events: &mut [Event],
     orders: impl Fn(&[Event]) -> Table<SlabId, Vec<CurveId>>,
@@ -77,7 +77,7 @@ pub(super) fn settle_by_gluing(
     best
 }
 
-/// The two events are crossings of one curve with two others, and stand in the wrong order.
+/// The two events are crossings of one curve with two others, in the wrong order.
 fn must_swap(first: &Event, second: &Event, order: &impl Fn(CurveId, CurveId, [f64; 2]) -> Option<Ordering>) -> bool {
     let Some(SharedCurve { curve: moving, others: [p, q] }) = common_curve(first, second) else { return false };
     let range = [first.x.min(second.x) - first.x_error, first.x.max(second.x) + second.x_error];

@@ -1,4 +1,4 @@
-//! Where something is that f64 did not decide, and of which curves.
+//! Where f64 left something undecided, and which curves are involved.
 
 use super::{Arrangement, Undecided};
 use bifdiag_equilibria::curves::CurveId;
@@ -9,7 +9,7 @@ impl Arrangement {
     pub fn place_of(&self, undecided: &Undecided) -> [f64; 2] {
         match *undecided {
             Undecided::Contact { curves, x } => {
-                // Of a range that is open or nearly so, the end where h is a number.
+                // For an unbounded or nearly unbounded range, the end where h is finite.
                 let at = match x {
                     [from, to] if to <= 4.0 * from => from.midpoint(to),
                     [from, _] if from > 0.0 => from,
@@ -30,7 +30,7 @@ impl Arrangement {
         }
     }
 
-    /// The curves of which something is undecided.
+    /// The curves about which something is undecided.
     #[must_use]
     pub fn curves_of(&self, undecided: &Undecided) -> Vec<CurveId> {
         match undecided {

@@ -217,7 +217,7 @@ struct Nearest {
     error_bound: f64,
 }
 
-/// Where h stands among the curves of a slab.
+/// The position of h among the curves of a slab.
 struct Bracket {
     /// So many curves lie below h.
     low: usize,

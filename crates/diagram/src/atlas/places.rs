@@ -148,7 +148,7 @@ pub enum Spot {
 
 impl Atlas {
     /// Where each (h, l) of a row lies. The curves decide where they are farther than their error bounds; nearer points, and
-    /// rows at l = 0 or within rounding of an event, are asked of `decide`: each double stands for its shortest decimal.
+    /// rows at l = 0 or within rounding of an event, are passed to `decide`: each double denotes its shortest decimal.
     ///
     /// # Errors
     /// [`MomentumError`] when l is out of range.

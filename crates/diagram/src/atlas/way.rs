@@ -17,11 +17,11 @@ pub struct Passage {
     pub to: Option<RegionId>,
 }
 
-/// A place on the way, t ∈ [0, 1]; the outer `None` stands where `f64` does not decide.
+/// The place at t ∈ [0, 1] of the path; the outer `None` where `f64` does not decide.
 type Stop = (f64, Option<Option<RegionId>>);
 
-/// The way is looked at in this many equal parts, so that a region it enters and leaves on the same side is seen unless
-/// less than such a part of the way lies in it.
+/// The path is sampled in this many equal parts, so that a region that it enters and leaves on the same side is seen
+/// unless it contains less than one such part.
 const PARTS: u32 = 64;
 
 /// Halvings of a part: what changes within 2^−24 of it changes at once.

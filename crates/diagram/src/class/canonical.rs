@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use super::planar_map::{PlanarMap, opposite};
 
-/// The numbering: what stands where, in the order of discovery.
+/// The numbering, in the order of discovery.
 pub(super) struct Numbering {
     /// Canonical number of each edge.
     pub edge: Vec<usize>,

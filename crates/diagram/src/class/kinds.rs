@@ -5,7 +5,7 @@ use std::fmt;
 use crate::topology::Component;
 use bifdiag_equilibria::curves::{Curve, Orbit, Pole};
 
-/// What a vertex stands for.
+/// The meaning of a vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum VertexKind {
     /// The end of a curve on the frame, at l → 0 or l → ∞.
@@ -18,7 +18,7 @@ pub enum VertexKind {
     Crossing,
 }
 
-/// What an edge stands for.
+/// The meaning of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum EdgeKind {
     /// A side of the frame.

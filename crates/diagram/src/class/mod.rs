@@ -52,7 +52,7 @@ impl Class {
         Self { name: ClassName::of_text(&text), text }
     }
 
-    /// How many regions it has; the forbidden one, R0 of its text, is none.
+    /// How many regions it has, without the forbidden one, R0 of its text.
     #[must_use]
     pub fn regions(&self) -> usize {
         self.text.lines().filter(|line| line.starts_with('R') && !line.starts_with("R0 ")).count()

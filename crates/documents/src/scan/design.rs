@@ -1,4 +1,4 @@
-//! Which bodies a scan looks at.
+//! Which bodies a scan covers.
 
 use bifdiag_numbers::Number;
 use bifdiag_schema::{CommandLine, DesignDocument, FamilyDocument, RangeDocument};
@@ -19,7 +19,7 @@ pub fn range(range: &ParameterRange) -> RangeDocument {
     }
 }
 
-/// Which bodies a scan looks at.
+/// Which bodies a scan covers.
 #[must_use]
 pub fn design(design: &Design) -> DesignDocument {
     let family = match &design.family {
@@ -36,7 +36,7 @@ pub fn design(design: &Design) -> DesignDocument {
 /// The bodies that a document describes.
 ///
 /// # Errors
-/// [`ReadScanError`] for numbers that are none, and for what no scan looks at.
+/// [`ReadScanError`] for invalid numbers, and for bodies that no scan covers.
 pub fn read_design(document: &DesignDocument) -> Result<Design, ReadScanError> {
     let numbers =
         |[a, b, c]: &[String; 3]| -> Result<[Number; 3], ReadScanError> { Ok([a.parse()?, b.parse()?, c.parse()?]) };
@@ -57,7 +57,7 @@ pub fn read_design(document: &DesignDocument) -> Result<Design, ReadScanError> {
     Ok(Design::new(family, vary, document.samples, document.seed)?)
 }
 
-/// The command line of a scan, or of the shard with these bodies, but for where its rows go.
+/// The command line of a scan, or of the shard with these bodies, without its output options.
 #[must_use]
 pub fn command(design: &DesignDocument, range: [u64; 2]) -> CommandLine {
     let line = CommandLine::new("scan");

@@ -12,7 +12,7 @@ pub enum ReadScanError {
     /// A number of a body or of a range.
     #[error(transparent)]
     Number(#[from] ParseNumberError),
-    /// Bodies that no scan looks at.
+    /// Bodies that no scan covers.
     #[error(transparent)]
     Design(#[from] DesignError),
     /// A class.

@@ -21,7 +21,7 @@ impl Dimension {
     /// Of h and of r.
     pub const ENERGY: Self = Self { inertia: 1, time: -2 };
 
-    /// Of the derivative with respect to time.
+    /// Unit of the derivative with respect to time.
     #[must_use]
     pub const fn rate(self) -> Self {
         Self { inertia: self.inertia, time: self.time - 1 }

@@ -37,7 +37,7 @@ pub(super) fn advance(top: &HeavyTop, piece: &StepPiece, coefficients: &[State],
     sum.normalised()
 }
 
-/// w + x i + y j + z k, of length 1 when it stands for a rotation; q and −q are the same rotation.
+/// w + x i + y j + z k, of length 1 if it represents a rotation; q and −q are the same rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quaternion {
     /// Real part.

@@ -45,7 +45,7 @@ pub(super) fn advance(top: &HeavyTop, piece: &StepPiece, coefficients: &[State],
     let integrand = |y: f64| {
         let state = piece.state(y);
         let omega_3 = top.angular_velocity(state.l)[2];
-        // Of an integrator that does not keep |γ| = 1, the direction counts.
+        // If the integrator does not keep |γ| = 1, the direction counts.
         horizontal_product(top, &state) / (norm(state.gamma) + pole * state.gamma[2]) + pole * omega_3
     };
     let mut sum = 0.0;

@@ -27,7 +27,7 @@ pub enum PoincareError {
         l: String,
         /// The lowest energy at this l.
         lowest: f64,
-        /// The branch of relative equilibria that has it.
+        /// The branch of relative equilibria with this energy.
         branch: String,
     },
     /// (h, l) lies on a curve of the bifurcation diagram, where the section is no surface or its image changes.

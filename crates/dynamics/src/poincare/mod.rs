@@ -1,4 +1,4 @@
-//! The Poincaré section of one body at one (h, l): is there one, where do its orbits start, how did they go.
+//! The Poincaré section of one body at one (h, l): whether it exists, where its orbits start, and their results.
 
 mod error;
 mod starts;
@@ -195,7 +195,7 @@ impl SectionSetting {
         Ok(section)
     }
 
-    /// A section of which no orbit was begun.
+    /// A section before any orbit was started.
     ///
     /// # Errors
     /// [`PoincareError::Section`] for inaccessible points.
@@ -230,8 +230,8 @@ impl SectionSetting {
     /// Adds Lyapunov exponents, rotation numbers and verdicts. The orbits are integrated once more; where `monitor` stops that,
     /// they have no exponent and the section is not complete.
     ///
-    /// Orbits that stay open are followed anew for their verdicts alone, over twice as many crossings, four times, …, as long as
-    /// these are at most twice as many together as the section has.
+    /// Orbits that stay open are followed again for their verdicts alone, over twice as many crossings, four times, …,
+    /// as long as these are at most twice as many in total as those of the section.
     ///
     /// # Errors
     /// Those of [`chaos_measures`] and [`verdicts`].
@@ -325,8 +325,8 @@ const FIRST_LOOK: usize = 128;
 
 impl SectionSetting {
     /// As [`run`](Self::run) and [`measure`](Self::measure), but an orbit ends where its verdict is found: after 128
-    /// crossings, or 256, 512, …, or as many as the options allow. Those that go on begin anew, so that this takes at most
-    /// twice the time of the orbits that it returns.
+    /// crossings, or 256, 512, …, or as many as the options allow. Orbits that continue are restarted, so this takes at
+    /// most twice the time of the orbits that it returns.
     ///
     /// # Errors
     /// As both of them.

@@ -10,7 +10,8 @@ use bifdiag_diagram::accessible::component_of;
 const TRIES: u64 = 2000;
 
 impl SectionSetting {
-    /// `count` points, an equal share in each component of U_hl, both sheets in turn: low-discrepancy, reproducible.
+    /// `count` points, an equal share in each component of U_hl, alternating between the sheets: low-discrepancy,
+    /// reproducible.
     ///
     /// A component too small to be met by points spread over the sphere is filled from around its minimum.
     ///

@@ -75,7 +75,7 @@ pub(super) fn check_count(orbits: usize) -> Result<(), SectionError> {
     Err(SectionError::Parameter { name: "orbits", value, expected })
 }
 
-/// Refuses to go on when the work was cancelled.
+/// Fails if the work was cancelled.
 pub(super) fn check_stop(stop: Option<&AtomicBool>) -> Result<(), SectionError> {
     if stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) { Err(SectionError::Interrupted) } else { Ok(()) }
 }

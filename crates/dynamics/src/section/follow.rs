@@ -122,7 +122,7 @@ impl OrbitFollower {
         (self.flat_steps, self.last_flat) = (narrow(flat_steps), last_flat);
     }
 
-    /// What it needs to go on, with what its lane and the scan know: S there.
+    /// The state needed to continue, besides that of its lane and of the scan: S there.
     pub fn halt(&self, lane: [f64; LANE], value: f64) -> OrbitCheckpoint {
         let Integrals { energy, vertical_momentum, gamma_squared } = self.drift;
         let more = [value, energy, vertical_momentum, gamma_squared, self.residual, self.time];
@@ -246,7 +246,7 @@ impl OrbitFollower {
         }
     }
 
-    /// Keeps a point, of which nothing has been read.
+    /// Keeps a point of which nothing has been read yet.
     #[inline(always)]
     fn record(&mut self, time: Instant, state: &State) {
         self.points.push(SectionPoint {

@@ -22,8 +22,8 @@ const SLIGHT: f64 = 1.0 / (1u64 << 10) as f64;
 /// For each wanted lane the root in [0, 1] of Σ c_k xᵏ, which changes sign there exactly once; `end` is its value
 /// at 1. The other lanes hold no meaning. The coefficients from `terms` on are 0.
 ///
-/// Halley's method inside a bracket: two or three steps, where Newton's takes four or five as long ones. A lane that has
-/// converged is left alone while others go on, so that it does not depend on them.
+/// Halley's method inside a bracket: two or three steps, where Newton's takes four or five as long ones. A lane that
+/// has converged is left unchanged while others continue, so its result does not depend on them.
 #[inline(always)]
 pub(super) fn single_roots<S: Simd>(
     simd: S,

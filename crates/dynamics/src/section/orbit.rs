@@ -70,7 +70,7 @@ pub enum OrbitEnd {
     Decided,
     /// S ≡ 0 along it, within rounding: a relative equilibrium or a regular precession of Lagrange's top.
     StaysOnSection,
-    /// The integrator could not go on.
+    /// The integrator could not continue.
     Failed(StepError),
     /// The run was stopped.
     Interrupted,

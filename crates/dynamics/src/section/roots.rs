@@ -77,9 +77,9 @@ struct RootSearch<'a, S: Simd> {
 /// Appends every root in (0, 1), ascending, and returns the number of extrema whose sign is within rounding:
 /// there, a double root cannot be distinguished from two or none. The coefficients must be finite.
 ///
-/// Bernstein coefficients bound the polynomial and its differences on an interval; halving goes on until it is
-/// seen to have no root, to be monotone, or to have exactly one extremum, at which it is then split. A nearly
-/// double root is therefore resolved as far as the sign of one value is.
+/// Bernstein coefficients bound the polynomial and its differences on an interval; halving continues until it is seen
+/// to have no root, to be monotone, or to have exactly one extremum, at which it is then split. A nearly double root is
+/// therefore resolved as well as the sign of a single value.
 ///
 /// Fused multiply-adds are the processor's where `simd` has them; the roots are the same.
 pub(super) fn all_roots<S: Simd>(
@@ -168,7 +168,7 @@ impl<S: Simd> RootSearch<'_, S> {
             return;
         }
         if b.iter().all(|x| x.abs() <= self.noise) {
-            // A root of high multiplicity, as wide as the rounding: halving would go on in all of it.
+            // A root of high multiplicity, as wide as the rounding: halving would continue in all of it.
             self.tangencies += 1;
             self.monotone((low, high), (low_positive, high_positive));
             return;

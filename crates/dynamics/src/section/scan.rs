@@ -7,7 +7,8 @@ use super::halley::{ROOM, single_roots};
 use crate::integrator::product::ProductSum;
 use crate::integrator::taylor::{LaneVector, Lanes, ROWS, lane_values, lane_values_mut, magnitude};
 
-/// Terms whose Bernstein coefficients are taken; the others are so small that the sum of their sizes will do.
+/// Terms whose Bernstein coefficients are taken; the others are so small that the sum of their absolute values
+/// suffices.
 const LEADING: usize = 7;
 
 /// 1/C(LEADING − 1, k).

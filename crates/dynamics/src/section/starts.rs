@@ -63,10 +63,10 @@ impl StartPotential {
     }
 }
 
-/// Points of the accessible region U ≤ h, uniform in area, both sheets in turn.
+/// Points of the accessible region U ≤ h, uniform in area, alternating between the sheets.
 ///
-/// A Kronecker sequence with the plastic number's powers, which fills (cosϑ', ψ') with low discrepancy; the
-/// points at which U_l > h are passed over.
+/// A Kronecker sequence with the plastic number's powers, which fills (cosϑ', ψ') with low discrepancy; points with U_l
+/// > h are skipped.
 ///
 /// # Errors
 /// [`SectionError::Inaccessible`] when the places run out before `count` points were found;
@@ -82,8 +82,8 @@ pub fn spread_starts(
 
 /// Likewise, with an equal share for each of `components` parts of the accessible region, however small.
 ///
-/// `component_of` gives the part in which γ lies (below `components`); points for which it gives None are passed over.
-/// The parts take turns in the result as far as the sequence allows; the first parts get the odd ones.
+/// `component_of` gives the part in which γ lies (below `components`); points for which it gives None are skipped. The
+/// parts alternate in the result where the sequence allows; the first parts get the remainder.
 ///
 /// # Errors
 /// [`SectionError::Inaccessible`] when the places run out before every part has its share;

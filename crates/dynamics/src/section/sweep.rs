@@ -41,9 +41,9 @@ pub fn sweep(
 }
 
 /// Follows orbits from their starts or from where they were halted, and halts them when they have `most` points, or a
-/// few more, or when the run is stopped. The points of an orbit that goes on follow those before.
+/// few more, or when the run is stopped. The points of a continued orbit follow its earlier ones.
 ///
-/// Orbits come back in the order of their numbers, each with where to go on; None where it has ended.
+/// Orbits come back in the order of their numbers, each with the state from which it continues; None if it has ended.
 ///
 /// # Errors
 /// Those of [`sweep`].
@@ -73,7 +73,7 @@ pub fn sweep_on(
     Ok(orbits.into_iter().map(|(orbit, halt)| (orbit.restored(units, options.condition), halt)).collect())
 }
 
-/// An orbit's points, and where it goes on.
+/// An orbit's points, and the state from which it continues.
 type Leg = (OrbitSection, Option<OrbitCheckpoint>);
 
 /// The orbits of a top in its own units.
@@ -200,7 +200,7 @@ fn bits(mut word: u32) -> impl Iterator<Item = usize> {
     })
 }
 
-/// Puts an orbit into a lane, after `step` steps. An idle lane keeps what it has; nobody looks at it.
+/// Puts an orbit into a lane, after `step` steps. An idle lane keeps its contents, which are never read.
 #[inline(always)]
 fn load<S: Simd>(
     lanes: &mut Lanes<S>,

@@ -1,4 +1,5 @@
-//! Orbits shared among threads, watched and cancelled from outside, and checkpoints from which they go on, bit for bit.
+//! Orbits shared among threads, monitored and cancelled from outside, and checkpoints from which they resume, bit for
+//! bit.
 
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 
@@ -11,7 +12,7 @@ use crate::field::{Integrals, State};
 pub struct Monitor {
     /// Cancellation: once it is set, every orbit ends as [`OrbitEnd::Interrupted`](super::OrbitEnd::Interrupted); orbits not yet begun are left out.
     pub stop: AtomicBool,
-    /// Crossings so far, brought up to date every few hundred steps.
+    /// Crossings so far, updated every few hundred steps.
     pub crossings: AtomicU64,
     /// Finished orbits.
     pub orbits: AtomicU64,
@@ -68,7 +69,7 @@ pub(super) const NUMBERS: usize = LANE + 6;
 /// Counts of a halted orbit.
 pub(super) const COUNTS: usize = 5;
 
-/// An orbit halted between two steps: all that it needs to go on as if it had not been.
+/// An orbit halted between two steps: everything needed to continue as if it had not been halted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct OrbitCheckpoint {
     /// The lane; S; the deviations of H, ⟨γ,l⟩ and ⟨γ,γ⟩; the residual; the time at the last step's end.
@@ -131,6 +132,6 @@ pub struct OrbitTask {
     pub orbit: u32,
     /// Its state at time 0.
     pub start: State,
-    /// Where it goes on.
+    /// The state from which it continues.
     pub halt: Option<OrbitCheckpoint>,
 }

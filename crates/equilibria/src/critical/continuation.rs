@@ -372,7 +372,7 @@ impl RelativeEquilibria<'_> {
                 Shape::Straight { gamma, .. } => ((*gamma, 0.0), None),
                 Shape::Symmetric { .. } => return None,
             },
-            // The two curves of a cusp stand in the order of the branch's parameter.
+            // The two curves of a cusp are in the order of the branch's parameter.
             End::Cusp(number) => {
                 let cusp = &self.set.cusps[number];
                 (at(&cusp.point), Some(cusp.curves[1] == id))

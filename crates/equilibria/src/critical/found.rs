@@ -286,7 +286,7 @@ impl RelativeEquilibria<'_> {
             (_, true) => LinearType::DoubleReal,
             (_, false) => LinearType::Saddle,
         };
-        // The body hangs in the minimum, and falls from where it stands.
+        // The hanging body is in the minimum; the standing body falls.
         let verdict = if index == 0 {
             (NonlinearVerdict::Stable, Reason::Energy)
         } else {

@@ -37,9 +37,9 @@ pub struct Equilibrium {
     pub omega: f64,
     /// Negative eigenvalues of the Hessian of U_l, the Morse index: 0 minimum, 1 saddle, 2 maximum; across a circle.
     pub index: u8,
-    /// What this entry stands for.
+    /// The multiplicity of this entry.
     pub multiplicity: Multiplicity,
-    /// Of those at one spin: two steady axes meet here, of which slower or faster spins have none.
+    /// Only at a given spin: two steady axes meet here, and neither exists at slightly slower or faster spins.
     pub is_fold: bool,
     /// The type of the flow reduced by l, linearised.
     pub stability: LinearType,
@@ -179,7 +179,7 @@ impl<'a> RelativeEquilibria<'a> {
     }
 
     /// Without the verdicts that only a normal form decides, which takes several times as long as all the rest:
-    /// [`Nonlinear::is_deferred`] tells where one is missing.
+    /// [`Nonlinear::is_deferred`] says where one is missing.
     #[must_use]
     pub fn without_normal_forms(self) -> Self {
         Self { defers: true, ..self }
@@ -203,8 +203,8 @@ impl<'a> RelativeEquilibria<'a> {
         Ok(self.everywhere(Fixed::Momentum { l, x }))
     }
 
-    /// What is known of the stability of the equilibrium of one curve at l ≠ 0, as [`at`](Self::at) has it or as an exact root has
-    /// it; `None` where the curve has none.
+    /// The verdict on the equilibrium of one curve at l ≠ 0, as found by [`at`](Self::at) or for an exact root; `None`
+    /// where the curve has no equilibrium.
     ///
     /// # Errors
     /// [`CriticalError::Momentum`] when l leaves the range of `f64`.
@@ -322,7 +322,7 @@ fn sorted(body: &Body, mut list: Vec<Equilibrium>, at_spin: bool) -> Vec<Equilib
     };
     let is_fast = |p: &Equilibrium| 0.5 * (p.omega * p.l).abs() > FAST * norm(center);
     list.sort_by(|p, q| {
-        // Of a symmetric pair the difference is 0 or -0, which must be equal here.
+        // For a symmetric pair the difference is 0 or -0, which must be equal here.
         let by_h = if is_fast(p) && is_fast(q) { difference(p, q) } else { p.h - q.h };
         let by_h = by_h.partial_cmp(&0.0).unwrap_or(Ordering::Equal);
         let by_gamma = (0..3).map(|k| p.gamma[k].total_cmp(&q.gamma[k]));

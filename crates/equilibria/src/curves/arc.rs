@@ -19,7 +19,7 @@ pub struct Segment {
     pub x: [f64; 2],
 }
 
-/// What an arc is made of.
+/// The family of an arc.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// Part of the generic family: at most two segments, by rising x.
@@ -43,7 +43,7 @@ pub enum Shape {
 /// An arc, by rising x.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arc {
-    /// What it is made of.
+    /// Its family.
     pub shape: Shape,
     /// x at both ends; 0 and ∞ are limits.
     pub x: [f64; 2],

@@ -102,7 +102,7 @@ impl CriticalSet {
         }
     }
 
-    /// The curve that begins at l = 0 where the body hangs, or where it stands.
+    /// The curve that begins at l = 0 with the hanging or the standing body.
     #[must_use]
     pub fn at_rest(&self, hangs: bool) -> Option<CurveId> {
         let begins = |curve: &Curve| curve.is_critical() && curve.x()[0] == 0.0 && (curve.index == Some(0)) == hangs;

@@ -20,7 +20,7 @@ impl CriticalSet {
                 _ => Orbit::Sphere,
             };
             let index = (0..3).filter(|&k| self.frame.group[k] > self.frame.group[axis]).count();
-            // For a circle the index counts the one normal direction only; for a sphere there is none.
+            // For a circle the index counts the one normal direction only; a sphere has none.
             let index = if dimension == 1 { index } else { index.min(3 - dimension) };
             self.curves.push(Curve {
                 branch: Branch::Symmetric(axis),

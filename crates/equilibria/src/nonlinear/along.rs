@@ -29,7 +29,7 @@ pub struct VerdictChange {
     pub h: f64,
     /// Bound on the error of both.
     pub error_bound: f64,
-    /// Ω, from an enclosure of its own: beside cusps l and h tell it to a few digits only.
+    /// Ω, from its own enclosure: near cusps l and h determine it only to a few digits.
     pub omega: f64,
     /// μ = J + ⟨γ, r⟩/Ω².
     pub mu: f64,
@@ -47,7 +47,7 @@ pub struct VerdictChange {
     pub proved: bool,
 }
 
-/// A stretch of a curve with one verdict, but for isolated points.
+/// A stretch of a curve with one verdict, except at isolated points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VerdictSpan {
     /// From this l …
@@ -145,7 +145,7 @@ impl<'a> Verdicts<'a> {
                 let after = known.stations.get(k);
                 for (station, other) in [(before, k.checked_sub(1)), (after, Some(k + 1))] {
                     let Some(station) = station else { continue };
-                    // Where two elliptic stretches meet, the one before has it.
+                    // Where two elliptic stretches meet, the point belongs to the first.
                     let is_again = other < Some(k) && other.is_some_and(|n| known.types[n] == LinearType::Elliptic);
                     if matches!(station.kind, StationKind::Collision(_)) && !is_again {
                         let changes = other.is_some_and(|n| known.types[n] != LinearType::Elliptic);
@@ -181,7 +181,7 @@ impl<'a> Verdicts<'a> {
                 }
             }
         }
-        // A body that stands at rest is a saddle: the last stretch of an unbounded chart is none.
+        // A body standing at rest is a saddle: the last stretch of an unbounded chart is not one.
         let last = to.as_ref().map(|root| root.hi.clone()).or_else(|| chart.is_bounded().then_some(RBig::ONE))?;
         let first = from.as_ref().map_or(RBig::ZERO, |root| root.lo.clone());
         let is_inside = |[lo, hi]: &[RBig; 2]| {
@@ -269,7 +269,7 @@ impl OnFamily<'_> {
         (c, state)
     }
 
-    /// The point at a zero of the determinant; `None` if a narrower range can tell more, and there is one.
+    /// The point at a zero of the determinant; `None` if a narrower range exists and may decide more.
     fn zero(&self, range: &[RBig; 2], is_last: bool) -> Option<VerdictChange> {
         let (c, state) = self.over(range);
         if !is_last && !state.is_sharp(&c) {

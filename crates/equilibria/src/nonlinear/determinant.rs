@@ -14,7 +14,7 @@ use super::series::{Exponents, Series, VARIABLES, add, of_degree};
 
 type Matrix<E> = [[E; VARIABLES]; VARIABLES];
 
-/// c(b² − 4c) D₄; `None` where the enclosures do not tell that LG₃ = H₃ has a solution: at ω₁ = 2ω₂ and at c = 0.
+/// c(b² − 4c) D₄; `None` where the enclosures do not show that LG₃ = H₃ has a solution: at ω₁ = 2ω₂ and at c = 0.
 #[must_use]
 pub fn arnold_numerator<E: Enclosure>(hamiltonian: &Series<E>, b: &E, c: &E, precision: E::Precision) -> Option<E> {
     let small = |value| E::small(value, precision);

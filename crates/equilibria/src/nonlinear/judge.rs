@@ -32,8 +32,8 @@ pub struct Question<'a, E: Enclosure> {
 pub(super) const MAXIMUM: Setting = Setting { index: 2, minimum: None, integral: false };
 
 impl<E: Enclosure> Question<'_, E> {
-    /// The verdict; `None` where a better enclosure is needed. `exact` tells, where that is known, which of the resonances
-    /// 1:2 and 1:3 holds exactly.
+    /// The verdict; `None` where a better enclosure is needed. `exact` says, if known, which of the resonances 1:2 and
+    /// 1:3 holds exactly.
     #[must_use]
     pub fn verdict(&self, exact: [Option<bool>; 2]) -> Option<Nonlinear> {
         if let Some(known) = self.setting.verdict(self.kind) {
@@ -98,13 +98,13 @@ impl<E: Enclosure> Question<'_, E> {
     }
 
     /// The normal form of the flow reduced by l, in units in which Ω = 1: its determinant is D₄/s. `None` where the
-    /// enclosures do not tell that there are two distinct imaginary pairs.
+    /// enclosures do not show that there are two distinct imaginary pairs.
     #[must_use]
     pub fn normal_form(&self) -> Option<NormalForm<E>> {
         self.form(NormalForm::new)
     }
 
-    /// D₆/s, which decides where D₄ = 0; `None` where the enclosures do not tell that no resonance of order up to six holds.
+    /// D₆/s, which decides where D₄ = 0; `None` where the enclosures do not exclude all resonances of order up to six.
     #[must_use]
     pub fn sixth(&self) -> Option<E> {
         self.form(sixth)

@@ -71,8 +71,8 @@ pub(super) struct ModePair<E> {
 }
 
 impl<E: Enclosure> ModePair<E> {
-    /// From a Hamiltonian and the coefficients of its λ⁴ + bλ² + c; `None` where the enclosures do not tell that the pairs are
-    /// imaginary, distinct, and of certain energies.
+    /// From a Hamiltonian and the coefficients of its λ⁴ + bλ² + c; `None` where the enclosures do not show that the
+    /// pairs are imaginary, distinct, and of known energies.
     pub(super) fn new<const D: usize>(
         hamiltonian: &Series<E, D>,
         b: &E,
@@ -101,7 +101,7 @@ impl<E: Enclosure> ModePair<E> {
         })
     }
 
-    /// 2ω_j n_j, of which {z_j, z̄_j} is i times the inverse.
+    /// 2ω_j n_j; {z_j, z̄_j} is i times its inverse.
     pub(super) fn bracket(&self, j: usize, precision: E::Precision) -> E {
         E::small(2, precision) * self.omega[j].clone() * self.modes[j].energy.clone()
     }

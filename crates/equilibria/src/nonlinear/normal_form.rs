@@ -4,8 +4,8 @@
 //! any vector e, y = (M² + ω₂²)e spans with My the plane of the first pair: M²y = −ω₁²y, and v = My + iω₁y is an
 //! eigenvector of iω₁. In coordinates x = Σ (z_j v_j + z̄_j v̄_j) the brackets are {z_j, z̄_j} = i/(2ω_j n_j) with
 //! n_j = ⟨y_j, H″y_j⟩, ż_j = iω_j z_j, and the actions I_j = 2ω_j |n_j| |z_j|², so that H = Σ ±ω_j I_j + … with the sign of
-//! n_j. A generating function of degree three, with coefficients H₃/(i⟨ω, a − b⟩) at z^a z̄^b, takes away H₃, and of
-//! degree four ½{H₃, G₃} + H₄ stays where a = b.
+//! n_j. A generating function of degree three, with coefficients H₃/(i⟨ω, a − b⟩) at z^a z̄^b, removes H₃, and in
+//! degree four ½{H₃, G₃} + H₄ remains where a = b.
 
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
@@ -32,8 +32,9 @@ pub struct NormalForm<E> {
 }
 
 impl<E: Enclosure> NormalForm<E> {
-    /// From the Taylor series of a Hamiltonian in (q₁, q₂, p₁, p₂) and the coefficients of its λ⁴ + bλ² + c. `None` where
-    /// the enclosures do not tell that the pairs are imaginary, distinct, and of certain energies. At ω₁ = 2ω₂ the twist is
+    /// From the Taylor series of a Hamiltonian in (q₁, q₂, p₁, p₂) and the coefficients of its λ⁴ + bλ² + c. `None`
+    /// where the enclosures do not show that the pairs are imaginary, distinct, and of known energies. At ω₁ = 2ω₂ the
+    /// twist is
     /// unbounded. Without the term that stays at ω₁ = 3ω₂.
     #[must_use]
     pub fn new(hamiltonian: &Series<E>, b: &E, c: &E, precision: E::Precision) -> Option<Self> {
@@ -63,7 +64,7 @@ struct Form<E: Enclosure> {
     pair: ModePair<E>,
     /// H₃ by monomials of z₁, z₂, z̄₁, z̄₂.
     cubic: Vec<Complex<E>>,
-    /// iG₃ likewise. A term that is known to vanish has no share in it, resonant or not.
+    /// iG₃ likewise. A term that is known to vanish contributes nothing, resonant or not.
     generator: Vec<Option<Complex<E>>>,
     quartic: Quartic<E>,
     precision: E::Precision,

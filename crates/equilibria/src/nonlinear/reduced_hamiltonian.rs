@@ -7,7 +7,7 @@
 //! m = (l − p_φ cos ϑ)/sin ϑ.
 //!
 //! The axis is the one from which γ is farthest, so that sin²ϑ ≥ 2/3. Time is in units of 1/Ω, which makes Ω = 1,
-//! L = Aγ, l = J and r_k/s = τ_kγ_k. Signs of γ and the order of the axes are free: a reflection leaves H as it is, or
+//! L = Aγ, l = J and r_k/s = τ_kγ_k. Signs of γ and the order of the axes are free: a reflection leaves H unchanged, or
 //! reverses time, and neither changes the normal form.
 
 use bifdiag_body::Axis;

@@ -106,7 +106,7 @@ impl<T: Clone + Add<Output = T> + Mul<Output = T>, const D: usize> Series<T, D> 
         Self::of([([0; VARIABLES], constant), (power, one)])
     }
 
-    /// From terms, of which those of one monomial are added up.
+    /// From terms; those of the same monomial are added.
     pub(super) fn of(terms: impl IntoIterator<Item = (Exponents, T)>) -> Self {
         let mut series = Self::zero();
         for (powers, value) in terms {
@@ -207,7 +207,7 @@ impl<T: Clone + Add<Output = T> + Mul<Output = T>, const D: usize> Series<T, D> 
     }
 }
 
-/// A polynomial in four variables all terms of which have one degree, at most six.
+/// A homogeneous polynomial in four variables, of degree at most six.
 #[derive(Clone, Debug)]
 pub(super) struct Homogeneous<T> {
     degree: usize,

@@ -4,8 +4,8 @@
 //!
 //! H₄′ = H₄ + ½{H₃, G₃}, H₆′ = H₆ + {H₅ + ½{H₄, G₃} + ⅛{{H₃, G₃}, G₃}, G₃}
 //!
-//! and a generating function G₄ that takes away from H₄′ all but its terms in the actions leaves those of H₆′ + ½{H₄′, G₄}. What
-//! takes H₅′ away changes only higher degrees.
+//! and a generating function G₄ that removes from H₄′ all but its terms in the actions leaves those of H₆′ + ½{H₄′,
+//! G₄}. Removing H₅′ changes only higher degrees.
 
 use bifdiag_numbers::enclosure::Enclosure;
 
@@ -25,7 +25,7 @@ struct InModes<E> {
 const CUBES: [Exponents; 4] = [[0, 3, 0, 3], [1, 2, 1, 2], [2, 1, 2, 1], [3, 0, 3, 0]];
 
 /// D₆: the terms of degree six of the normal form at I₁ = ω₂, I₂ = ω₁, where H₂ vanishes if the energies of the modes have
-/// opposite signs. `None` where the enclosures do not tell that no resonance k₁ω₁ = k₂ω₂ of order k₁ + k₂ ≤ 6 holds.
+/// opposite signs. `None` where the enclosures do not exclude all resonances k₁ω₁ = k₂ω₂ of order k₁ + k₂ ≤ 6.
 #[must_use]
 pub fn sixth<E: Enclosure>(hamiltonian: &Series<E, HIGHEST>, b: &E, c: &E, precision: E::Precision) -> Option<E> {
     let pair = ModePair::new(hamiltonian, b, c, precision)?;

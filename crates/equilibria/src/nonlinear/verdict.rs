@@ -71,7 +71,7 @@ impl Nonlinear {
         Self { verdict, why, arnold: None, near: None, proved: true }
     }
 
-    /// None so far: a normal form would decide, and was not asked for.
+    /// None so far: a normal form would decide, and was not requested.
     pub(crate) fn deferred() -> Self {
         Self { proved: false, ..Self::of((NonlinearVerdict::Open, Reason::Degenerate)) }
     }

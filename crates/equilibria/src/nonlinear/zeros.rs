@@ -16,8 +16,8 @@ use bifdiag_numbers::form::EnclosedForm;
 use bifdiag_numbers::wide::{Interval128, Interval384, Interval1024};
 
 /// The zeros of D₄ between two places of a family inside of which it is elliptic, by rising t, as they are judged from ranges of
-/// t that hold one each; `None` where enclosures do not isolate all of them, or one is at an end. A range that is not judged
-/// (`None`) is narrowed, as far as it can be; of the last one `judged` is told.
+/// t that hold one each; `None` where enclosures do not isolate all of them, or one is at an end. A range that is not
+/// judged (`None`) is narrowed as far as possible; `judged` is informed when it is the last one.
 pub(super) fn zeros<T>(
     body: &ExactBody,
     chart: &FamilyChart,
@@ -69,8 +69,9 @@ where
     roots.into_iter().map(range).collect()
 }
 
-/// Nodes of Chebyshev's in (0, 1), rounded, in an order of which each beginning is spread over all of them: by their numbers with
-/// the binary digits reversed. Through values at these places `EnclosedForm::through` loses less than two bits for each degree.
+/// Chebyshev nodes in (0, 1), rounded, ordered so that each initial segment is spread over all of them: by their
+/// numbers with the binary digits reversed. Through values at these places `EnclosedForm::through` loses less than two
+/// bits for each degree.
 fn spread_places(count: usize) -> Vec<f64> {
     let bits = count.next_power_of_two().trailing_zeros();
     let reversed = |k: usize| (0..bits).fold(0, |number, bit| number << 1 | (k >> bit & 1));
@@ -81,7 +82,7 @@ fn spread_places(count: usize) -> Vec<f64> {
     (0..1 << bits).map(reversed).filter(|number| *number < count).map(node).collect()
 }
 
-/// N over its zeros that are none of the determinant.
+/// N divided by its zeros that are not zeros of the determinant.
 fn rest<E>(body: &ExactBody, chart: &FamilyChart, c: &Constants<E>, known: &[RBig], t: &RBig) -> Option<E>
 where
     E: Enclosure<Precision = ()>,

@@ -11,8 +11,8 @@ use crate::critical::{Multiplicity, SteadyFamily};
 /// An axis nearer to a permanent one than this, in radians, is that axis: directions are given with some digits.
 pub const MEANT: f64 = 1e-6;
 
-/// Half a degree, in radians: an axis that misses a permanent one by less stands for it where changes over the spin are asked
-/// for, since only a permanent axis has them.
+/// Half a degree, in radians: an axis that misses a permanent one by less is replaced by it where changes over the spin
+/// are requested, since only a permanent axis has them.
 const FOLLOWED: f64 = std::f64::consts::PI / 360.0;
 
 /// What an axis is.
@@ -27,7 +27,7 @@ pub enum AxisKind {
     },
     /// Permanent at one spin, or with the other end up.
     AtOneSpin(NearestAxis),
-    /// Principal, but the centre of mass lies beside it: permanent at no spin.
+    /// Principal, but the centre of mass does not lie on it: permanent at no spin.
     Principal,
     /// Permanent at no spin; the nearest one that is.
     Other(NearestAxis),
@@ -36,7 +36,7 @@ pub enum AxisKind {
 }
 
 impl AxisKind {
-    /// Of the axis along a direction in principal axes, which points up.
+    /// For the axis along a direction in principal axes, which points up.
     #[must_use]
     pub fn of(body: &Body, up: [f64; 3]) -> Self {
         if let Some(found) = Self::permanent(body, up, MEANT) {

@@ -1,4 +1,5 @@
-//! Parts of a box for all of which an axis is permanent: C, A, B and the weight, and with them the closed form of [`spin_ranges`](super::spin_ranges).
+//! Boxes of parts for which an axis is always permanent: C, A, B and the weight, and with them the closed form of
+//! [`spin_ranges`](super::spin_ranges).
 
 use bifdiag_body::part::{INPUTS, Measured, MeasuredPart, Units};
 use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};

@@ -72,7 +72,7 @@ pub fn nearest_permanent(body: &Body, up: [f64; 3]) -> Option<NearestAxis> {
     }
     let cone = cone_of(difference, r);
     let scale = cone.amax();
-    // Of an axis that was moved onto the cone no more than thirteen digits are known.
+    // Only thirteen digits are known of an axis that was moved onto the cone.
     let (axis, rounding) = if scale == 0.0 || is_on_cone(&cone, up) {
         (up, 0.0)
     } else if let Some(k) = (0..3).find(|&k| difference[k] == 0.0) {
@@ -99,8 +99,8 @@ fn cone_of(difference: [f64; 3], r: [f64; 3]) -> Matrix3<f64> {
     cone
 }
 
-/// The other axes of Staude's cone that are as near to a direction as `nearest`. Of a quadratic cone only what lies in a plane of
-/// symmetry has several nearest lines: those that reflection in that plane makes of one.
+/// The other axes of Staude's cone that are as near to a direction as `nearest`. On a quadratic cone only a direction
+/// in a plane of symmetry has several nearest lines: a line and its reflection in that plane.
 #[must_use]
 pub fn equally_near(body: &Body, up: [f64; 3], nearest: [f64; 3]) -> Vec<[f64; 3]> {
     /// Angles and cosines that are smaller are 0.

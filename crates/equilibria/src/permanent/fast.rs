@@ -5,8 +5,8 @@ use bifdiag_numbers::vector::{dot, norm, normalised};
 
 use crate::critical::{Multiplicity, Place, SteadyFamily, SteadyStretch};
 
-/// The families whose axes are nearest to a direction that points up, at fast spins: several if they are equally near, none if
-/// all of them lie across it. Of a symmetric pair the one on that side, of a circle the nearest.
+/// The families whose axes are nearest to a direction that points up, at fast spins: several if they are equally near,
+/// none if all of them are perpendicular to it. Of a symmetric pair the one on that side, of a circle the nearest.
 #[must_use]
 pub fn fastest_along(body: &Body, families: &[SteadyFamily], up: [f64; 3]) -> Vec<SteadyFamily> {
     /// Cosines that differ by less are the same.

@@ -26,7 +26,7 @@ pub struct OneSpin {
 }
 
 impl OneSpin {
-    /// Of an axis on the cone, which was given as `exact`, of any length; `None` for one that is in equilibrium at rest.
+    /// For an axis on the cone, given as `exact`, of any length; `None` for one that is in equilibrium at rest.
     #[must_use]
     pub fn of(body: &Body, axis: &NearestAxis, exact: &[RBig; 3]) -> Option<Self> {
         let s = axis.squared_spin.filter(|s| *s != 0.0)?;

@@ -13,7 +13,7 @@ pub struct NominalBody {
     pub center: [f64; 3],
 }
 
-/// Axes that point up, by falling parameter from 2 (infinite spin) on, as far as the rotation can be followed.
+/// Axes that point up, by falling parameter from 2 (infinite spin) on, as long as the rotation can be followed.
 #[derive(Clone, Debug)]
 pub struct Path {
     body: NominalBody,

@@ -33,7 +33,7 @@ pub struct SpinChange {
 }
 
 impl SpinChange {
-    /// Where a spin Ω ≥ 0 stands to the change, exactly.
+    /// How a spin Ω ≥ 0 compares with the change, exactly.
     #[must_use]
     pub fn place_of(&self, omega: &RBig) -> Ordering {
         self.squared.place_of(&(omega * omega))
@@ -203,7 +203,8 @@ impl AxisRotation {
         self.changes().first().map_or_else(any, |first| first.from)
     }
 
-    /// A type as it is called for this rotation: with C = 2A = 2B, and of a free plate about its normal, both pairs agree at
+    /// The name of a type for this rotation: with C = 2A = 2B, and of a free plate about its normal, both pairs agree
+    /// at
     /// every spin.
     #[must_use]
     pub fn own(&self, kind: SpinType) -> SpinType {

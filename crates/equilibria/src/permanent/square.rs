@@ -1,4 +1,4 @@
-//! Squares of directions, each of which holds exactly one steady rotation of every part of a box.
+//! Squares of directions, each containing exactly one steady rotation of every part of a box.
 //!
 //! With g = −up + x e + y f, where e and f lie across, a steady rotation is a zero of ⟨v × g, e⟩ and ⟨v × g, f⟩,
 //! v = s A g + |g| r. Krawczyk's operator shows that a square of (x, y) holds exactly one zero for every part of the box and

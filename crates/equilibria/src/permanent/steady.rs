@@ -48,7 +48,7 @@ pub fn nearest_steady(body: &Body, omega: &RBig, up: &[RBig; 3]) -> Option<Stead
     let h = turning - dot(gamma, r);
     let size = turning.abs() + norm(r);
     let distance = |found: &Equilibrium| {
-        // One point of a circle or sphere stands for all.
+        // One point of a circle or sphere represents all.
         let apart = match found.multiplicity {
             Multiplicity::Points(_) => (0..3).map(|k| (found.gamma[k] - gamma[k]).abs()).fold(0.0, f64::max),
             Multiplicity::Circle | Multiplicity::Sphere => 0.0,
@@ -244,7 +244,7 @@ mod tests {
             (["2", "1", "1.5"], ["0.3", "0.4", "0.5"]),
             (["1", "1", "0.6"], ["0", "0", "1"]),
             (["2", "1", "1.5"], ["0", "0.7", "0"]),
-            // A component of the centre of mass of which ν keeps few digits beside sA₃.
+            // A component of the centre of mass of which ν keeps few digits next to sA₃.
             (["569051/1000000", "1728059/1000000", "1/5"], ["1/1000", "1/10000", "1e-17"]),
         ];
         let mut compared = 0;

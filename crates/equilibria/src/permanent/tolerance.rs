@@ -30,7 +30,7 @@ const PIECES: u32 = 20;
 /// Spins at which a change may lie, over a box of parts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpinRange {
-    /// The type of every part at slower spins, as far as the next range; `None` where the range begins at rest.
+    /// The type of every part at slower spins, down to the next range; `None` where the range begins at rest.
     pub from: Option<SpinType>,
     /// The type of every part at faster spins; `None` where the range has no end.
     pub to: Option<SpinType>,
@@ -38,7 +38,7 @@ pub struct SpinRange {
     pub omega: [f64; 2],
     /// Types other than these two that some of the sampled parts have inside.
     pub between: Vec<SpinType>,
-    /// The input that moves the last nominal change in the range most by itself, and how far in Ω.
+    /// The single input that moves the last nominal change in the range most, and how far in Ω.
     pub most: Option<(&'static str, f64)>,
 }
 
@@ -79,8 +79,8 @@ pub fn spin_ranges(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> Vec<SpinR
     found
 }
 
-/// The ranges of spins, ascending and apart, outside of which rotation about the axis changes for no part of some boxes that
-/// hold the nominal one.
+/// The ranges of spins, ascending and apart, outside of which the rotation about the axis does not change for any part
+/// of some boxes around the nominal one.
 pub(super) fn ranges_over(rotation: &AxisRotation, boxes: &[AxisBox]) -> Vec<SpinRange> {
     let ranges = joined(boxes.iter().flat_map(root_ranges).collect());
     let gap = |low: f64, high: f64| inside(low, high).and_then(|at| rotation.type_at_spin(&at));
@@ -126,7 +126,7 @@ fn varied(rotation: &AxisRotation, steps: [i8; 4], tolerances: &[RBig; 4]) -> Ax
     varied
 }
 
-/// The input that by itself moves the nominal change of this number most, among parts with the same changes.
+/// The single input that moves the nominal change of this number most, among parts with the same changes.
 fn most(nominal: &[SpinChange], sampled: &[Vec<SpinChange>], at: usize) -> Option<(&'static str, f64)> {
     let types = |found: &[SpinChange]| found.iter().map(|c| [c.from, c.to]).collect::<Vec<_>>();
     let mut most: Option<(&'static str, f64)> = None;
@@ -173,7 +173,7 @@ fn root_ranges(of: &AxisBox) -> Vec<[f64; 2]> {
     ranges
 }
 
-/// All positive quotients of two intervals, of which the first is zero or has a sign.
+/// All positive quotients of two intervals, the first of which is zero or has a sign.
 fn quotient(weight: Interval, difference: Interval) -> Option<[f64; 2]> {
     let Some(upward) = weight.is_positive() else {
         // s (C − A) alone: no root at any spin but where the difference vanishes for some parts and not for all.

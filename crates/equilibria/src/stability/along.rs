@@ -52,7 +52,7 @@ impl<'a> LinearTypes<'a> {
         Self { set, along, between, profile, is_quick: false }
     }
 
-    /// The exact roots, isolated now if f64 was enough so far.
+    /// The exact roots, isolated on first use.
     pub(crate) fn take_profile(&mut self, body: &Body) -> Option<StabilityProfile> {
         if self.is_quick { StabilityProfile::new(body, self.set) } else { self.profile.take() }
     }

@@ -16,7 +16,7 @@ pub struct StabilityChange {
     pub error_bound: f64,
     /// The curve on which it lies; at a cusp or pitchfork the first of the two.
     pub curve: CurveId,
-    /// The curve that goes on after a cusp or pitchfork.
+    /// The curve that continues after a cusp or pitchfork.
     pub onto: Option<CurveId>,
     /// Which eigenvalues meet.
     pub kind: StabilityChangeKind,

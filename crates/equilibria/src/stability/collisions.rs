@@ -18,7 +18,7 @@ use bifdiag_numbers::wide::Interval128;
 /// Of degree 18 at most: three distinct moments that all carry r.
 type Form = FormOf<19>;
 
-/// On no path to a coefficient of the form are there as many, counted from the exact body: 21 to a weight, 80 to B, 65 to
+/// No path from the exact body to a coefficient of the form has as many roundings: 21 to a weight, 80 to B, 65 to
 /// C and 55 to Q², with which the products have 135 and 170.
 const ROUNDINGS: f64 = 256.0;
 

@@ -109,7 +109,7 @@ impl<E: Enclosure> State<E> {
     pub fn generic(c: &Constants<E>, base: Axis, delta: &E) -> Self {
         let tau: [E; 3] =
             Axis::ALL.map(|k| if k == base { delta.clone() } else { delta.clone() + c.diff[base][k].clone() });
-        // Weights r_k² (τ_base/τ_k)², of which only the quotient may be small.
+        // Weights r_k² (τ_base/τ_k)², only their quotient may be small.
         let weight: [Option<E>; 3] = Axis::ALL.map(|k| {
             c.active[k].then(|| {
                 if k == base { c.rho[k].clone() } else { c.rho[k].clone() * (delta.clone() / tau[k].clone()).square() }
@@ -176,7 +176,7 @@ impl<E: Enclosure> State<E> {
         [l, h].map(|value| value.bounds())
     }
 
-    /// Narrower enclosures tell no more of l, h and Ω in doubles.
+    /// Narrower enclosures do not improve l, h and Ω in doubles.
     #[must_use]
     pub fn is_sharp(&self, c: &Constants<E>) -> bool {
         let [l, h] = self.in_frame(c);

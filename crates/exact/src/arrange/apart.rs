@@ -1,4 +1,4 @@
-//! Events in proved order, as far as they need one.
+//! Events in proved order, where their order matters.
 
 use dashu_ratio::RBig;
 

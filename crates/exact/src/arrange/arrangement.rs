@@ -31,7 +31,7 @@ pub(crate) struct Arrangement {
     pub bits: usize,
 }
 
-/// The arrangement, as far as it can be proved with this many points of each pair of curves. With fewer than
+/// The arrangement, if it can be proved with this many points of each pair of curves. With fewer than
 /// [`POINTS`](crate::pair::POINTS) the first pair that is left open ends it.
 pub(crate) fn arrange(model: Model, curves: &Curves, points: u32) -> Result<Arrangement, Vec<Undecided>> {
     if !curves.degenerate.is_empty() {

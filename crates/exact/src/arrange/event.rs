@@ -59,7 +59,7 @@ pub(super) fn known_meetings(curves: &Curves, events: &[Event]) -> Vec<Passage> 
     known
 }
 
-/// Bounds of a height, from which those that are 0 but for rounding are moved away: any arithmetic can confirm them then.
+/// Bounds of a height, moved away from 0 if they are 0 within rounding, so that any arithmetic can confirm them.
 pub(super) fn confirmable([low, high]: [f64; 2]) -> [f64; 2] {
     const LEAST: f64 = 1e-50;
     [if low.abs() < LEAST { -LEAST } else { low }, if high.abs() < LEAST { LEAST } else { high }]
@@ -117,7 +117,7 @@ pub(super) fn single_events(
         let mut list = meeting.curves.clone();
         let mut onto = meeting.end;
         list.extend(line_at(evaluator, meeting, &state.x, &mut onto)?);
-        // The events of cusps and pitchforks stand first.
+        // The events of cusps and pitchforks come first.
         let place = match onto {
             Some(End::Cusp(cusp)) => Some(cusp.index()),
             Some(End::Pitchfork(fork)) => Some(curves.cusps.len() + fork.index()),

@@ -8,8 +8,8 @@ use bifdiag_equilibria::curves::CurveId;
 use bifdiag_numbers::table::Table;
 
 /// Glues cells to regions: across an event the curves that meet are a run of neighbours before and after; the cells
-/// inside the runs end and begin there, all others continue; where nothing stood before (or stands after), the cell
-/// around continues on both sides. The number of regions.
+/// inside the runs end and begin there, all others continue; where there was nothing before (or is nothing after), the
+/// surrounding cell continues on both sides. The number of regions.
 pub(super) fn glue(
     events: &Table<EventId, Event>,
     transitions: &Table<TransitionId, Vec<EventId>>,
@@ -54,7 +54,7 @@ struct Progress {
     origins: Vec<Vec<usize>>,
 }
 
-/// One event: its run of curves is replaced by the run that stands there afterwards.
+/// One event: its run of curves is replaced by the run after it.
 fn across(now: &Progress, after: &[CurveId], block: &[CurveId]) -> Option<Progress> {
     let Progress { order, origins } = now;
     let run = |list: &[CurveId]| -> Option<(usize, Vec<CurveId>)> {
@@ -63,7 +63,7 @@ fn across(now: &Progress, after: &[CurveId], block: &[CurveId]) -> Option<Progre
         let contiguous = places.windows(2).all(|pair| pair[1] == pair[0] + 1);
         contiguous.then(|| (first.unwrap_or(usize::MAX), places.iter().map(|&k| list[k]).collect()))
     };
-    // What is there once this event is over and the later ones are not yet.
+    // The curves between this event and the later ones.
     let after: Vec<CurveId> = after.iter().copied().filter(|c| order.contains(c) || block.contains(c)).collect();
     let (mut first, old) = run(order)?;
     let (place, new) = run(&after)?;

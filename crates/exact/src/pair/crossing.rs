@@ -30,7 +30,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
         (found[0] >= x[0] && found[1] <= x[1]).then_some(found)
     }
 
-    /// A box of this relative width at most, if these bits make it so small.
+    /// A box of at most this relative width, if these bits permit.
     fn boxed(
         &self,
         curves: [CurveId; 2],
@@ -50,7 +50,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
         let close = E::double(width.max(4.0 * E::resolution(self.c.precision)), self.c.precision);
         // Illinois' variant of the secant rule: where one end moves twice, the gap at the other is damped.
         for _ in 0..STEPS {
-            // Where a curve ends it cannot be looked at again: both ends of the box lie inside.
+            // A curve cannot be evaluated again at its end: both ends of the box lie inside.
             if moved == [true; 2] && (high.clone() - low.clone()).is_below(&(high.clone() * close.clone())) {
                 break;
             }

@@ -1,7 +1,7 @@
 //! The order of two critical curves over all their common range of x: stretches on which the sign of h_a − h_b is proved,
 //! and crossings, each alone in its box.
 //!
-//! On a stretch the slopes 1/J lie between their end values (J is monotone but for one known place). If they are
+//! On a stretch the slopes 1/J lie between their end values (J is monotone except at one known place). If they are
 //! disjoint, the gap is monotone and its signs at the ends decide whether the curves cross, once. Otherwise the gap is
 //! bounded from one end, by the identity of [`Evaluator::range_sign`](crate::point::Evaluator::range_sign), by the
 //! lemmas of `mirror`, or by what both points share over one x (`equal_momentum`); otherwise the stretch is halved. Where r lies on

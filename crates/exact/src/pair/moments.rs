@@ -1,4 +1,4 @@
-//! J and the slopes 1/J over a stretch: J is monotone but for one known place.
+//! J and the slopes 1/J over a stretch: J is monotone except at one known place.
 //!
 //! The order of two families over passive moments where r lies on an axis: one family in the moment joins them (Lemma 7.7
 //! of docs/algorithms.md), so nothing is evaluated and the two moments may be as close as they like.
@@ -95,7 +95,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
 
 impl<E: Enclosure> Evaluator<'_, E> {
     /// The sign of h_a − h_b over all of the common range, if r lies on an axis, both curves are families over moments on
-    /// the same side of that axis' moment, and both go on to infinity or neither does.
+    /// the same side of that axis' moment, and both are unbounded or neither is.
     pub(super) fn ordered_on_axis(&self, curves: [CurveId; 2]) -> Option<Sign> {
         let [active] = self.model.active[..] else { return None };
         let group = |curve: &Curve| match curve.branch {

@@ -58,7 +58,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
         Some(Point::at_end(segment.half, y.clone(), self.state(segment.half, &y), &self.c))
     }
 
-    /// How the common range begins (side 0) or ends (side 1). `Some(None)`: there is none.
+    /// How the common range begins (side 0) or ends (side 1). `Some(None)`: it has no such end.
     #[allow(clippy::option_option)]
     pub(super) fn side(&self, curves: [CurveId; 2], side: usize) -> Option<Option<Side<E>>> {
         let ends = curves.map(|c| self.curves.list[c].ends[side]);

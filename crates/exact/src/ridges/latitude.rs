@@ -42,7 +42,7 @@ struct Isolated {
 impl RealRoot {
     /// All real roots, ascending; `None` when they cannot be isolated.
     pub fn all(polynomial: &Polynomial) -> Option<Vec<Self>> {
-        // The base must not be a root: one of degree + 1 numbers is none.
+        // The base must not be a root: at least one of degree + 1 numbers is not.
         let bases = (0..=polynomial.degree()).map(|k| RBig::from_parts(k.into(), 37u8.into()));
         let base = bases.into_iter().find(|base| polynomial.sign_at(base) != Sign::Zero)?;
         Self::about(polynomial, &[base])

@@ -65,7 +65,7 @@ pub(super) fn samples(roots: &[RealRoot]) -> Vec<RBig> {
 /// Components of U_hl while they are put together: pieces of ridges, joined.
 #[derive(Debug, Default)]
 pub(super) struct Pieces {
-    /// Of each: Euler's characteristic and the poles in it.
+    /// For each: Euler's characteristic and the poles in it.
     nodes: Vec<(i32, [bool; 2])>,
     links: Vec<[usize; 2]>,
 }

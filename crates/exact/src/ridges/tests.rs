@@ -82,7 +82,8 @@ fn agreed<E: Enclosure>(
     Some(components)
 }
 
-/// What f64 and 128 bits tell of the cut at a point, which must be the exact one; nothing where Staude's curve passes through
+/// The cut at a point according to f64 and 128 bits, which must be the exact one; nothing where Staude's curve passes
+/// through
 /// the point.
 fn cuts_told(model: &Model, whole: &whole::Whole, x: &RBig, h: &RBig) -> Option<[bool; 2]> {
     let exact = exact::cut(model, x, h)?;
@@ -93,7 +94,7 @@ fn cuts_told(model: &Model, whole: &whole::Whole, x: &RBig, h: &RBig) -> Option<
 
 #[test]
 fn the_cut_in_intervals_is_the_exact_one() {
-    let (mut told, mut close) = (0, 0);
+    let (mut decided, mut close) = (0, 0);
     for stratum in STRATA {
         let mut rng = SplitMix64::new(11);
         for _ in 0..12 {
@@ -108,7 +109,7 @@ fn the_cut_in_intervals_is_the_exact_one() {
                 let h = RBig::try_from(-1.5 + 6.0 * rng.unit()).unwrap();
                 let Some(found) = cuts_told(&model, &whole, &x, &h) else { continue };
                 assert_eq!(found, [true; 2], "{body:?} h = {h}, x = {x}");
-                told += 1;
+                decided += 1;
                 // So close to the lowest critical value above h that no double separates it.
                 let heights = CriticalValues::new(&model, x.clone()).enclosed(1).unwrap();
                 let above = heights.iter().filter_map(|(_, height)| height.exact_bounds()).map(|[low, _]| low);
@@ -120,5 +121,5 @@ fn the_cut_in_intervals_is_the_exact_one() {
             }
         }
     }
-    assert!(told > 500 && close > 400, "f64 tells {told} and leaves {close} open");
+    assert!(decided > 500 && close > 400, "f64 tells {decided} and leaves {close} open");
 }

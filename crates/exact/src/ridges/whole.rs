@@ -12,7 +12,8 @@ use dashu_ratio::RBig;
 use super::enclosed::{RANGES, Range};
 use crate::model::Model;
 
-/// Of the body with moments A' = `unit` A and squares q' = `weight` q, all of them whole numbers: p = p'/(`weight` `unit`⁴),
+/// For the body with moments A' = `unit` A and squares q' = `weight` q, all of them integers: p = p'/(`weight`
+/// `unit`⁴),
 /// q = q'/(`weight` `unit`⁵), ρ = ρ'/(`weight` `unit`²).
 pub(super) struct Whole {
     ranges: [WholeRange; 6],

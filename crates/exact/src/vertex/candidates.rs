@@ -80,7 +80,7 @@ fn power_below(limit: &RBig) -> RBig {
     if up < down { RBig::ONE / power(down - up) } else { power(up - down) }
 }
 
-/// What stands over an x beside the point.
+/// The curves at an x next to the point.
 struct Beside {
     sources: Vec<Source>,
     /// The cells between the curves that pass near h, with those below and above.

@@ -81,7 +81,7 @@ impl Polynomial {
 
     /// qⁿ p(p/q).
     pub(super) fn homogeneous(&self, p: &IBig, q: &IBig) -> IBig {
-        // q is a power of two but for the first ends of a root that was found from its inverse.
+        // q is a power of two, except for the first ends of a root found from its inverse.
         let zeros = q.trailing_zeros().filter(|zeros| q.bit_len() == zeros + 1);
         let mut power = IBig::ONE;
         let mut value = IBig::ZERO;

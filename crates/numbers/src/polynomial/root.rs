@@ -48,7 +48,7 @@ impl Root {
         self.cut(middle, above);
     }
 
-    /// Keeps the side of `at` on which the root lies, with the sign at the upper end, which stays what it is.
+    /// Keeps the side of `at` on which the root lies, with the sign at the upper end, which stays the same.
     fn cut(&mut self, at: RBig, above: Sign) {
         match self.polynomial.sign_at(&at) {
             Sign::Zero => {
@@ -103,7 +103,8 @@ impl Root {
         let mut lost = 6;
         while !self.is_known_to(bits) {
             let width = &self.hi - &self.lo;
-            // Newton doubles the bits but for what curvature loses; where the root is beyond the fence, more is lost.
+            // Newton doubles the bits except for what curvature loses; where the root is beyond the fence, more is
+            // lost.
             for at in self.fence(&slope, lost, bits).into_iter().flatten() {
                 if self.lo < at && at < self.hi {
                     self.cut(at, above);
@@ -120,7 +121,7 @@ impl Root {
         self.is_exact() || (&self.hi - &self.lo) * RBig::from(IBig::ONE << bits) <= self.hi
     }
 
-    /// Narrows as far as intervals of doubles allow, at a hundredth of the cost of exact numbers; exact signs have
+    /// Narrows as much as intervals of doubles allow, at a hundredth of the cost of exact numbers; exact signs have
     /// the last word. The sign at the upper end is `above`.
     fn narrow_in_doubles(&mut self, above: Sign) {
         let range: Interval = self.enclosed_below(above, ());
@@ -186,7 +187,7 @@ impl Root {
         shared.degree() > 0 && shared.sign_at(&self.lo) * shared.sign_at(&self.hi) == Sign::Negative
     }
 
-    /// A polynomial of which this is a simple root.
+    /// A polynomial with this as a simple root.
     #[must_use]
     pub fn polynomial(&self) -> &Polynomial {
         &self.polynomial

@@ -20,7 +20,7 @@ pub struct ChaosScene {
     pub panels: Vec<ChaosPanel>,
     /// Curves of the diagram, through points (h, l).
     pub curves: Vec<Vec<[f64; 2]>>,
-    /// Pole lines, likewise: on them the section changes, and E does not.
+    /// Pole lines, in the same form: on them the section changes, and E does not.
     pub poles: Vec<Vec<[f64; 2]>>,
     /// The body: A, as text.
     pub moments: [String; 3],
@@ -37,11 +37,11 @@ pub struct ChaosPanel {
     pub h: [f64; 2],
     /// Vertical angular momenta.
     pub l: [f64; 2],
-    /// What stands over it.
+    /// The text above it.
     pub name: String,
     /// The cells.
     pub cells: Vec<ChaosCell>,
-    /// Names of regions, and where they stand.
+    /// Names of regions, and their positions.
     pub labels: Vec<([f64; 2], String)>,
 }
 
@@ -132,7 +132,8 @@ fn draw_panel(canvas: &Canvas, panel: &ChaosPanel, rect: &Rect, scene: &ChaosSce
     canvas.text(&panel.name, [rect.x, rect.y - 12.0], CHART_TEXT, INK, Anchor::Start);
 }
 
-/// Names of regions where they belong, or beside, with leaders, where another one stands or the panel ends.
+/// Names of regions where they belong, or beside them, with leaders, where another name is in the way or the panel
+/// ends.
 fn draw_labels(canvas: &Canvas, rect: &Rect, labels: &[(Point, &String)]) {
     const HEIGHT: f64 = 16.0;
     const CLEARANCE: f64 = 2.0;

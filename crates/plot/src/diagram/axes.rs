@@ -25,7 +25,7 @@ pub(super) fn axis_ticks(panel: &Panel, is_main: bool) -> [Ticks; 2] {
     ticks_of(&panel.view, wanted)
 }
 
-/// The ticks of a view, so far apart as is wanted in pixels; closer where there would be less than two, as one tells no
+/// The ticks of a view at the wanted distance in pixels; closer if there would be fewer than two, since one shows no
 /// scale. No label of h leaves the page.
 fn ticks_of(view: &View, wanted: [f64; 2]) -> [Ticks; 2] {
     let View { window, rect } = *view;
@@ -49,7 +49,7 @@ fn fitting(ticks: Ticks, extent: impl Fn(f64, &str) -> [f64; 2], end: f64) -> Ti
     Ticks { values, labels, quantity }
 }
 
-/// About so many ticks as are wanted or, where these are one or none, the fewest more of which no labels meet.
+/// About as many ticks as wanted or, if these are one or none, as few more as possible without overlapping labels.
 fn at_least_two(ticks: impl Fn(usize) -> Ticks, extent: impl Fn(f64, &str) -> [f64; 2], wanted: f64) -> Ticks {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few dozen at most")]
     let count = wanted.floor() as usize;
@@ -82,7 +82,7 @@ pub(super) fn l_name_at(panel: &Panel, name: &str) -> Point {
     [(rect.x - 12.0 - text_width(name, AXIS_SIZE)).max(rect.x - LEFT + 14.0), rect.y - 12.0]
 }
 
-/// The axes of a panel and its frame; those of the main panel tell what h and l are.
+/// The axes of a panel and its frame; those of the main panel say what h and l are.
 pub(super) fn paint_axes(canvas: &Canvas, panel: &Panel, is_main: bool, units: &[String; 2]) {
     let View { window, rect } = panel.view;
     let [h_ticks, l_ticks] = axis_ticks(panel, is_main);

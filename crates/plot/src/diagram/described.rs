@@ -11,10 +11,11 @@ use super::stroke::{turn_of, width};
 use crate::page::{Dash, INK, PAPER, Point, Symbol, Theme, hex};
 use bifdiag_schema::WindowDocument;
 
-/// Lengths in pixels, each with its colour `#RRGGBB` or empty, in turn; of a solid line one, of any length.
+/// Lengths in pixels, each with its colour `#RRGGBB` or empty, alternating; for a solid line a single one, of any
+/// length.
 pub type DashPattern = Vec<(Option<String>, f64)>;
 
-/// A stretch of a curve, or of several upon each other.
+/// A stretch of a curve, or of several coincident ones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DiagramStroke {
     /// The number of the curve in the document that gives the points.
@@ -23,7 +24,7 @@ pub struct DiagramStroke {
     pub l: [f64; 2],
     /// Its width in pixels.
     pub width: f64,
-    /// For each curve that looks different its number and its part of the pattern, drawn upon each other.
+    /// For each curve with its own look, its number and its part of the pattern, drawn on top of each other.
     pub lines: Vec<(usize, DashPattern)>,
 }
 
@@ -32,13 +33,13 @@ pub struct DiagramStroke {
 pub struct DiagramLabel {
     /// The number of the region in the document.
     pub region: usize,
-    /// Lines, the second of which may be empty.
+    /// Two lines, the second may be empty.
     pub lines: [String; 2],
     /// Size of the letters of the first, in pixels.
     pub size: f64,
     /// Its middle.
     pub at: Point,
-    /// Where it points at, if it stands beside its region.
+    /// Where its leader points, if it is beside its region.
     pub tip: Option<Point>,
 }
 
@@ -56,11 +57,11 @@ pub enum DiagramSymbol {
 /// What is drawn, with the colours of a theme.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DiagramDescription {
-    /// What stands above.
+    /// The title.
     pub title: String,
     /// The part of the plane that each panel shows, that of the main panel first.
     pub windows: Vec<WindowDocument>,
-    /// Of each region the colour of its ground, or those of its stripes.
+    /// For each region its fill colour, or those of its stripes.
     pub grounds: Vec<Vec<String>>,
     /// The lines, in the order in which they are drawn.
     pub strokes: Vec<DiagramStroke>,
@@ -83,7 +84,7 @@ impl DiagramDescription {
             l: stroke.l,
             width: width(&stroke.lines),
             lines: (0..stroke.lines.len())
-                .map(|own| (stroke.lines[own].curve, told(&turn_of(&stroke.lines, own), theme)))
+                .map(|own| (stroke.lines[own].curve, dash_pattern(&turn_of(&stroke.lines, own), theme)))
                 .collect(),
         });
         let labels = panels.iter().zip(&texts.labels).map(|(panel, labels)| {
@@ -100,7 +101,7 @@ impl DiagramDescription {
         let symbol = |(symbol, text): (&Symbol, String)| {
             let symbol = match symbol {
                 Symbol::Swatch(colors) => DiagramSymbol::Ground(grounds(colors)),
-                Symbol::Line(pattern, width) => DiagramSymbol::Line(told(pattern, theme), *width),
+                Symbol::Line(pattern, width) => DiagramSymbol::Line(dash_pattern(pattern, theme), *width),
                 Symbol::Mark(shape, _) => DiagramSymbol::Mark(shape),
                 Symbol::None | Symbol::Dots(_) => return None,
             };
@@ -119,6 +120,6 @@ impl DiagramDescription {
     }
 }
 
-fn told(pattern: &[Dash], theme: Theme) -> DashPattern {
+fn dash_pattern(pattern: &[Dash], theme: Theme) -> DashPattern {
     pattern.iter().map(|(color, length)| (color.map(|color| hex(theme.color(color))), *length)).collect()
 }

@@ -8,9 +8,9 @@ use super::windows::{area, beside, clear, clipped, contains, hull, length, reach
 use crate::page::PlotError;
 use bifdiag_schema::WindowDocument;
 
-/// In the window that stands for it, a region's inscribed circle has at least this radius.
+/// In the window chosen for it, a region's inscribed circle has at least this radius.
 const KEPT: f64 = 5.0;
-/// Insets magnify at least so many times in h and in l.
+/// Insets magnify at least this many times in h and in l.
 const LEAST: f64 = 3.0;
 /// Insets magnified more than this against the main panel are led up to by a window between the two.
 const LEAP: f64 = 40.0;
@@ -76,7 +76,7 @@ pub(super) fn magnifications(
         let [h, l] = largest(shown, inset);
         length(window.h) <= h * (1.0 + 1e-9) && length(window.l) <= l * (1.0 + 1e-9)
     });
-    // An overview of everything stands in the first inset.
+    // The first inset is an overview of everything.
     let most = scene.plan.insets - usize::from(everything != visible);
     result.crowded = cover(scene, &windows, hidden, most, &mut result.windows)?;
     result.crowded |= lead_up(&mut result.windows, visible, &scene.plan, most);
@@ -90,9 +90,9 @@ fn largest((window, size): (&WindowDocument, [f64; 2]), inset: [f64; 2]) -> [f64
     [length(window.h) * inset[0] / size[0] / LEAST, length(window.l) * inset[1] / size[1] / LEAST]
 }
 
-/// Windows that together show all of `hidden`, as far as `most` windows do: again and again the one that shows most of those
-/// left, the larger of two that show as many. Windows keep apart, as far as every region stays visible. Tells whether more
-/// would show more.
+/// Up to `most` windows that together show all of `hidden`, if possible: repeatedly the one that shows most of those
+/// left, and the larger of two that show equally many. Windows are kept apart while every region stays visible. Returns
+/// whether more windows would show more.
 fn cover(
     scene: &Scene<'_>,
     windows: &[WindowDocument],

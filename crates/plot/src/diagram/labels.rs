@@ -82,7 +82,7 @@ pub(super) struct Label {
 }
 
 impl Setting {
-    /// The two texts, the second of which is smaller and may be empty.
+    /// The two texts; the second is smaller and may be empty.
     pub(super) fn texts(&self, name: &Name) -> [String; 2] {
         match (self.form, &name.accessible) {
             (Form::Full, Some(accessible)) => [name.kind.clone(), format!("{}, U = {accessible}", name.id)],

@@ -35,7 +35,7 @@ pub(super) fn inset_place(plan: &Plan, index: usize) -> Point {
     [LEFT + column as f64 * wide, top + row as f64 * high]
 }
 
-/// Where the legend goes when there are so many insets, and how wide it may be: into the places that the last row leaves
+/// Where the legend goes for this number of insets, and how wide it may be: into the places that the last row leaves
 /// free, else below everything.
 pub(super) fn legend_place(plan: &Plan, insets: usize) -> (Point, f64) {
     let Plan { main, inset, beside, in_a_row, .. } = *plan;
@@ -57,7 +57,7 @@ pub(super) fn below_all(plan: &Plan, insets: usize) -> (Point, f64) {
     ([LEFT, last.max(plan.top + plan.main[1]) + BELOW + 6.0], page_width(plan, insets) - LEFT - RIGHT)
 }
 
-/// The width of a page with so many insets.
+/// The width of a page with this number of insets.
 pub(super) fn page_width(plan: &Plan, insets: usize) -> f64 {
     let right = |inset| inset_place(plan, inset)[0] + plan.inset[0];
     (0..insets).map(right).fold(LEFT + plan.main[0], f64::max) + plan.right + RIGHT

@@ -74,7 +74,7 @@ pub(super) fn legend(
         entries.push((Symbol::Mark("dot", Box::new(sample_dot)), dots.to_owned()));
     }
     if !scene.way.is_empty() {
-        entries.push((Symbol::Line(vec![(Some(WAY.color), 1.0)], WAY.width), "the way".to_owned()));
+        entries.push((Symbol::Line(vec![(Some(WAY.color), 1.0)], WAY.width), "the path".to_owned()));
     }
     // Regions of one ground share a swatch.
     let mut key: Vec<(Vec<RGBColor>, String)> = Vec::new();
@@ -90,7 +90,7 @@ pub(super) fn legend(
     Legend::new(entries, width)
 }
 
-/// A region in the key: its place too, where no label stands in the picture.
+/// A region in the key: with its position if it has no label in the picture.
 fn key_entry(atlas: &AtlasDocument, region: usize, labelled: bool, name: &Name) -> String {
     let sample = &atlas.regions[region].sample;
     let place = if labelled {

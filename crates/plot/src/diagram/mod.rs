@@ -76,7 +76,8 @@ pub fn draw_figure(
 /// Where everything lies in the straightened plane, for those who draw it themselves.
 ///
 /// # Errors
-/// As those of [`draw`], and [`PlotError::NotStraight`] for a document that does not tell which curves lie above each other.
+/// As those of [`draw`], and [`PlotError::NotStraight`] for a document that does not say which curves lie above each
+/// other.
 pub fn straight_diagram(
     atlas: &AtlasDocument,
     source: Option<&dyn CurveSource>,

@@ -138,11 +138,11 @@ pub(super) fn motions(scene: &Scene<'_>, strokes: &[Stroke], panels: &[Panel]) -
     rows
 }
 
-/// What stands above these rows.
+/// The headings of these rows.
 pub(super) fn columns(atlas: &AtlasDocument) -> Vec<String> {
     let unit = atlas.body.part.as_ref().map_or_else(String::new, |part| format!(" in {}", part.time_unit()));
     let percent = 100.0 * INSIDE;
-    let motions = format!("small motions {percent} % inside: period, or time of growth by the factor e{unit}");
+    let motions = format!("small motions {percent} % inside: period, or time of growth by a factor of e{unit}");
     vec!["curve".to_owned(), format!("from {L} to {L}"), "linear type".to_owned(), "stability".to_owned(), motions]
 }
 

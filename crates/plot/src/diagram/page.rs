@@ -160,7 +160,7 @@ impl<'a> Page<'a> {
         &self.diagram
     }
 
-    /// What stands above.
+    /// The title.
     pub(super) fn title(&self) -> &str {
         &self.title
     }

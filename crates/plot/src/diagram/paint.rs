@@ -47,7 +47,7 @@ impl Diagram<'_> {
             canvas.group(&format!("{name}-levels"), "curves of constant h", || straight.paint_levels(canvas));
         }
         if !self.scene.way.is_empty() {
-            canvas.group(&format!("{name}-way"), "the way", || self.paint_way(canvas, panel));
+            canvas.group(&format!("{name}-way"), "the path", || self.paint_way(canvas, panel));
         }
         canvas.group(&format!("{name}-curves"), "", || self.paint_curves(canvas, panel, name));
         canvas.group(&format!("{name}-points"), "", || self.mark_points(canvas, panel, frames, name));
@@ -72,7 +72,7 @@ impl Diagram<'_> {
         }
     }
 
-    /// Each stretch of a curve as a group, since curves upon each other are several paths.
+    /// Each stretch of a curve as a group, since coincident curves are several paths.
     fn paint_curves(&self, canvas: &Canvas, panel: &Panel, name: &str) {
         for (number, stroke) in self.strokes.iter().enumerate() {
             if !stroke::is_drawn(stroke, std::slice::from_ref(panel)) {

@@ -33,7 +33,7 @@ const TINTS: [((u32, u32), RGBColor); 11] = [
     ((4, 4), rgb(0x9d_f0_07)),
     ((4, 5), rgb(0xcb_d2_fb)),
 ];
-/// Ground of a region of which nothing is known.
+/// Fill of a region of which nothing is known.
 const UNKNOWN: RGBColor = rgb(0xe3_e3_e3);
 
 /// The tint of a type; of those beyond the known ones that of the last.
@@ -42,13 +42,14 @@ fn of_type(circles: u32, genus: u32) -> RGBColor {
     known.map_or(TINTS[TINTS.len() - 1].1, |(_, tint)| *tint)
 }
 
-/// The tint of a component; where its section is not known that of a component with so many circles and no pole.
+/// The tint of a component; if its section is not known, that of a component with as many circles and no pole.
 fn of_component(part: &ComponentDocument) -> RGBColor {
     let genus = part.genus.unwrap_or_else(|| part.boundary_circles.saturating_sub(1));
     of_type(part.boundary_circles, if part.boundary_circles == 0 { 1 } else { genus })
 }
 
-/// The tint of a section of which the part of the sphere below it is not known: that over the fewest circles, none apart.
+/// The tint of a section when the part of the sphere below it is not known: that over the fewest circles, but at least
+/// one.
 fn of_section(name: &str) -> Option<RGBColor> {
     let genus = match name {
         "S2" => 0,

@@ -29,7 +29,7 @@ impl Panel {
         Ok(Self { view, traces, areas, straight: None })
     }
 
-    /// A panel of the straightened plane; its view tells which part of the plane it is.
+    /// A panel of the straightened plane; its view says which part of the plane it shows.
     pub(super) fn straightened(scene: &Scene<'_>, view: View, straight: Straight) -> Result<Self, PlotError> {
         let traces = traces(scene, view.window.l, CHORD_PIXELS * view.h_per_pixel())?;
         let areas = straight.areas();
@@ -82,7 +82,7 @@ impl Panel {
         if from >= to {
             return Vec::new();
         }
-        // The sides of two cells that meet at one l lie exactly upon each other.
+        // The sides of two cells that meet at one l coincide exactly.
         let completed = |mut points: Vec<[f64; 2]>| {
             if let (Some(first), Some(last)) = (points.first().copied(), points.last().copied()) {
                 points.insert(0, [first[0], from]);

@@ -1,5 +1,5 @@
-//! The places of all text in all panels of a diagram: labels stand inside their regions where they fit, else beside them with a
-//! leader. What is placed meets nothing that is there; beside its region a label keeps off every curve, too.
+//! The places of all text in all panels of a diagram: labels are inside their regions if they fit, else beside them
+//! with a leader. Nothing placed overlaps what is already there; a label beside its region also avoids every curve.
 
 use super::labels::{Form, Label, MARKER, Name, SMALLEST, Setting, boxed, names};
 use super::layout::{CROWDED, Frame, LETTER_SIZE, is_marked};
@@ -28,7 +28,7 @@ pub(super) struct Texts {
     pub names: Vec<Name>,
     /// The labels of each panel.
     pub labels: Vec<Vec<Label>>,
-    /// The place of the letters at the frame of which an inset is the first.
+    /// The place of the letters at the frame that starts with this inset.
     pub letters: Vec<Option<Rect>>,
     /// Regions for the key, since no label names them in full, and whether they have a label at all.
     pub key: Vec<(usize, bool)>,

@@ -1,4 +1,4 @@
-//! How large the panels are, and how many stand beside each other.
+//! How large the panels are, and how many are side by side.
 
 use crate::page::Width;
 
@@ -8,7 +8,7 @@ pub(super) struct Plan {
     /// Plot area of the main panel and of an inset.
     pub main: [f64; 2],
     pub inset: [f64; 2],
-    /// Insets beside the main panel; further ones stand below in rows.
+    /// Insets beside the main panel; further ones are below in rows.
     pub beside: usize,
     pub in_a_row: usize,
     /// The most insets.
@@ -48,7 +48,7 @@ const COLUMNS: [Insets; 4] = [
 const ALONE: [f64; 2] = [440.0, 336.0];
 
 impl Plan {
-    /// Of one panel as wide as the page.
+    /// For one panel as wide as the page.
     fn alone(width: Width, has_title: bool) -> Self {
         let is_column = width.is_column();
         // Panels beside each other need their height in a narrow page too.
@@ -61,7 +61,7 @@ impl Plan {
             in_a_row: 1,
             insets: 0,
             top: if has_title { TOP } else { TOP_BARE },
-            // In a column the remark stands above the name of the axis, since both are too long for a line.
+            // In one column the remark is above the name of the axis, since both are too long for a line.
             remark: if is_column { 25.0 } else { 12.0 },
             straight: false,
             right: 0.0,

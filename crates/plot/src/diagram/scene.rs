@@ -19,7 +19,7 @@ pub enum DiagramView {
     Straight,
 }
 
-/// Where the legend of a diagram stands. What is not in the picture is in its caption.
+/// The place of the legend of a diagram. What is not in the picture is in its caption.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LegendPlace {
     /// In the picture, as long as that is not too high, else apart.
@@ -33,7 +33,7 @@ pub enum LegendPlace {
     Apart,
 }
 
-/// What stands above a diagram.
+/// The title of a diagram.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum DiagramTitle {
     /// The body.
@@ -61,11 +61,11 @@ pub struct DiagramOptions {
     pub view: DiagramView,
     /// Leaves the samples of the regions out, if no points are marked in their place.
     pub no_samples: bool,
-    /// Where the legend stands.
+    /// The place of the legend.
     pub legend: LegendPlace,
-    /// What stands above.
+    /// The title.
     pub title: DiagramTitle,
-    /// Whether the table of small motions stands in the picture, as long as all of it finds room there.
+    /// Whether the table of small motions is in the picture, if all of it fits there.
     pub table: bool,
 }
 

@@ -1,4 +1,4 @@
-//! The straightened plane in a panel of any size, for a page that draws it anew under a hand: its map as numbers.
+//! The straightened plane in a panel of any size, for a page that redraws it interactively: its map as numbers.
 
 use super::plan::Plan;
 use super::scene::{CurveSource, DiagramOptions, Scene, windows};
@@ -21,7 +21,8 @@ pub struct StraightPanel<'a> {
 pub type PanelTicks = Vec<(f64, String)>;
 
 impl<'a> StraightPanel<'a> {
-    /// In so many pixels, with the shares that are `held`, if they are of such an arrangement, or in which as many labels of these
+    /// In this many pixels, with the shares that are `held`, if they are of such an arrangement, or in which as many
+    /// labels of these
     /// sizes as may be fit into their regions.
     ///
     /// # Errors

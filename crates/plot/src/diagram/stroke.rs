@@ -1,5 +1,6 @@
-//! Line styles: solid where stable, and thin where friction ends that; dashed where unstable, dotted where neither is known;
-//! curves that coincide are one line in the colours and dashes of each in turn.
+//! Line styles: solid where stable, thin where stable only without friction; dashed where unstable, dotted where
+//! neither is known;
+//! coincident curves are one line that alternates between the colours and dashes of each.
 
 use std::collections::BTreeMap;
 
@@ -19,7 +20,7 @@ const THIN: f64 = 0.75;
 /// Length of a solid line between the dashes of others that coincide with it.
 const SOLID: f64 = 9.0;
 
-/// A stretch of a curve, or of several upon each other, each drawn in one style.
+/// A stretch of a curve, or of several coincident ones, each drawn in one style.
 #[derive(Clone, Debug)]
 pub(super) struct Stroke {
     /// Index of the curve that gives the points.
@@ -142,7 +143,7 @@ fn parts(panel: &Panel, stroke: &Stroke) -> Vec<Vec<Point>> {
     panel.curve(stroke.curve, stroke.l)
 }
 
-/// True for a stroke of which a panel shows something.
+/// True for a stroke that is partly visible in a panel.
 pub(super) fn is_drawn(stroke: &Stroke, panels: &[Panel]) -> bool {
     panels.iter().any(|panel| parts(panel, stroke).iter().any(|part| part.len() > 1))
 }
@@ -156,12 +157,12 @@ pub(super) fn draw(canvas: &Canvas, panel: &Panel, stroke: &Stroke) {
     canvas.draw_dashed(&path, &in_turn(&stroke.lines), width(&stroke.lines));
 }
 
-/// Lines upon each other are as wide as the widest of them.
+/// Coincident lines are as wide as the widest of them.
 pub(super) fn width(lines: &[Line]) -> f64 {
     lines.iter().map(|line| curve_width(line.verdict)).fold(0.0, f64::max)
 }
 
-/// The patterns of lines in turn.
+/// The patterns of alternating lines.
 pub(super) fn in_turn(lines: &[Line]) -> Vec<Dash> {
     turns(lines).flat_map(|(_, dashes)| dashes).collect()
 }

@@ -17,7 +17,7 @@ pub(super) fn hull(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0].min(b[0]), a[1].max(b[1])]
 }
 
-/// The common part; turned round where there is none.
+/// The common part; inverted if there is none.
 pub(super) fn common(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0].max(b[0]), a[1].min(b[1])]
 }

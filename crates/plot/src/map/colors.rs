@@ -1,4 +1,4 @@
-//! Colours for many entries, apart in print and for colour-blind readers as far as that is possible.
+//! Colours for many entries, distinct in print and for colour-blind readers where possible.
 
 use super::model::Map;
 use crate::page::{INK, rgb, rgbs};

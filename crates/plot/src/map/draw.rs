@@ -28,7 +28,7 @@ const MAP: f64 = 23.0;
 const GAP: f64 = 20.0;
 const EDGE: f64 = 12.0;
 
-/// Draws a map: on a page with its legend beside it as far as there is room, in a column with all of it below.
+/// Draws a map: on a page with its legend beside it if there is room, in a column with all of it below.
 ///
 /// # Errors
 /// [`PlotError::EmptyWindow`] when a range is empty, else what the drawing library reports.
@@ -153,7 +153,7 @@ fn bodies(canvas: &Canvas, map: &Map, view: &View) {
     }
 }
 
-/// A line as far as it lies in the map.
+/// The part of a line inside the map.
 fn draw_line(canvas: &Canvas, line: &MapLine, view: &View) {
     for part in view.parts(line) {
         canvas.dashed(&part, &line_pattern(line.dashed, line_color(line.hue)), LINE);

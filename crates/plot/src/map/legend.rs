@@ -1,4 +1,4 @@
-//! The legend of a map: its entries beside it as far as there is room, the rest below, with what lines mean.
+//! The legend of a map: its entries beside it while there is room, the rest below, with what lines mean.
 
 use super::colors::{fill, line as line_color};
 use super::marks::Mark;
@@ -28,7 +28,8 @@ pub(super) fn line_pattern(dashed: bool, color: RGBColor) -> Vec<Dash> {
     if dashed { vec![(Some(color), 6.0), (None, 4.0)] } else { vec![(Some(color), 1.0)] }
 }
 
-/// The places for a legend: beside the map so wide and high, and below it so wide and, if that can be, no higher.
+/// The places for a legend: width and height beside the map, and below it the width and, if possible, the greatest
+/// height.
 #[derive(Clone, Copy)]
 pub(super) struct Places {
     pub beside: [f64; 2],
@@ -88,7 +89,7 @@ impl MapLegend {
         Self::short(entries, others(), places.below[0])
     }
 
-    /// All that is said of the entries, beside the map as far as they fit.
+    /// The descriptions of the entries, beside the map if they fit.
     fn full(entries: &[Entry], others: Vec<(Symbol, String)>, places: Places) -> Self {
         let table = |entries: &[Entry]| {
             let rows = entries.iter().map(|entry| {
@@ -105,7 +106,8 @@ impl MapLegend {
         Self { beside: table(beside), below: vec![table(below)], others: Legend::new(others, room), room }
     }
 
-    /// In short only what tells which entry it is and where: all of it below the map, entries with a place in columns of
+    /// In short only the identity of an entry and its position: all of it below the map, entries with a place in
+    /// columns of
     /// their own.
     fn short(mut entries: Vec<Entry>, mut others: Vec<(Symbol, String)>, room: f64) -> Self {
         if shorten(&mut entries) {
@@ -121,18 +123,18 @@ impl MapLegend {
         Self { beside: Table::dense(Vec::new()), below, others: Legend::new(others, room), room }
     }
 
-    /// How many rows of a table stand in each column below the map.
+    /// The number of rows of a table in each column below the map.
     fn rows(&self, table: &Table) -> usize {
         let columns = pixel((self.room + BETWEEN) / (table.width() + BETWEEN), table.len()).max(1);
         table.len().div_ceil(columns)
     }
 
-    /// Width of what stands beside the map.
+    /// Width of the contents beside the map.
     pub(super) fn width_beside(&self) -> f64 {
         if self.beside.len() > 0 { self.beside.width() } else { 0.0 }
     }
 
-    /// Height of what stands below it.
+    /// Height of the contents below it.
     pub(super) fn height_below(&self) -> f64 {
         let tables: f64 = self.below.iter().map(|table| self.rows(table) as f64 * table.line()).sum();
         tables + if self.others.height() > 0.0 { APART + self.others.height() } else { 0.0 }
@@ -152,7 +154,7 @@ impl MapLegend {
     }
 }
 
-/// Leaves of long names that are one word as many letters as tell them apart; true if there are any.
+/// Shortens long one-word names to as many letters as tell them apart; true if there are any.
 fn shorten(entries: &mut [Entry]) -> bool {
     let long =
         |entry: &&mut Entry| entry.name.len() > NAME && entry.name.bytes().all(|byte| byte.is_ascii_alphanumeric());
@@ -180,10 +182,10 @@ fn strokes(map: &Map) -> Vec<(Symbol, String)> {
         };
         strokes.push((Symbol::Mark("hatched", Box::new(hatched)), NO_BODY.to_owned()));
     }
-    if let MapBodies::Areas { borders, told, .. } = &map.bodies
+    if let MapBodies::Areas { borders, legend, .. } = &map.bodies
         && !borders.is_empty()
     {
-        strokes.push((Symbol::Line(line_pattern(false, line_color(0)), BORDER), told.clone()));
+        strokes.push((Symbol::Line(line_pattern(false, line_color(0)), BORDER), legend.clone()));
     }
     let mut explained: Vec<&str> = Vec::new();
     for line in &map.lines {

@@ -1,4 +1,5 @@
-//! Where the names of lines and the marks of entries stand: a name beside its line, a mark in each patch that has room, and
+//! Placement of the names of lines and the marks of entries: a name beside its line, a mark in each patch that has
+//! room, and
 //! for an entry without one beside what shows it, with a leader.
 
 use super::model::{Map, MapBodies, MapLine, MapNote, SIZE, SMALL, View};
@@ -15,9 +16,9 @@ const CLEAR: f64 = 2.0;
 /// Lengths of leaders, and the steps of the places that are tried for their texts.
 const LEADER: [f64; 2] = [9.0, 260.0];
 const STEP: f64 = 5.0;
-/// What it costs a name to stand upon a line.
+/// The cost of placing a name on a line.
 const UPON_LINE: f64 = 1000.0;
-/// Lines are looked at in parts of so many pixels.
+/// Lines are examined in parts of this many pixels.
 const PART: f64 = 4.0;
 /// The most points of a line from which a leader is tried.
 const TIPS: usize = 48;
@@ -32,7 +33,7 @@ pub(super) struct Mark {
     pub leader: Option<[Point; 2]>,
 }
 
-/// What stands in a map beside its notes.
+/// The contents of a map besides its notes.
 pub(super) struct Marked {
     /// Marks of entries.
     pub marks: Vec<Mark>,
@@ -88,7 +89,7 @@ fn beside(
     Some(Mark { of, size: SMALL, rect, leader: Some(leader) })
 }
 
-/// The points of a line on the page, so far apart.
+/// The points of a line on the page, at this distance.
 fn parts(line: &MapLine, view: &View) -> Vec<Point> {
     let mut points: Vec<Point> = Vec::new();
     let all = view.parts(line).concat();
@@ -100,7 +101,7 @@ fn parts(line: &MapLine, view: &View) -> Vec<Point> {
     points
 }
 
-/// The marks of entries where nothing is taken; upon texts in `boxes` none has room.
+/// The marks of entries where nothing is taken; none may cover texts in `boxes`.
 fn marks(map: &Map, view: &View, boxes: &[Rect], taken: &mut Taken) -> Vec<Mark> {
     if let MapBodies::Points(_) = &map.bodies {
         return Vec::new();
@@ -246,7 +247,7 @@ pub(super) fn note_box(note: &MapNote, view: &View) -> Rect {
         true if place[0] + 2.0 * RING + 2.0 * half <= right => place[0] + 2.0 * RING + half,
         true => place[0] - 2.0 * RING - half,
     };
-    // Inside of the map, as far as the text fits.
+    // Inside the map, if the text fits.
     let x = wanted.min(right - half).max(left + half);
     Rect { x: x - half, y: place[1] - 0.5 * SMALL - 2.0, width: 2.0 * half, height: SMALL + 4.0 }
 }
@@ -278,7 +279,7 @@ mod tests {
             entries: (0..count).map(entry).collect(),
             ordered: false,
             unknown: String::new(),
-            bodies: MapBodies::Areas { pieces, seen: Vec::new(), borders: Vec::new(), told: String::new() },
+            bodies: MapBodies::Areas { pieces, seen: Vec::new(), borders: Vec::new(), legend: String::new() },
             impossible: Vec::new(),
             lines,
             notes: Vec::new(),

@@ -5,7 +5,7 @@ use crate::page::{Caption, Point, Rect, clip_polyline};
 /// One of the two parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapAxis {
-    /// What stands at the axis.
+    /// The text at the axis.
     pub name: String,
     /// From, to.
     pub range: [f64; 2],
@@ -16,9 +16,9 @@ pub struct MapAxis {
 pub struct MapEntry {
     /// Its name in the legend.
     pub name: String,
-    /// What is told of it there, in smaller letters.
+    /// Its description there, in smaller letters.
     pub note: String,
-    /// What stands in the map where there is room; nothing for what is no single thing.
+    /// The text in the map where there is room; empty for a group of things.
     pub mark: String,
     /// Its full name, for tooltips; may be empty.
     pub key: String,
@@ -29,7 +29,7 @@ pub struct MapEntry {
 /// Where bodies lie; each shows the entry with its number, or nothing that is known.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MapBodies {
-    /// A full grid with so many columns, row by row from below; each body stands in the middle of its cell.
+    /// A full grid with this many columns, row by row from below; each body is in the middle of its cell.
     Grid {
         /// Number of columns.
         columns: usize,
@@ -45,7 +45,7 @@ pub enum MapBodies {
         /// The borders between areas, as straight parts.
         borders: Vec<[[f64; 2]; 2]>,
         /// What the legend says of the borders.
-        told: String,
+        legend: String,
     },
     /// Points anywhere.
     Points(Vec<([f64; 2], Option<usize>)>),
@@ -62,7 +62,7 @@ pub struct MapLine {
     pub hue: usize,
     /// What the legend says; lines with the same text share an entry.
     pub text: String,
-    /// What stands beside it in the map; may be empty.
+    /// The text beside it in the map; may be empty.
     pub name: String,
 }
 
@@ -75,13 +75,12 @@ pub struct MapNote {
     pub text: String,
     /// Which colour it has, as that of a line.
     pub hue: usize,
-    /// Whether the place itself is marked by a ring; then the text stands beside it, else upon it.
+    /// Whether the place itself is marked by a ring; then the text is beside it, else on it.
     pub ring: bool,
 }
 
 impl MapBodies {
-    /// Which of so many entries can be seen, and whether something can that shows nothing that is known: not what covers too
-    /// few pixels.
+    /// Which of this many entries are visible, and whether unknown bodies are: not what covers too few pixels.
     pub(super) fn seen(&self, entries: usize, view: &View) -> (Vec<bool>, bool) {
         let pieces = match self {
             Self::Grid { entries: shown, .. } => return (vec![true; entries], shown.iter().any(Option::is_none)),
@@ -128,7 +127,7 @@ pub struct Map {
     pub entries: Vec<MapEntry>,
     /// Whether the entries are values of a quantity, by rising value: their colours grow darker then.
     pub ordered: bool,
-    /// What stands in the legend for bodies that show nothing that is known.
+    /// The legend's text for unknown bodies.
     pub unknown: String,
     /// The bodies.
     pub bodies: MapBodies,
@@ -138,12 +137,12 @@ pub struct Map {
     pub lines: Vec<MapLine>,
     /// Texts.
     pub notes: Vec<MapNote>,
-    /// A table of all that the entries stand for, its heading first; may be empty.
+    /// A table of everything that the entries represent, its heading first; may be empty.
     pub key: Vec<Vec<String>>,
 }
 
 impl Map {
-    /// What is said of the map beside it: its titles, and the table of all that its entries stand for.
+    /// The caption of the map: its titles, and the table of everything that its entries represent.
     #[must_use]
     pub fn caption(&self) -> Caption {
         let mut caption = Caption::default();
@@ -177,7 +176,7 @@ impl View {
         [rect.x + share(x, self.x) * rect.width, rect.y + rect.height * (1.0 - share(y, self.y))]
     }
 
-    /// The parts of a line on the page, as far as it lies in the map.
+    /// The parts of a line inside the map, on the page.
     pub(super) fn parts(&self, line: &MapLine) -> Vec<Vec<Point>> {
         let points: Vec<Point> = line.points.iter().map(|point| self.at(*point)).collect();
         clip_polyline(&points, &self.rect)

@@ -97,12 +97,12 @@ fn seclusion(point: Point, clear: [f64; 2], view: &View) -> [f64; 2] {
 
 /// A place with the digits that its room needs, four at least.
 pub(super) fn short_place(Spot { at, room }: Spot) -> String {
-    /// Digits that tell any number exactly.
+    /// Digits that represent any double exactly.
     const EXACT: usize = 17;
     /// The part of its room by which a coordinate may be off, so that both together leave the place clear of a slanted border.
     const OFF: f64 = 0.3;
     let digits = |value: f64, room: f64| {
-        let is_near = |told: f64| (told - value).abs() <= OFF * room;
+        let is_near = |listed: f64| (listed - value).abs() <= OFF * room;
         let is_enough = |digits: &usize| format!("{value:.*e}", digits - 1).parse().is_ok_and(is_near);
         (4..EXACT).find(is_enough).unwrap_or(EXACT)
     };
@@ -120,7 +120,7 @@ mod tests {
 
     fn areas(seen: Vec<(usize, [f64; 2])>) -> MapBodies {
         let borders = vec![[[0.5, 0.0], [0.5, 2.0]], [[1.0 / 3.0, 0.0], [1.0 / 3.0, 2.0]]];
-        MapBodies::Areas { pieces: Vec::new(), seen, borders, told: String::new() }
+        MapBodies::Areas { pieces: Vec::new(), seen, borders, legend: String::new() }
     }
 
     #[test]

@@ -9,7 +9,7 @@ use super::places::Taken;
 /// A pixel of no area.
 pub(crate) const NOTHING: i32 = -1;
 
-/// Points of an area to which a leader may go: so deep in it, compared to the deepest, and so many.
+/// Points of an area to which a leader may go: the least depth relative to the deepest, and their number.
 const DEEP: f64 = 0.55;
 const TIPS: usize = 40;
 

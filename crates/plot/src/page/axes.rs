@@ -47,7 +47,7 @@ impl ValueFormatter<f64> for Axis<'_> {
     }
 }
 
-/// Draws axes below and on the left of `rect`, where their labels may take so many pixels, and a frame round it.
+/// Draws axes below and on the left of `rect`, where their labels may take this many pixels, and a frame round it.
 pub(crate) fn draw_axes(canvas: &Canvas, rect: &Rect, [below, left]: [f64; 2], [x, y]: [Axis<'_>; 2]) {
     let frame = Ink { color: INK, width: 0.9 };
     canvas.plotters(|area| {

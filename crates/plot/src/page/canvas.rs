@@ -20,7 +20,7 @@ use super::text::{self, FAMILY, FORMULAS};
 
 /// Width of a stripe in pixels.
 const STRIPE: f64 = 5.0;
-/// A hatch: one line in so many stripes, and how wide each is.
+/// A hatch: one line per this many stripes, and the width of each.
 const HATCH: [RGBColor; 5] = [PAPER, PAPER, PAPER, PAPER, rgb(0x9c_9c_9c)];
 const HATCH_LINE: f64 = 1.2;
 
@@ -148,7 +148,7 @@ impl Canvas {
         self.pattern_of(colors, STRIPE)
     }
 
-    /// The attributes of an area that is none of what is drawn: paper with thin lines.
+    /// The attributes of an area outside the drawn set: paper with thin lines.
     pub(crate) fn fill_hatched(&self) -> String {
         self.pattern_of(&HATCH, HATCH_LINE)
     }
@@ -232,7 +232,7 @@ impl Canvas {
         self.draw_dashed(&path, pattern, width);
     }
 
-    /// A path in a pattern of dashes, which begins anew with each of its lines.
+    /// A path in a pattern of dashes, which restarts with each of its lines.
     pub(crate) fn draw_dashed(&self, path: &Path, pattern: &[Dash], width: f64) {
         for color in colors(pattern) {
             let dashes = match &intervals(pattern, color)[..] {
@@ -288,7 +288,7 @@ impl Canvas {
             return;
         }
         let parts = parts(text);
-        // Of an index that goes back below its exponent some programs forget the way back when they look for the middle.
+        // If an index goes back below its exponent, some programs forget the way back when they centre the text.
         let (at, anchor) = if parts.iter().any(|part| part.is_formula && stacked(&part.text).is_some()) {
             ([at[0] - anchor.share() * text::text_width(text, size), at[1]], Anchor::Start)
         } else {

@@ -6,11 +6,11 @@ use super::color::INK;
 use super::geometry::{Point, Rect};
 use super::path::Dash;
 
-/// Font size of the names of quantities, and of what else stands round a chart.
+/// Font size of the names of quantities and of other text around a chart.
 pub(crate) const CHART_TEXT: f64 = 12.0;
 /// Room of the labels of ticks below a chart and on its left.
 const LABELS: [f64; 2] = [24.0, 52.0];
-/// Wanted ticks are so many pixels apart.
+/// Wanted distance of ticks in pixels.
 const APART: [f64; 2] = [66.0, 42.0];
 /// Where the name of what is upwards begins.
 const NAME_AT: f64 = 16.0;
@@ -20,7 +20,7 @@ pub(crate) struct Chart {
     pub rect: Rect,
     ranges: [[f64; 2]; 2],
     ticks: [Ticks; 2],
-    /// The name of what is upwards stands so far above the frame.
+    /// Distance of the name of the vertical axis above the frame.
     above: f64,
 }
 

@@ -43,7 +43,7 @@ pub const fn rgbs<const N: usize>(colors: [u32; N]) -> [RGBColor; N] {
     all
 }
 
-/// Areas are lighter than this in the light theme, what stands in them darker.
+/// Areas are lighter than this in the light theme, text in them is darker.
 const PALE: f64 = 0.65;
 /// … and lines are darker than this.
 const LINES: f64 = 0.8;

@@ -14,7 +14,7 @@ pub enum PlotError {
     /// The atlas has no drawing.
     #[error("the atlas has no drawing, and no window was given")]
     NoDrawing,
-    /// The document does not tell which curves lie above each other, or holds a part of the plane only.
+    /// The document does not say which curves lie above each other, or covers only a part of the plane.
     #[error(
         "the straightened plane needs all regions of the whole plane: without them --view plane draws what there is"
     )]
@@ -75,10 +75,10 @@ pub enum PlotError {
          `cargo install --path . --features pdf`, or use svg, png or tikz"
     )]
     NoPdf,
-    /// TikZ is asked of a picture with so many points that they are an image.
+    /// TikZ was requested for a picture whose points are so many that they are drawn as an image.
     #[error("TikZ holds no images, as which many points are drawn: use svg, png or pdf, or fewer crossings")]
     TikzImage,
-    /// The picture's size is none that a PDF page can have.
+    /// A PDF page cannot have the picture's size.
     #[error("a page of {width} × {height} points cannot be made")]
     Page {
         /// Width in points.

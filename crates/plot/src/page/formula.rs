@@ -1,7 +1,7 @@
 //! Which parts of a text are mathematics. Texts are plain: `M²₃ at h = 2`; what is drawn, measured or written for TeX finds
 //! symbols in them here.
 
-/// Latin letters that are symbols where they stand alone. Others, such as the A of a sentence, need an index or a value.
+/// Latin letters that are symbols on their own. Others, such as the A of a sentence, need an index or a value.
 const ALONE: &str = "DEOPSTUhklnrxyz";
 const SYMBOLS: &str = "ADEJMOPSTUehjklnrtxyzαγηθλμπφψωϑΔ∂Ṡ";
 /// Raised and lowered characters, and marks.
@@ -17,7 +17,7 @@ pub(crate) struct Part {
     pub is_formula: bool,
 }
 
-/// By what a mark and what tells of it are connected: a, b, … without those of quantities such as h, then aa, ab, …
+/// The letters that connect a mark with its description: a, b, … without those of quantities such as h, then aa, ab, …
 pub(crate) fn letter(index: usize) -> String {
     const LETTERS: &[u8] = b"abcdefgijmopqsuvw";
     let own = char::from(LETTERS[index % LETTERS.len()]);
@@ -37,7 +37,7 @@ pub(crate) fn is_lowered(c: char) -> bool {
     LOWERED.contains(c)
 }
 
-/// Where an exponent ends above which an index begins: they stand one over the other.
+/// Where an exponent ends above which an index begins: one is above the other.
 pub(crate) fn stacked(formula: &str) -> Option<[&str; 3]> {
     let raised = formula.find(is_raised)?;
     let lowered = raised + formula[raised..].find(|c| !is_raised(c))?;

@@ -35,7 +35,7 @@ impl Width {
     pub const ALL: [Self; 2] = [Self::PAGE, Self::COLUMN];
     /// The least and the greatest, in millimetres: axes and labels need room, and what is drawn of an area memory.
     pub const RANGE: [f64; 2] = [80.0, 500.0];
-    /// From here on panels stand beside each other.
+    /// From this width on, panels are side by side.
     const WIDE: f64 = 132.0;
     /// Height over width of a picture in a column at most: 120 mm at 86 mm.
     const SLENDER: f64 = 120.0 / 86.0;
@@ -53,13 +53,13 @@ impl Width {
         self.0
     }
 
-    /// Whether panels stand below each other, as in one column of a journal.
+    /// Whether panels are stacked, as in one column of a journal.
     #[must_use]
     pub fn is_column(self) -> bool {
         self.0 < Self::WIDE
     }
 
-    /// On the page: so wide 11 pixels, the smallest letters, are 6 pt in print.
+    /// The width in pixels at which the smallest letters, 11 pixels, are 6 pt in print.
     pub(crate) fn pixels(self) -> f64 {
         // Hundredths, so that lengths of figures are short numbers.
         (self.0 / MILLIMETRES * 100.0).round() / 100.0

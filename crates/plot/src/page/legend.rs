@@ -1,4 +1,4 @@
-//! The one legend: symbols with their texts, in rows. The same symbols stand before the rows of tables.
+//! The one legend: symbols with their texts, in rows. The same symbols precede the rows of tables.
 
 use plotters::style::RGBColor;
 

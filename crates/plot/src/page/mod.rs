@@ -34,7 +34,7 @@ pub(crate) use geometry::{HEIGHT, between, clip_polygon, clip_polyline, distance
 pub use geometry::{Point, Rect, Width};
 pub use legend::Rows;
 pub(crate) use legend::{Legend, Symbol};
-pub use notation::{body_line, section_type, superscript, told};
+pub use notation::{body_line, section_type, superscript, value_text};
 pub(crate) use notation::{number, short, short_number, short_time};
 pub(crate) use path::{Dash, Path};
 #[cfg(test)]

@@ -61,14 +61,15 @@ pub fn body_line(moments: &[impl Display; 3], center: &[impl Display; 3], width:
     DIGITS.into_iter().map(rounded).find(fits).unwrap_or_else(|| rounded(1))
 }
 
-/// A quantity with its value: its text if that is short, else so many significant digits of it, told to be rounded.
+/// A quantity with its value: its text if that is short, else rounded to this many significant digits and marked with
+/// ≈.
 #[must_use]
-pub fn told(name: &str, text: &str, digits: usize) -> String {
+pub fn value_text(name: &str, text: &str, digits: usize) -> String {
     let value = shortened(text, digits);
     format!("{name} {} {value}", if value == number(text) { "=" } else { "≈" })
 }
 
-/// The text of a number if it is short, else so many significant digits of it.
+/// The text of a number if it is short, else rounded to this many significant digits.
 fn shortened(text: &str, digits: usize) -> String {
     if text.chars().count() <= digits + 2 {
         return number(text);
@@ -83,7 +84,7 @@ pub(crate) fn short_time(value: f64) -> String {
     if value.is_finite() { short_number(value, 4) } else { "∞".to_owned() }
 }
 
-/// A number with so many significant digits at most.
+/// A number with at most this many significant digits.
 pub(crate) fn short_number(value: f64, digits: usize) -> String {
     // Rust prints exponents of ten beyond these as many zeros.
     const PLAIN: std::ops::Range<i32> = -4..6;
@@ -127,8 +128,8 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        assert_eq!(told("h", "-0.2600090312791064", 6), "h ≈ −0.260009");
-        assert_eq!([told("l", "3.25", 6), told("l", "-1/3", 6)], ["l = 3.25", "l = −1/3"]);
+        assert_eq!(value_text("h", "-0.2600090312791064", 6), "h ≈ −0.260009");
+        assert_eq!([value_text("l", "3.25", 6), value_text("l", "-1/3", 6)], ["l = 3.25", "l = −1/3"]);
         assert_eq!(superscript(-12), "⁻¹²");
         assert_eq!([1.0 / 3.0, 2e-9, 0.0, -1234.567].map(|x| short_number(x, 4)), ["0.3333", "2·10⁻⁹", "0", "−1235"]);
         assert_eq!([2.34, 142.4, 4.7e5].map(short), ["2.3", "142", "4.7·10⁵"]);

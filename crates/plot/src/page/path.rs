@@ -83,7 +83,7 @@ pub(crate) fn colors(pattern: &[Dash]) -> Vec<RGBColor> {
     colors
 }
 
-/// Where in the pattern a colour begins, and from there in turn how long it is drawn and how long not, in canvas units;
+/// Where in the pattern a colour begins, and from there the alternating lengths of dashes and gaps, in canvas units;
 /// the beginning alone for a colour that is always drawn.
 pub(crate) fn intervals(pattern: &[Dash], color: RGBColor) -> Vec<f64> {
     let is_own = |dash: &Dash| dash.0 == Some(color);

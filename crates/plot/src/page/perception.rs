@@ -146,7 +146,7 @@ pub(crate) mod sight {
         (0..3).map(|k| (p[k] - q[k]) * (p[k] - q[k])).sum::<f64>().sqrt()
     }
 
-    /// Every reader sees the colours so far apart.
+    /// The least distance of the colours for any reader.
     pub(crate) fn assert_apart(colors: &[RGBColor], least: f64) {
         for sight in SIGHTS {
             for (place, one) in colors.iter().enumerate() {

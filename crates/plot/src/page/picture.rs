@@ -129,7 +129,7 @@ impl Picture {
         Ok(Pixels { size: [pixels.width(), pixels.height()], rgb })
     }
 
-    /// The picture as a PDF of one page, text as text, so large that the smallest letters have 6 pt.
+    /// The picture as a PDF of one page, text as text, scaled so that the smallest letters have 6 pt.
     ///
     /// # Errors
     /// [`PlotError::NoPdf`] in a build without the feature `pdf`, [`PlotError::Pdf`] where the writer fails.
@@ -167,8 +167,8 @@ impl Picture {
     }
 }
 
-/// An image of `samples`, row by row: three bytes a pixel, or with `palette` (its colours, three bytes each, of which
-/// the first is transparent) one; with the dots in an inch of print where they are known.
+/// An image of `samples`, row by row: three bytes a pixel, or with `palette` (its colours, three bytes each, the first
+/// transparent) one; with the dots per inch of print if known.
 pub(crate) fn png(
     [width, height]: [u32; 2],
     palette: Option<Vec<u8>>,

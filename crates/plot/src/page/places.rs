@@ -110,9 +110,10 @@ impl Taken {
         Some(rect)
     }
 
-    /// The place of least cost, where anything is met only if it is everywhere; it is taken. The places are not empty.
+    /// The place of least cost, overlapping something only if every place does; it is then occupied. The places are not
+    /// empty.
     pub(crate) fn place_anyhow(&mut self, places: impl Iterator<Item = (f64, Rect)>, clearance: f64) -> Option<Rect> {
-        /// More than any place costs by itself.
+        /// More than the cost of any single place.
         const MET: f64 = 1000.0;
         let cost = |(cost, rect): &(f64, Rect)| cost + if self.admits_box(&rect.grown(clearance)) { 0.0 } else { MET };
         let (_, rect) = places.min_by(|a, b| cost(a).total_cmp(&cost(b)))?;
@@ -136,7 +137,7 @@ pub(crate) fn round_point(at: Point, size: [f64; 2], distances: &[f64], outward:
     })
 }
 
-/// Boxes of this size all over an area, so many pixels apart.
+/// Boxes of this size all over an area, this many pixels apart.
 pub(crate) fn all_over(area: Rect, [width, height]: [f64; 2], step: f64) -> impl Iterator<Item = Rect> {
     let steps = move |length: f64| (0..).map(move |k| f64::from(k) * step).take_while(move |at| *at <= length);
     steps(area.height - height)

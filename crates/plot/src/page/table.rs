@@ -32,7 +32,7 @@ pub(crate) struct Table {
 struct Row(Vec<Vec<(f64, String)>>);
 
 impl Table {
-    /// A table in `room` pixels. Columns for which they are too few stand below the first.
+    /// A table in `room` pixels. Columns that do not fit are placed below the first.
     pub(crate) fn new(heading: Vec<String>, rows: Vec<(Symbol, Vec<String>)>, room: f64) -> Self {
         Self::with(heading, rows, room, 0)
     }
@@ -125,7 +125,7 @@ impl Table {
 }
 
 impl Row {
-    /// Cells at their columns: what is too wide for a line of its own goes on below.
+    /// Cells at their columns: what is too wide for its line is continued below.
     fn new(cells: Vec<String>, columns: &[Vec<f64>], room: f64) -> Self {
         let mut cells = cells.into_iter();
         let mut all = Vec::new();

@@ -17,7 +17,7 @@ pub(crate) const FAMILY: &str = "DejaVu Sans";
 pub(crate) const FORMULAS: &str = "Bifdiag Math";
 
 const BYTES: &[u8] = include_bytes!("../../fonts/DejaVuSans.ttf");
-/// The font of formulas, so small that a picture can hold it.
+/// The font of formulas, small enough to be embedded in a picture.
 pub(crate) const FORMULA_BYTES: &[u8] = include_bytes!("../../fonts/Math.otf");
 
 /// From ascent to descent, in font sizes, of both: this is the size by which plotters measures text.

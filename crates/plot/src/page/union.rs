@@ -49,7 +49,7 @@ pub(crate) fn outlines(polygons: impl IntoIterator<Item = Vec<Point>>, fixed: us
     if is_shared { joined(&sides) } else { polygons }
 }
 
-/// Closed lines of sides, of which an even number ends in every corner.
+/// Closed lines of sides; an even number ends in every corner.
 fn joined(sides: &[[Corner; 2]]) -> Vec<Vec<Point>> {
     let mut at_corner: BTreeMap<Corner, Vec<usize>> = BTreeMap::new();
     for (number, ends) in sides.iter().enumerate().rev() {
@@ -94,7 +94,7 @@ mod tests {
         other.reverse();
         // Along x = 1 the upper and the lower quarter are left.
         assert_eq!(union([square(0.0, 0.0), other], 0).data(), "M0 0l10 0 0 10 10 0 0 20 -10 0 0-10 -10 0z");
-        // One upon the other, the upper one half a side to the right.
+        // One on the other, the upper one half a side to the right.
         let turned = |square: Vec<Point>| square.into_iter().map(|[x, y]| [y, x]).collect::<Vec<Point>>();
         let path = union([turned(square(0.0, 0.0)), turned(square(1.0, 1.0))], 1);
         assert_eq!(path.data(), "M0 0l0 10 10 0 0 10 20 0 0-10 -10 0 0-10z");

@@ -5,7 +5,7 @@ use plotters::style::RGBColor;
 use super::scene::{OrbitColors, SectionScene};
 use crate::page::{Anchor, Canvas, INK, Ink, Rect, rgb, rgbs, ticks};
 
-/// Shades of each hue, by which orbits of a family are told apart.
+/// Shades of each hue, which distinguish the orbits of a family.
 const SHADES: usize = 4;
 /// Hues of families: apart for colour-blind readers too, and dark enough for the shaded ground.
 const FAMILIES: [[RGBColor; SHADES]; 5] = [

@@ -71,8 +71,8 @@ pub(super) fn legend(scenes: &[SectionScene<'_>]) -> Vec<(Symbol, String)> {
         entries.push((Symbol::Mark("disc", Box::new(orbit)), "unstable equilibria".to_owned()));
     }
     if any(|curves| !curves.connections.is_empty()) {
-        let told = "homoclinic and heteroclinic orbits, one point each";
-        entries.push((Symbol::Mark("ring", Box::new(connection)), told.to_owned()));
+        let text = "homoclinic and heteroclinic orbits, one point each";
+        entries.push((Symbol::Mark("ring", Box::new(connection)), text.to_owned()));
     }
     entries
 }

@@ -123,12 +123,12 @@ fn meaning_of_colors(scenes: &[SectionScene<'_>]) -> Vec<(Symbol, String)> {
     let entry = |family: usize| {
         let colors = shades(&scenes[0], family);
         let apart = if colors.len() > 1 { ", told apart by shades" } else { "" };
-        let told = match names.get(family) {
+        let text = match names.get(family) {
             Some(name) if has_verdicts => format!("{name} orbits"),
             Some(name) => format!("{name}: orbits"),
             None => "orbits".to_owned(),
         };
-        (Symbol::Dots(colors), format!("{told}{apart}"))
+        (Symbol::Dots(colors), format!("{text}{apart}"))
     };
     families.into_iter().map(entry).collect()
 }

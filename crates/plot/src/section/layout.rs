@@ -133,12 +133,12 @@ impl Layout {
         Self { panels, width: right + bar, bottom: top }
     }
 
-    /// Width of what stands below the panels.
+    /// Width of the contents below the panels.
     pub fn room(&self) -> f64 {
         self.width - LEFT - RIGHT
     }
 
-    /// Where the colour bar stands.
+    /// The place of the colour bar.
     pub fn bar(&self) -> Rect {
         let first = self.panels[0].rect;
         Rect { x: self.width - BAR, y: first.y, width: BAR_WIDTH, height: first.height }
@@ -165,7 +165,7 @@ impl Layout {
     }
 }
 
-/// A number that leaves room for the panel's name, told to be rounded where it is.
+/// A number short enough to leave room for the panel's name, marked with ≈ if rounded.
 fn rounded(name: &str, value: f64) -> String {
     let (full, short) = (number(value), short_number(value, 6));
     format!("{name} {} {short}", if short == full { "=" } else { "≈" })

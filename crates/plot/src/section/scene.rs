@@ -12,7 +12,7 @@ pub struct OrbitValues<'a> {
     pub values: &'a [f64],
 }
 
-/// What the colours of orbits tell.
+/// The meaning of the colours of orbits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum OrbitColors {
     /// The family by the hue, the orbits of a family by shades.
@@ -20,7 +20,7 @@ pub enum OrbitColors {
     Orbits,
     /// The family alone.
     Families,
-    /// The families are verdicts: regular (in shades, since tori are told apart), chaotic, open.
+    /// The families are verdicts: regular (in shades, to distinguish tori), chaotic, open.
     Verdicts,
 }
 
@@ -31,7 +31,7 @@ pub struct OrbitFamilies<'a> {
     pub of: &'a [usize],
     /// What the legend says of each; the same for all scenes of a picture.
     pub names: &'a [&'a str],
-    /// What else the colours tell.
+    /// Further meanings of the colours.
     pub colors: OrbitColors,
 }
 

@@ -22,12 +22,12 @@ pub(super) const EQUILIBRIUM: RGBColor = rgb(0x9a_10_2a);
 
 /// From a mark to its name, for the nearest places and the others.
 const AWAY: [f64; 2] = [9.0, 15.3];
-/// What it costs a number to stand beside the sphere.
+/// The cost of placing a number beside the sphere.
 const OUTSIDE: f64 = 1000.0;
 /// What it costs to cross ∂U or the rim, and a level line; to be one place further down the list costs 1.
 const CROSSED: [f64; 2] = [60.0, 4.0];
 
-/// What a mark stands for.
+/// The meaning of a mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Mark {
     /// A relative equilibrium of this Morse index.
@@ -172,7 +172,7 @@ impl<'a> Names<'a> {
         self.taken.take_box(rect);
     }
 
-    /// Writes a name beside a mark, with a rim of paper; what is no name of a mark stands inside of the view.
+    /// Writes a name beside a mark, with a rim of paper; text that is not the name of a mark is inside the view.
     pub(super) fn write(
         &mut self,
         canvas: &Canvas,

@@ -86,7 +86,7 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme, paper: Width) -> Resul
                 width: 2.0 * half,
                 height: 1.3 * CAPTION_SIZE,
             });
-            // On a curve no components are told.
+            // On a curve the components are not known.
             let are_told = !scene.components.is_empty();
             let own = parts.deepest.iter().filter(|(_, (view, _))| are_told && *view == place);
             let numbers = own.map(|&(component, (_, node))| (component + 1, grid.place(node)));
@@ -99,8 +99,8 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme, paper: Width) -> Resul
     })
 }
 
-/// Levels other than h that cut the sphere into parts of about equal area, as differences from h; none where U is constant but for
-/// the rounding of values as large as `largest`.
+/// Levels other than h that cut the sphere into parts of about equal area, as differences from h; none where U is
+/// constant up to the rounding of values as large as `largest`.
 fn levels(grids: &[Grid<'_>; 2], largest: f64) -> Vec<f64> {
     const ROUNDING: f64 = 1e-14;
     let mut values: Vec<f64> = grids.iter().flat_map(|grid| grid.values().iter().copied()).collect();
@@ -121,7 +121,7 @@ fn ground(
     components: usize,
 ) {
     canvas.draw(&rim(view), &canvas.fill(FORBIDDEN));
-    // On a curve no components are told: what is accessible has one tint.
+    // On a curve the components are not known: everything accessible has one tint.
     for place in 0..components.max(1) {
         let color = canvas.ground(tint(place));
         // A hair of the same colour closes the seams between cells.

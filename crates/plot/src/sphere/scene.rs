@@ -1,10 +1,10 @@
-//! What a picture of U on the Poisson sphere shows, and what stands above it.
+//! What a picture of U on the Poisson sphere shows, and its title.
 
 use crate::page::{Anchor, Canvas, INK, Rect, lines, text_width};
 use bifdiag_schema::{ComponentDocument, RelativeEquilibriumDocument};
 
 const TITLE_SIZE: f64 = 14.0;
-/// Also of what stands below a view.
+/// Also for the text below a view.
 pub(super) const CAPTION_SIZE: f64 = 12.5;
 /// Base lines of the first line of each, where each has one, and the distance of further lines.
 const FIRST: [f64; 2] = [26.0, 46.0];
@@ -22,7 +22,7 @@ pub struct SphereScene<'a> {
     pub r_hat: Option<[f64; 3]>,
     /// The components of U_hl in canonical order.
     pub components: &'a [ComponentDocument],
-    /// The place in `components` of the component to which an accessible point belongs, where it can be told.
+    /// The place in `components` of the component to which an accessible point belongs, if it is known.
     pub component_of: &'a dyn Fn([f64; 3]) -> Option<usize>,
     /// The relative equilibria at this l, by rising h.
     pub equilibria: &'a [RelativeEquilibriumDocument],
@@ -38,7 +38,7 @@ pub struct SphereScene<'a> {
 pub(super) struct Titles {
     left: f64,
     lines: Vec<(String, f64, f64)>,
-    /// How much lower everything else stands than under a line of each.
+    /// How much lower everything else is than under a single line.
     pub more: f64,
 }
 

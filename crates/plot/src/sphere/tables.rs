@@ -1,5 +1,5 @@
-//! What stands below the views: the legend, and the table of the relative equilibria, which says where each stands, whether
-//! it is stable, and how fast what starts beside it moves.
+//! The part below the views: the legend, and the table of the relative equilibria with the position and stability of
+//! each and the rate of the motions near it.
 
 use bifdiag_schema::{ComponentDocument, Multiplicity, RelativeEquilibriumDocument, small_motions};
 use plotters::style::RGBColor;
@@ -77,7 +77,7 @@ const DIGITS: [usize; 2] = [5, 12];
 /// Energies are equal when they differ by less, relative to the largest: those of pairs do by rounding.
 const EQUAL: f64 = 1e-11;
 
-/// As many digits as tell different energies apart, rising as they are given.
+/// As many digits as distinguish different energies, which are given in rising order.
 fn energies(h: &[f64]) -> Vec<String> {
     let largest = h.iter().fold(0.0_f64, |largest, h| largest.max(h.abs()));
     let printed = |digits: usize| h.iter().map(|h| short_number(*h, digits)).collect::<Vec<_>>();
@@ -110,7 +110,7 @@ pub(super) fn equilibria(scene: &SphereScene<'_>, [width, height]: [f64; 2]) -> 
 fn columns(scene: &SphereScene<'_>, room: f64, count: usize) -> Table {
     let times = if scene.time_unit.is_empty() { String::new() } else { format!(" in {}", scene.time_unit) };
     let heading = ["", "relative equilibrium", "h", "of U", "linear type", "stability"].map(str::to_owned);
-    let motions = format!("small motions: period, or time of growth by the factor e{times}");
+    let motions = format!("small motions: period, or time of growth by a factor of e{times}");
     let heading = heading.into_iter().chain([motions]).take(count).collect();
     let h: Vec<f64> = scene.equilibria.iter().map(|point| point.h).collect();
     let rows = scene.equilibria.iter().zip(energies(&h)).enumerate().map(|(place, (point, h))| {
@@ -150,7 +150,7 @@ mod tests {
     fn energies_have_the_digits_that_tell_them_apart() {
         assert_eq!(energies(&[1.0 / 3.0, 2.0 / 3.0]), ["0.33333", "0.66667"]);
         assert_eq!(energies(&[-1.0, 1.793_331_2, 1.793_331_9]), ["−1", "1.793331", "1.793332"]);
-        // A pair, equal but for rounding.
+        // A pair, equal up to rounding.
         assert_eq!(energies(&[0.1 + 0.2, 0.3 + 1e-15]), ["0.3", "0.3"]);
     }
 

@@ -64,7 +64,7 @@ pub(super) fn best_direction(r_hat: Option<Vector>, above: &dyn Fn(Vector) -> f6
         CUT * cuts as f64 - lowest
     };
     let costs = directions.map(|toward| (cost(&toward), toward));
-    // Rounding does not tell views of symmetric bodies apart.
+    // Views of symmetric bodies differ only by rounding.
     let better = |best: (f64, Vector), next: (f64, Vector)| if next.0 < best.0 - 1e-9 { next } else { best };
     costs.reduce(better).map_or(level, |(_, toward)| toward)
 }
@@ -128,7 +128,7 @@ mod tests {
         }
     }
 
-    /// A small hole and the poles stand off the rims, and the first view is taken where all are as good.
+    /// A small hole and the poles keep away from the rims; among equally good views the first is taken.
     #[test]
     fn the_best_view_cuts_no_small_circle() {
         let r_hat = Some([0.0, 0.0, 1.0]);

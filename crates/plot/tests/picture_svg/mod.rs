@@ -21,12 +21,12 @@ pub fn tree(picture: &Picture) -> Tree {
     Tree::from_str(&picture.svg, &options).expect("the SVG is well-formed")
 }
 
-/// Calls `told` with every text of a group, in the order in which they are drawn.
-pub fn each_text(group: &Group, told: &mut impl FnMut(&Text)) {
+/// Calls `visit` with every text of a group, in the order in which they are drawn.
+pub fn each_text(group: &Group, visit: &mut impl FnMut(&Text)) {
     for node in group.children() {
         match node {
-            Node::Group(group) => each_text(group, told),
-            Node::Text(text) => told(text),
+            Node::Group(group) => each_text(group, visit),
+            Node::Text(text) => visit(text),
             Node::Path(_) | Node::Image(_) => {}
         }
     }

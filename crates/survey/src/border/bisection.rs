@@ -276,7 +276,7 @@ impl<'a> ClassBracket<'a> {
     }
 }
 
-/// What is special about a body but for the sums of its moments, which no diagram shows.
+/// What is special about a body, except the sums of its moments, which no diagram shows.
 fn shown(body: &Body) -> Flags {
     Flags { plate: false, unphysical: false, ..body.flags() }
 }
@@ -310,8 +310,7 @@ impl ClassifiedBody {
     }
 }
 
-/// How many of some bodies have each class, the most frequent first; no class stands for bodies whose class is not decided,
-/// and for those that are none.
+/// How many of some bodies have each class, the most frequent first; `None` counts undecided and invalid bodies.
 #[must_use]
 pub fn classes_of(bodies: impl Iterator<Item = Option<Body>>) -> Vec<(Option<ClassName>, usize)> {
     let mut counts: BTreeMap<Option<ClassName>, usize> = BTreeMap::new();

@@ -33,7 +33,7 @@ pub struct EventLocation {
     pub error: f64,
 }
 
-/// How an event of one curve comes upon another curve.
+/// How an event of one curve meets another curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Encounter {
     /// Both sides have the same events, in another order.
@@ -59,7 +59,7 @@ pub enum BorderEventKind {
     CuspOnCurve {
         /// The branch that has the cusp.
         cusp: BranchName,
-        /// How it comes upon the others.
+        /// How it meets the others.
         encounter: Encounter,
         /// The branches that it meets; those that only change places with it are among them.
         curves: Vec<BranchName>,
@@ -68,7 +68,7 @@ pub enum BorderEventKind {
     PitchforkOnCurve {
         /// The branches of the pitchfork.
         pitchfork: [BranchName; 2],
-        /// How it comes upon the others.
+        /// How it meets the others.
         encounter: Encounter,
         /// The branches that it meets.
         curves: Vec<BranchName>,
@@ -203,7 +203,7 @@ pub enum EventLabel {
 }
 
 impl EventLabel {
-    /// The label of an event. Two branches stand in the order of their names.
+    /// The label of an event. Two branches are in the order of their names.
     #[must_use]
     pub fn of(set: &CriticalSet, change: &Change) -> Self {
         let name = |curve: CurveId| BranchName::of(&set.frame, set.curves[curve].branch);

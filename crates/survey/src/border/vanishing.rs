@@ -51,7 +51,7 @@ pub(crate) struct Neighbourhood {
 }
 
 impl Neighbourhood {
-    /// Of a point in the frame's units.
+    /// For a point in the frame's units.
     pub(crate) fn of(frame: &Frame, x: f64, h: f64) -> Self {
         Self { x: x * frame.momentum_unit * frame.momentum_unit, h: h * frame.energy_unit }
     }
@@ -105,8 +105,8 @@ fn nearest_cusp(set: &CriticalSet, branch: Branch, near: &Neighbourhood) -> Opti
 }
 
 impl Vanishing {
-    /// What vanishes, at a body, and the same with its event and its curve where they are there; `None` where there is no such
-    /// event.
+    /// The value of the vanishing function at a body, and the same with its event and its curve if present; `None`
+    /// without such an event.
     pub(crate) fn measured(self, frame: Frame) -> Option<(Gap, Self)> {
         let exact = |value: f64| Some((Gap { value, error: 0.0 }, self));
         match self {
@@ -134,7 +134,7 @@ impl Vanishing {
 }
 
 impl EventOfBranches {
-    /// Its point in the diagram of a body, and the same event as it is there.
+    /// Its point in the diagram of a body, and the same event there.
     fn followed(self, set: &CriticalSet) -> Option<(Point, Self)> {
         let at = |point: &Point| Neighbourhood::of(&set.frame, point.x, point.h());
         match self {

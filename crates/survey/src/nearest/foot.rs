@@ -13,7 +13,7 @@ pub(super) struct Level {
     pub value: f64,
 }
 
-/// A place so near to the body is the body itself, but for rounding.
+/// A place this near to the body is the body itself, within rounding.
 pub(super) const HERE: f64 = 1e-13;
 
 /// Bodies around one, as coordinates in its basis.
@@ -82,7 +82,7 @@ impl Surroundings {
         Some((slopes, missing))
     }
 
-    /// A function at a place, and the same with its event where it is there.
+    /// The value of a function at a place, and the same with its event if present.
     pub fn value(&self, function: Vanishing, place: &DVector<f64>) -> Option<(f64, Vanishing)> {
         let [a, r] = self.basis.at(place.as_slice());
         let (gap, function) = function.measured(Body::from_f64(a, r).ok()?.frame())?;

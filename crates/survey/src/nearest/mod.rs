@@ -55,8 +55,8 @@ pub struct NearestBorder {
 }
 
 /// The borders of a class around one of its bodies, each at the place that is nearest to the body, in the order of their
-/// distances: those where a function vanishes that its diagram suggests, and those that are met by random lines through it.
-/// What is special about the body stays so on the way. `class` is the body's own; on a border, that of its rounded numbers may
+/// distances: zeros of functions suggested by its diagram, and those met by random lines through it. What makes the
+/// body special is kept on the way. `class` is the body's own; on a border, that of its rounded numbers may
 /// be another.
 ///
 /// Each distance is that of a body on the border: the border is as near, and a nearer part of it may be unknown.

@@ -1,7 +1,8 @@
 //! Many bodies: what a scan records of each, and what all of them have in common.
 //!
 //! A [`Design`](crate::Design) numbers its bodies; body n depends on n alone, so that a scan can be cut into shards,
-//! stopped and taken up again. [`ScanRow::of`] looks at one body, a [`Summary`] counts. Nothing here reads files or starts
+//! interrupted and resumed. [`ScanRow::of`] classifies one body, a [`Summary`] counts. Nothing here reads files or
+//! starts
 //! threads.
 
 mod row;

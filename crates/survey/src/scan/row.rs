@@ -63,7 +63,7 @@ pub struct RegionMargin {
     pub signature: Signature,
 }
 
-/// A count as it is stored.
+/// A count as stored.
 fn count(n: usize) -> u32 {
     u32::try_from(n).unwrap_or(u32::MAX)
 }
@@ -91,7 +91,7 @@ impl ScanRow {
         }
     }
 
-    /// The row of a body of which nothing is known but why.
+    /// The row of a body of which only the failure is known.
     #[must_use]
     pub fn failed(index: u64, values: [[f64; 3]; 2], error: String) -> Self {
         let flags = Flags::default();
@@ -104,7 +104,7 @@ fn classified(atlas: &Atlas) -> (RowStatus, Option<ClassName>, Option<String>) {
     match Class::of(atlas) {
         Ok(class) => (RowStatus::Classified, Some(class.name().clone()), None),
         Err(error) => {
-            // A map that is none is a defect, and no question of accuracy.
+            // An invalid map is a defect, not a question of accuracy.
             let is_defect = matches!(&error, Unclassified::Map(defect) if *defect != MapError::Coincident);
             let status = if is_defect { RowStatus::Failed } else { RowStatus::Undecided };
             (status, None, Some(error.to_string()))

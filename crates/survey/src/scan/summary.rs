@@ -45,7 +45,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Counts one more body. Of an undecided body only that it is one.
+    /// Counts one more body; an undecided one only as undecided.
     pub fn add(&mut self, row: &ScanRow) {
         self.rows += 1;
         match row.status {

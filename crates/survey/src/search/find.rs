@@ -10,7 +10,7 @@ use super::witness::{KnownPoint, Witness, known_witness};
 use super::{NearestBody, SearchAnswer, SearchOptions, SearchResult};
 use crate::parallel::each;
 
-/// Bodies between two looks at what was found.
+/// Bodies between two checks of the results.
 const BLOCK: u64 = 2048;
 
 /// Candidates that are improved.

@@ -2,7 +2,8 @@
 //! with local optimisation.
 //!
 //! Each body gets a [`Score`]: how visible the wanted thing is, or how near the body comes to it. Bodies are drawn by
-//! number from four strata in turn ([`sample`]), the best ones are improved with the simplex method of Nelder and Mead
+//! number from four strata cyclically ([`sample`]), the best ones are improved with the simplex method of Nelder and
+//! Mead
 //! (`argmin`, with the feature `search`), and the winner becomes a [`Witness`] only after both topological methods have
 //! confirmed it. Nothing found says nothing about existence; an [`Exclusion`] does.
 
@@ -29,7 +30,7 @@ use bifdiag_exact::Accuracy;
 /// How bodies are sought.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SearchOptions {
-    /// Which bodies are looked at.
+    /// Which bodies are tried.
     pub domain: SearchDomain,
     /// The most bodies that are drawn.
     pub samples: u64,
@@ -74,14 +75,14 @@ pub struct NearestBody {
     pub missing: f64,
 }
 
-/// The answer of a search, and what it is worth.
+/// The answer of a search, with its evidence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SearchResult {
     /// The answer.
     pub answer: SearchAnswer,
     /// Bodies that were drawn while sampling.
     pub drawn: u64,
-    /// Of these, bodies that were looked at: those of the domain that are decided.
+    /// Of these, bodies that were tried: those in the domain that are decided.
     pub tried: u64,
     /// Of these, bodies that seemed to show it.
     pub showing: u64,

@@ -58,7 +58,7 @@ impl ScoredPoint {
     }
 }
 
-/// Which bodies are looked at.
+/// Which bodies are tried.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SearchDomain {
     /// Only bodies that exist: A_i + A_j > A_k, or equality and r_k = 0.
@@ -175,7 +175,7 @@ fn tiny(u: f64) -> f64 {
     libm::exp(-4.0 * std::f64::consts::LN_10 * u)
 }
 
-/// A and r of body n of the search, from four strata in turn: the whole family, r near a principal axis, two moments
+/// A and r of body n of the search, from four strata cyclically: the whole family, r near a principal axis, two moments
 /// nearly equal, and r in a principal plane or on an axis.
 #[must_use]
 pub fn sample(n: u64, seed: u64, physical: bool) -> [[f64; 3]; 2] {

@@ -144,7 +144,7 @@ pub struct KnownPoint {
     pub components: Vec<Component>,
 }
 
-/// The first of the known points that shows what is sought, with a body of the domain; confirmed anew.
+/// The first of the known points that shows what is sought, with a body in the domain; confirmed again.
 #[must_use]
 pub fn known_witness(
     known: &[KnownPoint],

@@ -28,7 +28,7 @@ pub(super) struct Division<'a, P: LabelledPlane> {
     pub sides: BTreeMap<CellSide, Vec<LabelChange<P::Label>>>,
     /// How the changes of a cell are joined, where that can be in several ways.
     pub joined: BTreeMap<(LatticeNode, u32), Vec<usize>>,
-    /// What was looked at besides the nodes.
+    /// What was classified besides the nodes.
     pub seen: Vec<(P::Label, PlanePoint)>,
     /// Where the border of a cell with one chord has a corner.
     pub bends: BTreeMap<LatticeNode, PlanePoint>,

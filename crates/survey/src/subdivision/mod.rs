@@ -169,7 +169,7 @@ mod tests {
 
     #[test]
     fn a_narrow_strip_is_one_piece_to_its_tip() {
-        // One that is met at one point of the lattice, one through all of a diagonal, and one that becomes wider.
+        // One that is hit at one point of the lattice, one along a whole diagonal, and one that becomes wider.
         let strips = [
             Strip { at: |x| (0.21 + 0.43 * x + 0.1 * x * x, 0.02 * (0.9 - x)) },
             Strip { at: |x| (x, 0.003) },

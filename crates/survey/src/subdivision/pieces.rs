@@ -8,7 +8,7 @@ use super::lattice::{BoundaryStop, LatticeCell, PlanePoint, distance, inward, me
 pub struct Subdivision<L> {
     /// What each piece shows, and its corners. The pieces fill the rectangle without overlap.
     pub pieces: Vec<(L, Vec<PlanePoint>)>,
-    /// Places that were looked at, and what they show.
+    /// Places that were classified, and what they show.
     pub seen: Vec<(L, PlanePoint)>,
     /// The borders between pieces that show different things, as straight parts.
     pub borders: Vec<[PlanePoint; 2]>,

@@ -7,8 +7,8 @@ use super::lattice::{CellSide, LabelChange, LatticeCell, LatticeNode, PlanePoint
 use super::pieces::joinings;
 
 impl<P: LabelledPlane> Division<'_, P> {
-    /// Looks for strips that end at a side of a cell of the finest lattice: on the far sides, straight on. True when one
-    /// goes on.
+    /// Looks for strips that end at a side of a cell of the finest lattice: on the far sides, straight on. True if one
+    /// continues.
     pub(super) fn follow(&mut self, cells: &[LatticeCell], followed: &mut BTreeSet<LatticeNode>) -> bool {
         let ends = cells.iter().filter(|cell| cell.size == 1 && !followed.contains(&cell.from));
         let ends: Vec<(LatticeCell, StripEnd<P::Label>)> =
@@ -85,7 +85,7 @@ impl<P: LabelledPlane> Division<'_, P> {
             let wall = if along[axis] > 0.0 { low + 1.0 } else { low };
             if along[axis] == 0.0 { f64::INFINITY } else { (wall - here[axis]) / along[axis] }
         };
-        // The wall through which it came is none.
+        // The wall through which it came does not count.
         let [right, up] = [reach(0, x), reach(1, y)].map(|t| if t > 1e-9 { t } else { f64::INFINITY });
         let t = right.min(up);
         if !t.is_finite() {

@@ -17,7 +17,7 @@ struct CellTrial<L> {
     partners: Vec<usize>,
     /// What its parts show, and their corners.
     parts: Vec<(Option<L>, Vec<PlanePoint>)>,
-    /// Which of them show something else than the plane does amid their corners.
+    /// Which of them differ from the plane between their corners.
     wrong: Vec<usize>,
 }
 

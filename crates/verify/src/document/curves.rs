@@ -1,5 +1,5 @@
 //! The curves that a document lists, against those that follow from the certificate: which there are, on which others they
-//! run, their branches, Morse indices, ranges of μ and l, and how they go on to infinity.
+//! run, their branches, Morse indices, ranges of μ and l, and their asymptotes.
 
 use bifdiag_schema::{AtlasDocument, CertificateDocument, CurveDocument, CurveKind};
 use dashu_ratio::RBig;
@@ -211,7 +211,7 @@ fn words(spaces: &Spaces, piece: &Piece) -> String {
     }
 }
 
-/// The range of μ of the closed form; absent where there is none.
+/// The range of μ of the closed form; absent without one.
 fn mu_range(spaces: &Spaces, piece: &Piece, x: [Option<&Fixed>; 2]) -> Option<[Option<Fixed>; 2]> {
     match piece.branch {
         Branch::Generic(number) => {

@@ -11,7 +11,7 @@ use crate::order::events::{Events, Source};
 use crate::order::regions::Cell;
 use crate::order::stand::Orders;
 
-/// An event of a document, and what it is said to be.
+/// An event of a document, with its claims.
 struct Listed<'a> {
     document: &'a EventDocument,
     /// The event of the certificate, and which of its sources this is.

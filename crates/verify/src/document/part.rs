@@ -1,5 +1,5 @@
-//! The real part of which a body is the principal form: everything that the document says of it follows from its tensor, its centre
-//! of mass, its mass and gravity.
+//! The real part whose principal form is the body: everything that the document says about it follows from its tensor,
+//! its centre of mass, its mass and gravity.
 
 use bifdiag_schema::{AtlasDocument, Flags, PartDocument, PrincipalDocument};
 use dashu_int::{IBig, UBig};
@@ -13,7 +13,7 @@ use crate::numbers::number;
 
 /// Correct digits of the rounded numbers of a principal form: ten fewer than are written.
 const DIGITS: usize = 120;
-/// Numbers in doubles, likewise.
+/// The same for numbers in doubles.
 const ROUNDED: f64 = 1e-12;
 
 /// m in the units of length and s in the units of time that a document may name, and the units of mass.

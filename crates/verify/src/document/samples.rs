@@ -16,7 +16,7 @@ use crate::order::stand::Orders;
 /// Largest error of a margin, in roundings of the energies there.
 const ROUNDINGS: u32 = 8;
 
-/// A sample, as it is written and as it is proved, in the certificate's units.
+/// A sample as written and as proved, in the certificate's units.
 struct Place<'a> {
     /// x and h of the certificate.
     exact: [&'a RBig; 2],
@@ -54,7 +54,7 @@ pub(crate) fn check(
 }
 
 impl Place<'_> {
-    /// What is written is the exact sample but for the last bits.
+    /// The written sample is the exact one except for the last bits.
     fn is_near(&self) -> bool {
         let near = |exact: &RBig, written: &RBig| {
             let room = exact.clone().abs() / RBig::from(IBig::ONE << CONVERTED);

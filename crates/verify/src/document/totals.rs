@@ -95,8 +95,7 @@ pub(crate) fn totals(document: &AtlasDocument, orders: &Orders, slabs: &[Slab]) 
     }
 }
 
-/// The command line that makes a document with its certificate, from its body, or the part of which that is, and from what it
-/// holds.
+/// The command line that makes a document with its certificate, from its body or part and from its contents.
 fn command(document: &AtlasDocument) -> String {
     let line = CommandLine::new("atlas").body(&document.body.given, document.body.part.as_ref());
     line.flag("certificate", true).flag("no-drawing", document.drawing.is_none()).json()

@@ -7,7 +7,7 @@ use super::spaces::Spaces;
 use crate::Refused;
 use crate::numbers::fixed::Fixed;
 
-/// The branch of relative equilibria, or the line, of which a curve is a piece.
+/// The branch of relative equilibria, or the line, that contains a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Branch {
     /// Between two spaces that carry r, by number from below.

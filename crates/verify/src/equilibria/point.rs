@@ -87,7 +87,7 @@ struct Generic<'a> {
     w: Vec<Fixed>,
 }
 
-/// √Σ q t², J and x, of which s = √Σ q t²/|δ| makes the last.
+/// √Σ q t², J and x, the last from s = √Σ q t²/|δ|.
 struct Momentum {
     root: Fixed,
     j: Fixed,
@@ -225,7 +225,7 @@ impl<'a> Generic<'a> {
         Some(Point { gamma, j, rho, x, tau: Some(tau), slopes: Some([log_slope, j_slope]) })
     }
 
-    /// J = Σ w a with Σ w = 1: measured from each moment in turn, of which none is the narrowest everywhere.
+    /// J = Σ w a with Σ w = 1: measured from each moment in turn, since none gives the narrowest result everywhere.
     fn moment_of_inertia(&self) -> Option<Fixed> {
         let n = self.w.len();
         let measured = (0..n).map(|from| {

@@ -95,7 +95,7 @@ pub(crate) fn cusps(certificate: &CertificateDocument, spaces: &Spaces) -> Resul
     }
 }
 
-/// The one place of the generic family where dJ/dμ = 0, with its branch; there is none unless three spaces carry r.
+/// The one place of the generic family where dJ/dμ = 0, with its branch; `None` unless three spaces carry r.
 pub(crate) fn inflection(
     certificate: &CertificateDocument,
     spaces: &Spaces,

@@ -55,7 +55,7 @@ pub(crate) struct Spaces {
     pub norm: Fixed,
     /// a_i − a_k.
     differences: Vec<Vec<Fixed>>,
-    /// Of the numbers here, and of all that are computed from them.
+    /// Fractional bits of the numbers here, and of all that are computed from them.
     bits: usize,
 }
 
@@ -92,7 +92,7 @@ impl Spaces {
         Ok(Self { moment, energy, list, active, r2, norm, differences, bits })
     }
 
-    /// The unit of l², of which x = l²/2 is counted.
+    /// The unit of l², in which x = l²/2 is measured.
     pub fn square_of_momentum(&self) -> RBig {
         &self.moment * &self.energy * RBig::from(2)
     }

@@ -37,7 +37,7 @@ pub(crate) fn is_root_within(x: f64, error: f64, unit: &RBig, set: &Fixed) -> bo
     around(x, error).is_some_and(|range| holds_root(&range, &set.ends().map(|end| end * unit)))
 }
 
-/// An error is no larger than this, but for its own rounding.
+/// An error is no larger than this, apart from its own rounding.
 pub(crate) fn is_at_most(error: f64, most: &RBig) -> bool {
     let thousand = |n: i32| RBig::from(1000 + n);
     exact(error).is_some_and(|error| error >= RBig::ZERO && error * thousand(0) <= most * thousand(1))

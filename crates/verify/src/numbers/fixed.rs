@@ -296,7 +296,7 @@ mod tests {
 
         #[test]
         fn roots_hold_every_root((a, x) in sets()) {
-            // √t of t = x² is |x|; sets that reach below 0 stand for their other part.
+            // √t of t = x² is |x|; for sets that reach below 0 only the other part counts.
             let size = x.clone().max(-x);
             let square = a.square();
             prop_assert!(holds(&square.root().unwrap(), &size));

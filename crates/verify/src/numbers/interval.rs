@@ -178,7 +178,7 @@ mod tests {
 
         #[test]
         fn roots_hold_every_root((a, x) in intervals()) {
-            // √t of t = x² is |x|; sets that reach below 0 stand for their other part.
+            // √t of t = x² is |x|; for sets that reach below 0 only the other part counts.
             let square = a.square();
             prop_assert!(holds(square.sqrt(), &exact(x.abs())), "√{square:?} = {:?}", square.sqrt());
             let reaching = Interval { lo: -1.0, hi: square.hi };

@@ -36,7 +36,7 @@ pub(crate) fn plus(p: &[RBig], q: &[RBig], factor: &RBig) -> Coefficients {
         .collect()
 }
 
-/// A polynomial up to a positive factor: integers without common divisor, by rising degree, the last of which is not 0.
+/// A polynomial up to a positive factor: integers without common divisor, by rising degree, the last not 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Polynomial(pub Vec<IBig>);
 

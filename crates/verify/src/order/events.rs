@@ -133,7 +133,7 @@ impl Events {
         self.ends.iter().find(|(known, _)| *known == end).map(|(_, event)| *event)
     }
 
-    /// At an event of several sources each curve that ends there is met by all others.
+    /// At an event of several sources each curve that ends there meets all others.
     fn passes_through(&mut self, orders: &Orders, end: End, curves: &[usize]) {
         for &curve in curves {
             for side in (0..2).filter(|&side| orders.pieces.list[curve].ends[side] == end) {
@@ -156,7 +156,7 @@ impl Events {
     }
 }
 
-/// The sources of an event, none of which was seen before. Several are one point only at one cusp or pitchfork.
+/// The sources of an event, none of them seen before. Several are one point only at one cusp or pitchfork.
 fn sources(event: &CertifiedEvent, seen: &mut Vec<Source>) -> Result<Vec<Source>, Why> {
     let sources: Option<Vec<Source>> = event.sources.iter().map(|text| Source::read(text)).collect();
     let sources = sources.ok_or("its source cannot be read")?;

@@ -85,7 +85,7 @@ struct Run {
 }
 
 impl Run {
-    /// Where the curves of a block stand in an order: `Some(None)` if none does, `None` if they are no run.
+    /// The position of the curves of a block in an order: `Some(None)` if none does, `None` if they are no run.
     #[allow(clippy::option_option)]
     fn of(block: &[usize], order: &[usize]) -> Option<Option<Self>> {
         let Some(first) = order.iter().position(|c| block.contains(c)) else {
@@ -102,7 +102,7 @@ impl Line {
         Self { curves: before.to_vec(), origins: (0..=before.len()).map(|gap| vec![gap]).collect() }
     }
 
-    /// Passes the event of a block: its run becomes the run that it has afterwards. The gaps below and above go on,
+    /// Passes the event of a block: its run becomes the run that it has afterwards. The gaps below and above continue,
     /// those inside the run end, and those inside the new run begin; without a new run below and above become one gap.
     fn pass(&mut self, block: &[usize], after: &[usize]) -> Option<()> {
         let later: Vec<usize> =
@@ -187,7 +187,7 @@ mod tests {
 
     #[test]
     fn a_cusp_begins_a_cell_and_its_end_joins_two() {
-        // Cell 0 goes on below and above the two curves; cell 1 between them begins.
+        // Cell 0 continues below and above the two curves; cell 1 between them begins.
         let begins: &[&[usize]] = &[&[5, 6]];
         assert_eq!(continuations(&[0], &[0, 5, 6], begins).unwrap(), [(0, 0), (0, 2)]);
         assert_eq!(continuations(&[0, 5, 6], &[0], begins).unwrap(), [(0, 0), (2, 0)]);

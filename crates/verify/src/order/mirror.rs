@@ -1,6 +1,6 @@
 //! The order of the two branches beside a moment a_i, one on each side (Lemma 7.5 and Lemma 7.6): both are solutions of
-//! one family, with ε in the place of r_i and μ = a_i + εv, and at fixed x dh/dε = −γ_i < 0. The proof that the solution
-//! stays in a box while ε runs from −r_i to r_i is made here anew; the certificate says nothing of it.
+//! one family, with ε in place of r_i and μ = a_i + εv, and at fixed x dh/dε = −γ_i < 0. The proof that the solution
+//! stays in a box while ε runs from −r_i to r_i is repeated here; the certificate says nothing about it.
 
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
@@ -70,7 +70,7 @@ fn family<'a>(
     positive.then(|| (Mirrored { spaces, base, epsilon: root.hull(&-root) }, ends, left))
 }
 
-/// The end of a box with the least room, 1 + 2⁻ᵏ times all that is held, at which x lies beyond the stretch. The solution
+/// The end of the tightest box, 1 + 2⁻ᵏ times its content, at which x lies beyond the stretch. The solution
 /// needs room to move while ε changes its sign, about as far as the branches lie apart; a wider box is harder to prove
 /// monotone, and may reach beyond a cusp.
 fn nearest(end: impl Fn(&Fixed) -> Option<Fixed>, holds: impl Fn(&Fixed) -> bool, shift: &Fixed) -> Option<Fixed> {

@@ -41,7 +41,7 @@ pub(crate) fn read(
     }
 }
 
-/// The node at an end of one curve over or under which the other goes on.
+/// The node at an end of one curve where the other continues above or below.
 fn at_end(orders: &Orders, curves: [usize; 2], node: &CertifiedNode, side: usize) -> Result<Node, Refused> {
     let refuse = |why| orders.refused(curves, 0.0, why);
     let range = common_range(orders, curves).ok_or_else(|| refuse("the curves have no common range"))?;

@@ -2,7 +2,8 @@
 //!
 //! Throughout, g is h of the first curve minus h of the second over the same x = l²/2, and `sign` the sign that is
 //! claimed of it. Along a curve of critical values dh/dx = 1/J, so that dg/dx = 1/J₁ − 1/J₂ (Proposition 3.6); and J is
-//! strictly monotone along a curve, but for one curve of the generic family on which it turns once, at the inflection
+//! strictly monotone along a curve, except for one curve of the generic family on which it turns once, at the
+//! inflection
 //! (Proposition 3.8).
 
 use super::node::{Node, coordinate};
@@ -38,7 +39,7 @@ fn stays_by_drift([from, to]: [&Node; 2], slopes: &Fixed, sign: i8) -> bool {
 }
 
 /// Lemma 7.1: where dg/dx is never 0, g lies strictly between its values at the nodes: it has the sign if both have it,
-/// or one has it and the other is 0.
+/// or if one has it and the other is 0.
 fn stays_by_monotony([from, to]: [&Node; 2], slopes: &Fixed, sign: i8) -> bool {
     let settled = |node: &Node| node.gap.strict_sign() == Some(sign);
     slopes.strict_sign().is_some()
@@ -138,8 +139,8 @@ pub(crate) fn tends_to_one_axis(orders: &Orders, curves: [usize; 2], node: &Node
     ranges.and_then(|(p, q)| (&p - &q).strict_sign()) == Some(sign)
 }
 
-/// Lemma 7.7: where r lies on one axis, of two families over moments on one side of that axis' moment that both go on to
-/// infinity, or both do not, the one over the smaller moment is the higher, wherever both run.
+/// Lemma 7.7: where r lies on one axis, of two families over moments on one side of that axis' moment that are both
+/// unbounded, or both not, the one over the smaller moment is the higher, wherever both run.
 pub(crate) fn ordered_on_axis(orders: &Orders, curves: [usize; 2]) -> Option<i8> {
     let [active] = orders.spaces.active[..] else {
         return None;

@@ -1,4 +1,4 @@
-//! What is known when two curves are compared, and where a curve stands over one x.
+//! What is known when two curves are compared, and the point of a curve at one x.
 
 use bifdiag_schema::PlaceDocument;
 use dashu_ratio::RBig;
@@ -29,7 +29,7 @@ struct Coordinate {
     side: Side,
     /// x rises with y.
     rising: bool,
-    /// Between these, of which one may be absent, y is surely on the curve.
+    /// Between these, one of which may be absent, y is surely on the curve.
     inner: [Option<Fixed>; 2],
 }
 

@@ -18,7 +18,7 @@ pub(super) struct NormalForm {
 }
 
 impl NormalForm {
-    /// `None` where the enclosures do not tell that the pairs are imaginary and distinct, at index 2, without ω₁ = 2ω₂.
+    /// `None` where the enclosures do not show that the pairs are imaginary and distinct, at index 2, without ω₁ = 2ω₂.
     pub fn new(at: &Rotation) -> Option<Self> {
         let two = Fixed::whole(2);
         let (modes, b, c) = Modes::new(at)?;
@@ -43,8 +43,8 @@ impl NormalForm {
     }
 
     /// D₆ where D₄ = 0: the terms of degree six of the normal form at I₁ = ω₂, I₂ = ω₁. On the energy level of the equilibrium
-    /// dI₂/dI₁ is the ratio of the frequencies, ω₁/ω₂ + 3D₆t²/ω₂² + … at I₁ = ω₂t (proof of Proposition 13.11 (d)). `None` where
-    /// the enclosures do not tell that no resonance of order up to six holds.
+    /// dI₂/dI₁ is the ratio of the frequencies, ω₁/ω₂ + 3D₆t²/ω₂² + … at I₁ = ω₂t (proof of Proposition 13.11 (d)).
+    /// `None` where the enclosures do not exclude all resonances of order up to six.
     pub fn sixth(at: &Rotation) -> Option<Fixed> {
         let (modes, ..) = Modes::new(at)?;
         let [one, other] = [0, 1].map(|k| modes.rates[k].clone());
@@ -74,7 +74,7 @@ impl NormalForm {
     }
 }
 
-/// p, q of the resonances pω₁ = qω₂ with p + q ≤ 6, but for 1:1.
+/// p, q of the resonances pω₁ = qω₂ with p + q ≤ 6, except 1:1.
 const RESONANCES: [[i32; 2]; 5] = [[1, 2], [1, 3], [1, 4], [1, 5], [2, 3]];
 
 #[cfg(test)]
@@ -97,8 +97,8 @@ mod tests {
         Rotation { a: a.each_ref().map(set), gamma, tau: tau.each_ref().map(set) }
     }
 
-    /// Where Arnold's determinant is 0: the number of the test `the_sixth_degree_of_a_body` of `bifdiag_equilibria`, which has it
-    /// from brackets of polynomials in canonical coordinates.
+    /// Where Arnold's determinant is 0: the number of the test `the_sixth_degree_of_a_body` of `bifdiag_equilibria`,
+    /// which computes it from brackets of polynomials in canonical coordinates.
     #[test]
     fn the_sixth_degree_of_amplitudes() {
         let [mut lo, mut hi] = [-2227, -2177].map(|n| RBig::from_parts((11_000 + n).into(), 10_000_u32.into()));

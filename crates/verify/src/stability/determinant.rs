@@ -1,5 +1,5 @@
-//! Arnold's determinant along a stretch, all of it: N = (D₄/s) χ² (β² − 4χ)(4β² − 25χ) p⁹, on an axis (D₄/s) χ (β² − 4χ), is a
-//! polynomial of a degree that is known (Theorem 13.13), so its values at equal distances tell where it vanishes.
+//! Arnold's determinant along a stretch, all of it: N = (D₄/s) χ² (β² − 4χ)(4β² − 25χ) p⁹, on an axis (D₄/s) χ (β² −
+//! 4χ), is a polynomial of known degree (Theorem 13.13), so its values at equal distances determine where it vanishes.
 
 use dashu_int::IBig;
 use dashu_ratio::RBig;
@@ -136,7 +136,8 @@ impl Determinant {
     }
 }
 
-/// Zeros of the polynomial that are none of the determinant: pitchforks, double moments, and the resonance 1:2 at a moment.
+/// Zeros of the polynomial that are not zeros of the determinant: pitchforks, double moments, and the resonance 1:2 at
+/// a moment.
 fn known_zeros(spaces: &Spaces, branch: Branch, resonance: &Polynomial) -> Vec<RBig> {
     if let Branch::Over(base) = branch {
         let limit = vec![RBig::ZERO; resonance.order_at(&RBig::ZERO)];

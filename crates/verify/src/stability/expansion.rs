@@ -154,7 +154,7 @@ impl<'a> Expansion<'a> {
     }
 }
 
-/// Powers of |ζ₁|², |ζ₂|² that slow the phases of what is left of a monomial, which is none of a mode.
+/// Powers of |ζ₁|², |ζ₂|² that slow the phases of the rest of a monomial, which does not belong to a mode.
 fn slower(powers: Powers) -> Vec<[u8; 2]> {
     let most = [0, 1].map(|j| powers[j].min(powers[j + 2]));
     let all = (0..=most[0]).flat_map(|i| (0..=most[1]).map(move |j| [i, j]));

@@ -53,7 +53,7 @@ impl Stretch {
         })
     }
 
-    /// Every point, with its verdict; `None` where one of them cannot be told.
+    /// Every point, with its verdict; `None` where one of them is not decided.
     pub fn points(&self, spaces: &Spaces, flow: &Flow) -> Result<Option<Vec<Exception>>, Refused> {
         for bits in BITS {
             if let Some(determinant) = Determinant::new(spaces, self.branch, flow, self.whole(), bits)

@@ -93,7 +93,7 @@ pub(crate) fn check(document: &AtlasDocument, orders: &Orders) -> Result<(Vec<Al
     Ok((along, unchecked))
 }
 
-/// Checks the points at which a hypothesis of Arnold's theorem fails; enters curves on which they cannot be told.
+/// Checks the points at which a hypothesis of Arnold's theorem fails; enters curves on which they are not decided.
 pub(crate) fn exceptions(
     document: &AtlasDocument,
     orders: &Orders,
@@ -103,7 +103,7 @@ pub(crate) fn exceptions(
     let Some(claims) = &document.verdict_changes else { return Ok(()) };
     let l2 = orders.spaces.square_of_momentum();
     let id = |own: &Along| orders.pieces.list[own.curve].id.clone();
-    let (mut expected, mut untold) = (Vec::new(), Vec::new());
+    let (mut expected, mut undecided) = (Vec::new(), Vec::new());
     for own in along {
         let curve = document.curves.iter().find(|curve| curve.id == id(own)).ok_or_else(uncertain)?;
         if !verdicts::needs_normal_form(orders, curve, own.curve) {
@@ -116,10 +116,10 @@ pub(crate) fn exceptions(
         }
         match found {
             Some(points) => expected.extend(points.into_iter().map(|point| (own, point))),
-            None => untold.push(curve.id.clone()),
+            None => undecided.push(curve.id.clone()),
         }
     }
-    let (open, mut checked): (Vec<_>, Vec<_>) = claims.iter().partition(|claim| untold.contains(&claim.curve));
+    let (open, mut checked): (Vec<_>, Vec<_>) = claims.iter().partition(|claim| undecided.contains(&claim.curve));
     let ordered = claims.is_sorted_by(|p, q| p.l < q.l || (p.l == q.l && p.h <= q.h));
     if open.iter().any(|claim| claim.proved) {
         return Err(uncertain());
@@ -138,8 +138,8 @@ pub(crate) fn exceptions(
         let found = checked.iter().position(is_it).ok_or(VERDICTS)?;
         checked.remove(found);
     }
-    untold.retain(|curve| !unchecked.contains(curve));
-    unchecked.extend(untold);
+    undecided.retain(|curve| !unchecked.contains(curve));
+    unchecked.extend(undecided);
     Ok(())
 }
 
@@ -203,7 +203,7 @@ fn along(orders: &Orders, flow: &Flow, whole: &[RBig; 2], zeros: &mut [Root], cu
     let mut turns = Vec::new();
     for (n, root) in inside.iter_mut().enumerate() {
         narrow(root, whole.each_ref(), orders.spaces.bits() * NARROW[0] / NARROW[1]);
-        // A zero without a change of the type is none.
+        // A zero without a change of the type does not count.
         if types[n] != types[n + 1] {
             turns.push(place(orders.spaces, piece.branch, [&root.lo, &root.hi]).ok_or(CHANGES)?);
         }
@@ -315,9 +315,9 @@ impl Exception {
     /// The document says the same of this point; where the determinant is 0 it may leave the verdict open, which claims nothing.
     fn is_listed(&self, claim: &VerdictChangeDocument) -> bool {
         let open = (NonlinearVerdict::Open, Reason::Degenerate);
-        let told = (claim.verdict, claim.why);
-        let is_told = told == (self.verdict, self.why) || (self.kind == Failing::Determinant && told == open);
-        is_told && (claim.kind, claim.changes, claim.proved) == (self.kind, self.changes, true)
+        let claimed = (claim.verdict, claim.why);
+        let is_expected = claimed == (self.verdict, self.why) || (self.kind == Failing::Determinant && claimed == open);
+        is_expected && (claim.kind, claim.changes, claim.proved) == (self.kind, self.changes, true)
     }
 }
 

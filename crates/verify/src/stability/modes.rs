@@ -125,7 +125,8 @@ pub(super) struct Modes<'a> {
 }
 
 impl<'a> Modes<'a> {
-    /// Also b and c of λ⁴ + bλ² + c; `None` where the enclosures do not tell that the pairs are imaginary and distinct, at index 2.
+    /// Also b and c of λ⁴ + bλ² + c; `None` where the enclosures do not show that the pairs are imaginary and distinct,
+    /// at index 2.
     pub fn new(at: &'a Rotation) -> Option<(Self, Fixed, Fixed)> {
         let Rotation { a, gamma, tau } = at;
         let momentum = [0, 1, 2].map(|k| &a[k] * &gamma[k]);

@@ -128,7 +128,7 @@ impl Ways<'_> {
         round.or_else(|| found.map(ahead))
     }
 
-    /// The end of an arc that goes on in a direction about the axis for which it does so best, farther than `reach`.
+    /// The end of an arc that continues in a direction about the axis for which it does so best, farther than `reach`.
     fn bent(&self, w: &[f64; 3], down: &[f64; 3], reach: f64) -> Option<[f64; 3]> {
         let now = self.height(w);
         let at: [f64; 3] = std::array::from_fn(|i| self.from.p[i].middle() + w[i]);

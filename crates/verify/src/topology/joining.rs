@@ -112,8 +112,8 @@ impl<'a> Joining<'a> {
         choices.iter().all(|other| parts(other) == expected).then(|| first.clone())
     }
 
-    /// A choice for lower saddles with each that is possible for those at one position: any two components below, whose images the
-    /// mirror image joins, and of which an exchange of sides makes each the other.
+    /// A choice for lower saddles, with each possible choice for those at one position: any two components below whose
+    /// images are joined by the mirror image and that an exchange of sides maps to each other.
     fn longer(&self, chosen: &Choice, group: &[usize]) -> Option<Vec<Choice>> {
         let Saddle { position, mirror, .. } = &self.saddles[group[0]];
         let mut classes = self.classes(*position, chosen);
@@ -134,7 +134,7 @@ impl<'a> Joining<'a> {
         Some(found)
     }
 
-    /// One minimum of each component below a position, as far as the saddles are known or chosen.
+    /// One minimum of each component below a position, given the saddles known or chosen.
     fn components(&self, position: usize, chosen: &Choice) -> Vec<usize> {
         let mut classes = self.classes(position, chosen);
         let below = (0..self.minima.len()).filter(|&n| self.minima[n] < position);

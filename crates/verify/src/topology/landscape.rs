@@ -174,8 +174,8 @@ impl<'a> Landscape<'a> {
     }
 }
 
-/// A vector of length 1 to the lower eigenvalue λ of ((u, v), (v, w)), rounded: (u−λ)α + vβ = 0 = vα + (w−λ)β, of which the
-/// one without cancellation is taken.
+/// A vector of length 1 to the lower eigenvalue λ of ((u, v), (v, w)), rounded: (u−λ)α + vβ = 0 = vα + (w−λ)β, using
+/// the one without cancellation.
 fn lower_eigenvector([u, v, w]: [f64; 3]) -> [f64; 2] {
     let half = 0.5 * (u - w);
     let root = (half * half + v * v).sqrt();

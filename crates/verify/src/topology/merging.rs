@@ -15,9 +15,9 @@ struct Critical {
     position: usize,
     nature: Nature,
     origin: Origin,
-    /// Of one of a pair, the space in which it is mirrored.
+    /// For one of a pair, the space in which it is mirrored.
     base: Option<usize>,
-    /// Of one alone, a space of one axis along which U falls: reflected there, its sides change places.
+    /// For a single one, a space of one axis along which U falls: reflected there, its sides change places.
     falls_along: Option<usize>,
 }
 

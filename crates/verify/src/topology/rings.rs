@@ -66,7 +66,7 @@ mod tests {
 
     #[test]
     fn runs_of_rings_are_components() {
-        // A circle of minima between two ends, of which the upper one is higher.
+        // A circle of minima between two ends, the upper one higher.
         let rings = Rings { positions: vec![1, 0, 2], has_poles: true };
         let component = |boundary_circles, poles| Component { boundary_circles, poles: Some(poles) };
         assert_eq!(rings.components(0), [component(2, [false, false])]);

@@ -14,7 +14,7 @@ type Point = [f64; 3];
 pub(super) fn check(mesh: &Mesh) -> Result<(), MeshError> {
     let (triangles, corners) = (mesh.triangles(), mesh.corners());
     let boxes: Vec<[Point; 2]> = triangles.iter().map(|triangle| bounds(triangle.map(|k| corners[k]))).collect();
-    // By their least x: those that begin after the end of one need not be looked at.
+    // Sorted by their least x: those that begin after the end of one need not be compared with it.
     let mut order: Vec<usize> = (0..triangles.len()).collect();
     order.sort_by(|&p, &q| boxes[p][0][0].total_cmp(&boxes[q][0][0]));
     let mut found: Option<(usize, Point, Point)> = None;

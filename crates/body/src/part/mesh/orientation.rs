@@ -99,7 +99,7 @@ fn wedges(mesh: &Mesh, [a, b]: [usize; 2], at: &[(usize, bool)]) -> Option<Vec<[
         let mut rest = order.clone();
         let (mut inside, mut turns) = (inside, Vec::new());
         while let Some(next) = rest.first().copied() {
-            // Of those at one angle, the one whose turn it is.
+            // Of those at the same angle, the next one in turn.
             let alike = rest.iter().take_while(|other| angle(&next, other) == Ordering::Equal);
             let place = alike.into_iter().position(|(.., forward)| *forward == inside)?;
             let (.., number, forward) = rest.remove(place);

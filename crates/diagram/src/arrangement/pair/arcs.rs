@@ -110,7 +110,7 @@ impl ArcPair<'_> {
     }
 }
 
-/// Gap and difference of slopes of two arcs of which one is a pole line and the other a critical curve near it.
+/// Gap and difference of slopes of a pole line and an arc of a critical curve near it.
 pub(super) fn pole_gaps(
     frame: &Frame,
     [a, b]: [&Arc; 2],

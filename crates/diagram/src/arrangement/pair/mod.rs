@@ -154,7 +154,7 @@ impl Isolation<'_> {
     }
 }
 
-/// A point between two abscissae of which the left may be 0 and the right ∞; geometric when they differ much.
+/// A point between two abscissae, the left of which may be 0 and the right ∞; geometric when they differ much.
 fn between(left: f64, right: f64, t: f64) -> f64 {
     if right.is_infinite() {
         return if left == 0.0 { 1.0 + t } else { left * (1.0 + 30.0 * t) };

@@ -1,4 +1,4 @@
-//! What only pictures need: polylines, outlines of regions, windows and widths. No answer stands on it.
+//! What only pictures need: polylines, outlines of regions, windows and widths. No answer depends on it.
 
 mod outline;
 mod polyline;

@@ -1,7 +1,7 @@
 //! The outlines of the regions in a window.
 //!
 //! In each slab a region is a column of cells between two curves, over both of which l is a coordinate. An outline runs to
-//! the right along the lower curve of a cell and to the left along the upper one; at an event it goes over to the cells
+//! the right along the lower curve of a cell and to the left along the upper one; at an event it passes to the cells
 //! with which the region continues there, and where it does not continue it turns.
 
 use std::collections::BTreeMap;
@@ -254,7 +254,7 @@ impl Columns {
         }
     }
 
-    /// Where the outline goes on at the end of an edge.
+    /// Where the outline continues at the end of an edge.
     fn next(&self, edge: Edge) -> Edge {
         let of = |side: &BTreeMap<Place, Vec<Place>>, cell| side.get(&cell).cloned().unwrap_or_default();
         match edge {

@@ -196,7 +196,7 @@ impl Parabola {
 pub struct PolylineOptions {
     /// Largest distance between a curve and its polyline, relative to the ranges of h and l of the events.
     pub chord_tolerance: f64,
-    /// Curves that go on to infinity are drawn at least up to this l.
+    /// Unbounded curves are drawn at least up to this l.
     pub l_least: f64,
 }
 
@@ -211,7 +211,7 @@ pub struct Tail {
 
 /// Ranges for which polylines are made, in the frame's units.
 struct Extent {
-    /// Curves that go on to infinity are cut here.
+    /// Unbounded curves are cut here.
     l_max: f64,
     /// Range of h of the events and of both ends.
     h_scale: f64,
@@ -235,7 +235,7 @@ impl Atlas {
         mu_range(self, &self.arrangement.set.curves[curve])
     }
 
-    /// How a curve goes on to infinity; `None` for one with two finite ends.
+    /// The asymptote of a curve; `None` for one with two finite ends.
     #[must_use]
     pub fn tail(&self, curve: CurveId) -> Option<Tail> {
         tail(self, &self.arrangement.set.curves[curve])
@@ -243,7 +243,7 @@ impl Atlas {
 }
 
 impl Atlas {
-    /// The l up to which curves that go on to infinity are drawn, if nothing else is asked.
+    /// The l up to which unbounded curves are drawn by default.
     pub(super) fn drawn_up_to(&self) -> f64 {
         let options = PolylineOptions { chord_tolerance: 0.0, l_least: 0.0 };
         extent(self, &options).l_max * self.arrangement.set.frame.momentum_unit

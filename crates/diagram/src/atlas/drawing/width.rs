@@ -29,7 +29,7 @@ impl Atlas {
 struct Strips<'a> {
     set: &'a CriticalSet,
     order: &'a [CurveId],
-    /// Over an unbounded slab: so far out that a gap that stays finite has reached its limit.
+    /// Over an unbounded slab: far enough out that a gap that stays finite has reached its limit.
     far: Option<f64>,
     /// Places at which all gaps are taken, by rising x.
     places: Vec<f64>,

@@ -19,7 +19,7 @@ pub(super) fn half_angle_reach(t0: f64, t: f64, t1: f64) -> f64 {
 const UNIT: Interval = Interval { lo: -1.0, hi: 1.0 };
 
 /// The part of an enclosure inside a range that is known to hold the value. If there is none, the two contradict each
-/// other: a defect of this program, from which nothing is concluded.
+/// other: a defect of this program, and no conclusion is drawn.
 pub(super) fn within(x: Interval, range: Interval) -> Interval {
     x.meet(&range).unwrap_or(Interval::LINE)
 }

@@ -32,7 +32,7 @@ pub enum Arcs {
 ///
 /// ψ' is measured as in the paper's Fig. Projections12: γ = sin ϑ'(sin ψ' e_x' + cos ψ' e_y') + cos ϑ' r̂ with
 /// (e_x', e_y', r̂) right-handed and e_y' the normalised projection of the body's third axis onto the plane ⊥ r̂
-/// (of the second if r̂ lies on the third). For r = 0 the frame's third axis stands for r̂.
+/// (of the second if r̂ lies on the third). For r = 0 the frame's third axis takes the place of r̂.
 #[derive(Clone, Debug)]
 pub struct Latitudes {
     level: Level,

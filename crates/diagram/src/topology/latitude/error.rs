@@ -9,7 +9,7 @@ use thiserror::Error;
 pub enum Obstacle {
     /// A pole lies on ∂U_hl within rounding: the point is on a pole line.
     Pole,
-    /// ∂U_hl is singular within rounding, or nearly so at so many places that the effort allowed was not enough:
+    /// ∂U_hl is singular within rounding, or nearly so at too many places for the allowed effort:
     /// the point is close to a critical curve.
     Singularity,
 }

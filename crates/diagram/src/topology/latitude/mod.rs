@@ -3,7 +3,7 @@
 //!
 //! With r̂ as polar axis and c = ⟨γ,r̂⟩, J is on each circle of latitude a trigonometric polynomial of degree 2, so
 //! the circle meets U_hl in at most two arcs, or wholly, or not at all. The sphere is cut along finitely many
-//! circles whose arcs are certified; each slab between two of them is tiled by bricks in each of which interval
+//! circles whose arcs are certified; each slab between two of them is tiled by bricks in which interval
 //! arithmetic proves that G = 2J(h + ⟨γ,r⟩) − l² has no zero, or is monotone along the latitudes, or is monotone
 //! along the meridians. Then the way in which the slab connects the arcs is known, and union-find does the rest.
 //! Slabs are thinned until this succeeds, which it does unless ∂U_hl is singular or passes through a pole: only

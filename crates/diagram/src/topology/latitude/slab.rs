@@ -245,7 +245,7 @@ pub(super) struct Gluing {
 }
 
 impl Gluing {
-    /// Number of arcs and gaps so far, which is the number of the next one.
+    /// Number of arcs and gaps so far, the index of the next one.
     pub fn len(&self) -> usize {
         self.accessible.len()
     }

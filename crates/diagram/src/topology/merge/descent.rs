@@ -151,7 +151,7 @@ pub(super) fn kick(potential: &Potential, gamma: Vector) -> Option<Vector> {
     falling_arc(potential, gamma, if slope > 0.0 { along.map(|c| -c) } else { along })
 }
 
-/// True when the gradient is so small against the curvature that a kick is needed.
+/// True if the gradient is so small compared with the curvature that a kick is needed.
 pub(super) fn is_nearly_critical(potential: &Potential, gamma: Vector) -> bool {
     const SMALL: f64 = 1e-6;
     let basis = Potential::tangent_basis(gamma);

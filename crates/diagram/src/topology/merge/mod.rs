@@ -47,7 +47,7 @@ pub enum MergeError {
     /// No downhill path could be proved.
     #[error("no downhill path from a point to a minimum could be proved in f64")]
     LostPath,
-    /// The critical values are closer than rounding, or stand in an order that contradicts the one proved elsewhere.
+    /// The critical values are closer than rounding, or their order contradicts the one proved elsewhere.
     #[error("the critical values here are closer than f64 resolves")]
     UnknownOrder,
     /// The indices found do not describe a surface.
@@ -117,7 +117,7 @@ struct Tree<'a> {
 }
 
 impl Tree<'_> {
-    /// The minimum below a critical point that is none itself; a saddle joins the minima on its two sides.
+    /// The minimum below a critical point that is not itself a minimum; a saddle joins the minima on its two sides.
     fn join(&mut self, point: &CriticalPoint) -> Result<usize, MergeError> {
         if self.minima.len() == 1 {
             return Ok(0);

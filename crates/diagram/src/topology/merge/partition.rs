@@ -17,7 +17,7 @@ pub struct Partition<'a> {
 }
 
 impl<'a> Partition<'a> {
-    /// From a finished tree and the components by the minimum that stands for each.
+    /// From a finished tree and the components by the minimum that represents each.
     pub(super) fn new(mut tree: Tree<'a>, mut found: Vec<(usize, Component)>) -> Self {
         sort_by_component(&mut found);
         let mut number = |m: usize| {

@@ -11,8 +11,8 @@ use crate::integrator::step::Instant;
 
 /// As many orbits as a register has lanes.
 ///
-/// Call [`expand`](Self::expand), look at the series and the state at the step's end, then
-/// [`commit`](Self::commit). States are kept as sums of two doubles (compensated summation).
+/// Call [`expand`](Self::expand), read the series and the state at the end of the step, then [`commit`](Self::commit).
+/// States are kept as sums of two doubles (compensated summation).
 #[repr(C, align(64))]
 pub(crate) struct Lanes<S: Simd> {
     pub series: Series<S>,

@@ -29,7 +29,7 @@ pub fn check_tolerance(tolerance: f64) -> Result<(), ToleranceError> {
 /// Taylor series for one orbit; the same steps, bit for bit, as in a sweep.
 pub struct Taylor {
     lanes: Box<Lanes<Scalar>>,
-    /// Of the top as given; the lanes are in the top's own.
+    /// In the units of the given top; the lanes use the top's own.
     units: TopUnits,
 }
 

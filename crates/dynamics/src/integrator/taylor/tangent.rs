@@ -77,8 +77,8 @@ impl<S: Simd> TangentLanes<S> {
         Self::expand_all(std::slice::from_mut(self), simd, lanes, lanes.order());
     }
 
-    /// The same for several vectors a lane. A row of each in turn: the processor can start that of the next vector while it
-    /// still finishes this one's.
+    /// The same for several vectors per lane, one row of each in turn: the processor can start the row of the next
+    /// vector while it finishes this one.
     #[inline(always)]
     pub fn expand_all(all: &mut [Self], simd: S, lanes: &Lanes<S>, order: usize) {
         for tangent in all.iter_mut() {

@@ -80,7 +80,7 @@ impl<const N: usize> Task<'_, N> {
     fn load<S: Simd>(&self, lanes: &mut Lanes<S>, tangents: &mut [TangentLanes<S>], starts: &[(State, [State; N])]) {
         for lane in 0..S::F64_LANES {
             let (start, directions) = &starts[lane.min(starts.len() - 1)];
-            // Of a body nearly at rest the orbit has hardly any momentum, but its neighbours have.
+            // For a body nearly at rest the orbit has hardly any momentum, but its neighbours have.
             let energy = self.top.energy(start).abs().max(self.top.center_norm());
             let scale = self.top.momentum_scale(energy).max(f64::MIN_POSITIVE.sqrt());
             lanes.load(lane, start, scale);
@@ -90,7 +90,7 @@ impl<const N: usize> Task<'_, N> {
         }
     }
 
-    /// Follows the first `count` lanes to the time. A lane that is there waits for the others in steps of length 0.
+    /// Follows the first `count` lanes to the time. A lane that has arrived waits for the others in steps of length 0.
     #[inline(always)]
     fn follow<S: Simd>(
         &self,

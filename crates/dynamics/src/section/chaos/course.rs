@@ -1,4 +1,4 @@
-//! An orbit while it is followed: what is kept of its steps, and what the looks at them say.
+//! An orbit while it is followed: the record of its steps, and the tests of this record.
 
 use super::averages::INTEGRAL;
 use super::ladder::NARROW;
@@ -15,8 +15,9 @@ const PIECES: usize = 640;
 /// whatever a tangent vector does. Those of an orbit in a thin chaotic layer agree to 1e-4 or 1e-5 for long.
 const SETTLED: f64 = 3e-7;
 const SETTLED_LOOKS: usize = 2;
-/// What a tangent vector does counts from so many steps on: before, chaos of one e-fold in 500 steps would not show.
-const TOLD: u32 = 1280;
+/// The growth of a tangent vector counts after this many steps: earlier, chaos of one e-fold in 500 steps would not
+/// show.
+const GROWTH_FROM: u32 = 1280;
 /// Growth within this of a linear one, at [`LINEAR_LOOKS`] looks in a row, is that of a regular orbit, however slowly its averages
 /// settle.
 const NEARLY_LINEAR: f64 = 0.2;
@@ -111,7 +112,7 @@ impl Course {
         }
     }
 
-    /// By how much ln|δ| grew, if |δ|² is this now, of which a power of two is taken out next.
+    /// The growth of ln|δ| if |δ|² has this value now; a power of two is divided out next.
     pub fn stretched(&mut self, length_squared: f64, power: i32) -> f64 {
         let log = self.removed + 0.5 * libm::log(length_squared);
         let growth = log - self.log;
@@ -195,17 +196,17 @@ impl Course {
         (sum.map(|sum| sum / (length * INTEGRAL)), log / INTEGRAL)
     }
 
-    /// The last looks, so many of them, all saw this.
+    /// The last `AGREE` tests all saw this.
     fn saw(&self, looks: usize, what: impl FnMut(&Evidence) -> bool) -> bool {
         self.seen.len() >= looks && self.seen.iter().rev().take(looks).all(what)
     }
 
-    /// What the looks at it say.
+    /// The results of the tests.
     fn verdict(&self) -> OrbitVerdict {
         if self.saw(SETTLED_LOOKS, |seen| seen.apart <= SETTLED) {
             return OrbitVerdict::Regular;
         }
-        let Some(looks) = self.seen.last_chunk::<AGREE>().filter(|_| self.steps >= TOLD) else {
+        let Some(looks) = self.seen.last_chunk::<AGREE>().filter(|_| self.steps >= GROWTH_FROM) else {
             return OrbitVerdict::Open(OpenReason::TooShort { crossings: self.crossings as usize });
         };
         if self.saw(LINEAR_LOOKS, |seen| seen.grows_linearly(NEARLY_LINEAR))
@@ -286,7 +287,7 @@ mod tests {
     /// A course of many steps at whose looks this was seen.
     fn judged(seen: &[Evidence]) -> OrbitVerdict {
         let mut course = Course::new(0, 1.0);
-        (course.steps, course.seen) = (TOLD, seen.to_vec());
+        (course.steps, course.seen) = (GROWTH_FROM, seen.to_vec());
         course.verdict()
     }
 
@@ -307,7 +308,7 @@ mod tests {
     fn a_tangent_vector_is_believed_only_after_many_steps() {
         let mut course = Course::new(0, 1.0);
         course.seen = vec![seen(1e-3, [0.9, 0.5], 4.0); 8];
-        for (steps, expected) in [(TOLD - 1, false), (TOLD, true)] {
+        for (steps, expected) in [(GROWTH_FROM - 1, false), (GROWTH_FROM, true)] {
             course.steps = steps;
             assert_eq!(course.verdict() == OrbitVerdict::Regular, expected);
         }

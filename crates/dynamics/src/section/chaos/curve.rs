@@ -4,7 +4,7 @@
 use super::averages::bump;
 use crate::section::orbit::SectionPoint;
 
-/// Points that are looked at; more would add nothing to fourteen digits.
+/// Points that are evaluated; more would add nothing to fourteen digits.
 const MOST_POINTS: usize = 2000;
 /// Points among which close returns are looked for.
 const RETURN_POINTS: usize = 600;

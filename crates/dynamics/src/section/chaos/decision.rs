@@ -47,8 +47,9 @@ impl Default for DecisionOptions {
 
 /// The verdict on each orbit, in their order. All are of one top; their energies and momenta may differ.
 ///
-/// Regular: the averages settle to 3e-7 of the spread; or a tangent vector grows linearly; or both, less closely. Chaotic: as
-/// [`verdicts`](super::verdicts) have it; or a tangent vector grows steadily and by more than e⁶⁰, and the averages do not settle so
+/// Regular: the averages settle to 3e-7 of the spread; or a tangent vector grows linearly; or both, less closely.
+/// Chaotic: as for [`verdicts`](super::verdicts); or a tangent vector grows steadily and by more than e⁶⁰, and the
+/// averages do not settle so
 /// closely. The result does not depend on threads or instructions.
 ///
 /// # Errors
@@ -104,7 +105,7 @@ struct Worker<'a> {
 }
 
 impl Worker<'_> {
-    /// Puts the next orbit into a lane. An idle lane keeps what it has; nobody looks at it.
+    /// Puts the next orbit into a lane. An idle lane keeps its contents, which are never read.
     #[inline(always)]
     fn load<S: Simd>(&self, lanes: &mut Lanes<S>, tangent: &mut TangentLanes<S>, lane: usize) -> Option<Course> {
         let (_, (number, start)) = self.turns.next(self.orbits)?;

@@ -60,7 +60,7 @@ pub struct TangentCourse {
     pub time: f64,
     /// Times at which ln|δ| is wanted, ascending.
     pub at: Vec<f64>,
-    /// The unit of the times at which evidence is taken; without a positive one there is none.
+    /// The unit of the times at which evidence is taken; without a positive unit there is no evidence.
     pub unit: f64,
     /// Stop as soon as the evidence decides whether the orbit is regular, or when there is no more to come; there is then no exponent.
     pub until_decided: bool,
@@ -72,11 +72,11 @@ pub struct Growth {
     /// None where the time is not a positive number, where the motion did not remain finite, and where the run was
     /// stopped.
     pub lyapunov: Option<Lyapunov>,
-    /// ln(|δ(t)|/|δ(0)|) at the times asked for, as far as the orbit came.
+    /// ln(|δ(t)|/|δ(0)|) at the requested times that the orbit reached.
     pub logs: Vec<f64>,
     /// What was seen at the times `unit` · 2^{k/2} that were passed.
     pub evidence: Vec<Evidence>,
-    /// The motion and the tangent vector remained finite as far as they were followed.
+    /// The motion and the tangent vector remained finite while they were followed.
     pub finite: bool,
 }
 

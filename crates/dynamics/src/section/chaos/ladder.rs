@@ -1,4 +1,4 @@
-//! The times at which an orbit is looked at.
+//! The times at which an orbit is tested.
 
 use std::collections::VecDeque;
 use std::f64::consts::SQRT_2;

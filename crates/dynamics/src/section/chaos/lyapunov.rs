@@ -92,7 +92,7 @@ impl GrowthWorker<'_> {
         Some(Stretching::new(orbit, course))
     }
 
-    /// Puts an orbit into a lane. An idle lane keeps what it has; nobody looks at it.
+    /// Puts an orbit into a lane. An idle lane keeps its contents, which are never read.
     #[inline(always)]
     fn load<S: Simd>(&self, lanes: &mut Lanes<S>, tangent: &mut TangentLanes<S>, lane: usize, orbit: u32) {
         let start = &self.courses[orbit as usize].start;

@@ -17,9 +17,9 @@ pub struct ChaosMeasure {
     /// Number of the orbit.
     pub orbit: u32,
     /// Of the orbit from its first point to its last; None for an orbit of no duration, for one with fewer returns than a
-    /// rotation number needs, over which a rate is no mean, and for one that was not finished.
+    /// rotation number needs, over which a rate is not a mean, and for an unfinished orbit.
     pub lyapunov: Option<Lyapunov>,
-    /// Of its incoming crossings, or why there is none.
+    /// From its incoming crossings, or why it is undefined.
     pub rotation: Result<RotationNumber, RotationUndefined>,
     /// Regular, chaotic or open.
     pub judgement: Judgement,

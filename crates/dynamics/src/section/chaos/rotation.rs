@@ -40,8 +40,8 @@ pub enum RotationAngle {
     Mean,
     /// Neither of them runs round a circle, but the crossings follow a closed curve of some shape: its own parameter.
     Curve,
-    /// There is no such curve, but the crossings visit this many places in turn, in the same cyclic order
-    /// for ever: a chain of islands or a periodic orbit. The rotation number is that of the chain, p over this number,
+    /// There is no such curve, but the crossings visit this many places in the same cyclic order for ever: a chain of
+    /// islands or a periodic orbit. The rotation number is that of the chain, p over this number,
     /// exactly.
     Islands(usize),
 }
@@ -67,7 +67,7 @@ pub enum RotationUndefined {
 /// The rotation number of an orbit from its crossings in the order of time.
 ///
 /// # Errors
-/// [`RotationUndefined`] says why there is none.
+/// [`RotationUndefined`] says why it is undefined.
 pub fn rotation_number(points: &[SectionPoint]) -> Result<RotationNumber, RotationUndefined> {
     let incoming: Vec<&SectionPoint> = points.iter().filter(|point| point.s_dot < 0.0).collect();
     let returns = incoming.len().saturating_sub(1);
@@ -113,7 +113,7 @@ fn folded(number: f64) -> f64 {
     number.min(1.0 - number)
 }
 
-/// True when the images of the angles, each the angle after it, stand in the same cyclic order as the angles themselves.
+/// True if the images of the angles (the following angles) are in the same cyclic order as the angles themselves.
 fn keeps_cyclic_order(turns: &[f64]) -> bool {
     let count = turns.len() - 1;
     let mut order: Vec<usize> = (0..count).collect();

@@ -5,13 +5,13 @@ use std::fmt;
 
 use crate::field::{Dimension, TopUnits};
 
-/// The time of this crossing is the unit of the times at which an orbit is looked at.
+/// The time of this crossing is the unit of the times at which an orbit is tested.
 pub const UNIT: usize = 42;
 
-/// Whether an orbit is regular or chaotic, as far as it was followed.
+/// Whether an orbit is regular or chaotic over the time that it was followed.
 ///
-/// Chaotic is not unstable: an unstable periodic orbit has neighbours that leave it, and is regular; a chaotic orbit
-/// may stay for ever near a stable one.
+/// Chaotic does not mean unstable: the neighbours of an unstable periodic orbit leave it, but it is regular; a chaotic
+/// orbit may stay for ever near a stable one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OrbitVerdict {
     /// A tangent vector grows no faster than linearly, and the averages over the orbit settle as those over a
@@ -89,8 +89,8 @@ const STEADY: f64 = 4.0;
 const MUCH: f64 = 40.0;
 /// Averages that differ by no more than this part of the spread have settled.
 const SETTLED: f64 = 2e-3;
-/// Looks that must agree. Chance makes an orbit that sticks to an island look regular once or twice, but hardly over
-/// so long a range of times, and likewise a regular orbit near a separatrix chaotic.
+/// Tests that must agree. By chance an orbit that sticks to an island may look regular once or twice, but hardly over
+/// such a long range of times; likewise, a regular orbit near a separatrix may look chaotic.
 pub(super) const AGREE: usize = 3;
 
 /// What is seen of an orbit at one time T, in the windows [T/4, 5T/8] and [5T/8, T].
@@ -172,7 +172,8 @@ impl Judgement {
         Self { verdict: OrbitVerdict::Open(why), evidence: Vec::new(), decided: None }
     }
 
-    /// Judges an orbit by the looks at it, in their order. `crossings` are those of the orbit, `crossing_at` is the number of the last one until
+    /// Judges an orbit by its tests, in their order. `crossings` are those of the orbit, `crossing_at` is the number of
+    /// the last one until
     /// a time.
     ///
     /// The first three successive looks that decide do so for good: an orbit that is followed further has the same verdict.
@@ -205,7 +206,7 @@ impl Judgement {
 }
 
 impl fmt::Display for Judgement {
-    /// Why the verdict is what it is.
+    /// The reason for the verdict.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [linear, late] = LINEAR;
         match (self.verdict, self.evidence.last()) {

@@ -29,7 +29,7 @@ use chart::{Axes, edge_parts};
 use equations::SectionEquations;
 use seeds::Field;
 
-/// How finely a portrait is looked at.
+/// The resolution of a portrait.
 #[derive(Clone, Copy, Debug)]
 pub struct PortraitOptions<'a> {
     /// The section.

@@ -126,7 +126,7 @@ pub(super) fn bisect(holds: impl Fn(f64) -> bool) -> f64 {
     0.5 * (low + high)
 }
 
-/// The states with Δ < 0 and Δ > 0 over γ(ϑ', ψ'); `None` where there are none.
+/// The states with Δ < 0 and Δ > 0 over γ(ϑ', ψ'); `None` if there are none.
 fn states(
     torus: &PpTorus,
     condition: SectionCondition,

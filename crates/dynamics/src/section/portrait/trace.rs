@@ -122,7 +122,7 @@ fn passes(x: &PhaseVector, next: &PhaseVector, t: &PhaseVector, target: &PhaseVe
     (0.0..=step).contains(&advance) && inner(t, there) > 0.5 && aside <= bulge(t, there, step)
 }
 
-/// How far a curve can lie beside a step with these tangents.
+/// How far a curve can deviate from a step with these tangents.
 fn bulge(t: &PhaseVector, there: &PhaseVector, step: f64) -> f64 {
     let turn = (2.0 - 2.0 * inner(t, there)).max(0.0).sqrt();
     step * (turn + 0.01)

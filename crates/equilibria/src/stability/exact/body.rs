@@ -125,11 +125,11 @@ pub struct Forms {
     product: Polynomial,
     /// The cusp polynomial of Lemma 4.5 of docs/mathematics.md.
     pub cusp: Polynomial,
-    /// Of the sign of c: the cusp polynomial times Π (μ − a_k) over the other axes.
+    /// For the sign of c: the cusp polynomial times Π (μ − a_k) over the other axes.
     pub zero: Polynomial,
-    /// Of the sign of b.
+    /// For the sign of b.
     pub swing: Polynomial,
-    /// Of the signs of b² − 4c, 4b² − 25c and 9b² − 100c.
+    /// For the signs of b² − 4c, 4b² − 25c and 9b² − 100c.
     pub resonances: [Polynomial; 3],
 }
 

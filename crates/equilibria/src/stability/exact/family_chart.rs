@@ -40,15 +40,15 @@ pub struct FamilyChart {
     coordinate: Coordinate,
     /// Pieces are numbered against t: by rising μ, by rising s, and on an axis by rising l.
     pub is_reversed: bool,
-    /// Of the sign of c; the zero polynomial on a circle of equilibria.
+    /// For the sign of c; the zero polynomial on a circle of equilibria.
     pub zero: Polynomial,
     /// Its factor that changes sign at cusps.
     pub cusp: Polynomial,
     /// Where the pairs over passive moments leave the family: the axis and t.
     pub pitchforks: Vec<(Axis, RBig)>,
-    /// Of the sign of b.
+    /// For the sign of b.
     pub swing: Polynomial,
-    /// Of the signs of b² − 4c, 4b² − 25c and 9b² − 100c.
+    /// For the signs of b² − 4c, 4b² − 25c and 9b² − 100c.
     pub resonances: [Polynomial; 3],
     /// p = Σ D² r_k²/τ_k²; 1 over a passive moment.
     total: Polynomial,
@@ -163,8 +163,9 @@ impl FamilyChart {
         }
     }
 
-    /// Its zeros, with their multiplicity, that are none of the determinant: pitchforks, double moments, and the resonance 1:2
-    /// at a moment (l = ∞). On an axis pitchforks are poles of the determinant, and the resonance is no part of it.
+    /// Its zeros, with their multiplicity, that are not zeros of the determinant: pitchforks, double moments, and the
+    /// resonance 1:2
+    /// at a moment (l = ∞). On an axis pitchforks are poles of the determinant, and the resonance is not one of them.
     pub fn zeros_of_degeneracy(&self, body: &ExactBody) -> Vec<RBig> {
         let is_axis = body.active.len() == 1 && matches!(self.family, Family::Generic(_));
         let is_double = |k: Axis| body.group.iter().filter(|group| **group == body.group[k.index()]).count() > 1;

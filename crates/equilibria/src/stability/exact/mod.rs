@@ -77,7 +77,7 @@ impl StabilityProfile {
         ExactPoint::all(&self.body, chart, profile, &condition)
     }
 
-    /// An equilibrium of a branch, enclosed in intervals of some precision by a root with so many bits.
+    /// An equilibrium of a branch, enclosed in intervals of some precision, from a root with this many bits.
     #[must_use]
     pub fn refined<E: Enclosure>(
         &self,

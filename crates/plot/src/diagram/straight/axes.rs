@@ -13,7 +13,8 @@ const TICK: f64 = 4.0;
 const APART: f64 = 5.0;
 /// The most characters of a label.
 const LABEL_MAX: usize = 6;
-/// From the coarsest to the finest ticks there are so many powers of ten, and so many ticks of one fineness between neighbouring curves or events at most.
+/// Powers of ten between the coarsest and the finest ticks, and the maximum number of ticks of one fineness between
+/// neighbouring curves or events.
 const DECADES: i32 = 7;
 const MOST: f64 = 60.0;
 /// No level of h is labelled so close to the upper edge, where h goes to infinity.

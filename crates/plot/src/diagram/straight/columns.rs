@@ -19,8 +19,8 @@ pub struct StraightColumn {
 }
 
 impl Straight {
-    /// A column for each pixel, at the roundest momentum in it, and for each of `more` that is in view; above the highest curve
-    /// so many steps.
+    /// A column for each pixel, at the roundest momentum in it, and for each of `more` that is in view; above the
+    /// highest curve this many steps.
     pub(crate) fn columns_at(
         &self,
         scene: &Scene<'_>,

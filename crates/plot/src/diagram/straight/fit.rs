@@ -19,7 +19,7 @@ const CLEARANCE: f64 = 3.5;
 const NARROW: f64 = 2.5;
 
 /// The plane up to `l_end`, with the shares that are `held` or in which as many labels of this size as may be fit into their
-/// regions; `None` for a document that does not tell which curves lie above each other.
+/// regions; `None` for a document that does not say which curves lie above each other.
 pub(crate) fn straighten(
     scene: &Scene<'_>,
     rect: Rect,
@@ -78,7 +78,7 @@ fn lengths(straight: &Straight) -> Vec<f64> {
 
 /// The room of a region for a name.
 struct Room {
-    /// Its height compared to that of the name, where it is so wide.
+    /// Its height relative to that of the name, at this width.
     share: f64,
     /// Its width compared to that of the name.
     extent: f64,

@@ -1,7 +1,7 @@
 //! The plane straightened: l to the right, h upwards, the lowest curve level. Each stretch between neighbouring event momenta
 //! has a share of the width and each region one of the height, so that nearly all of them can be labelled inside. At every l
-//! the map rises with h, so that regions keep their neighbours; between two curves it is linear, above the highest it goes on
-//! to infinity.
+//! the map rises with h, so that regions keep their neighbours; between two curves it is linear, above the highest it
+//! extends to infinity.
 
 mod axes;
 mod columns;

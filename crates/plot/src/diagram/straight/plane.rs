@@ -43,7 +43,7 @@ impl Straight {
         [(x - self.rect.x) / self.rect.width, (self.rect.bottom() - y) / self.rect.height]
     }
 
-    /// Places everything anew.
+    /// Places everything again.
     pub(super) fn place(&mut self, shares: &Shares) {
         let Rect { x, width, height, .. } = self.rect;
         let ends = shares.ends(x, width);
@@ -94,7 +94,7 @@ impl Straight {
         from.iter().zip(to).map(|(from, to)| from + (to - from) * share).collect()
     }
 
-    /// The places in the middle of columns of so many pixels.
+    /// The places in the middle of columns of this many pixels.
     pub(super) fn columns(&self, step: f64) -> Vec<Place> {
         let mut columns = Vec::new();
         let mut x = self.rect.x + 0.5 * step;

@@ -15,8 +15,8 @@ const STATIONS: usize = 64;
 const ROUNDING: f64 = 1e-12;
 /// A region is half as high as it may be where it has this share of its greatest width.
 const SHARP: f64 = 0.15;
-/// Where a region goes on beyond an event momentum, it is as high there as it may be, unless it has less than this share of
-/// its greatest widths.
+/// Where a region continues beyond an event momentum, it is as high there as possible, unless it has less than this
+/// share of its greatest widths.
 const NARROW: f64 = 0.01;
 
 /// All between two neighbouring event momenta.
@@ -55,7 +55,7 @@ pub(super) struct Station {
     pub size: Vec<f64>,
 }
 
-/// The slabs up to some l; `None` where the cells of the document do not tell which curves lie above each other.
+/// The slabs up to some l; `None` where the cells of the document do not say which curves lie above each other.
 pub(super) fn slabs(scene: &Scene<'_>, l_end: f64) -> Result<Option<Vec<Slab>>, PlotError> {
     let Some(stacks) = stacks(scene) else { return Ok(None) };
     let mut slabs = Vec::with_capacity(stacks.len());
@@ -182,7 +182,7 @@ pub(super) fn near(far: f64) -> f64 {
     1.0 - far * far * (3.0 - 2.0 * far)
 }
 
-/// Sets the sizes of all layers; `closed` tells for both ends of each slab which layers end there in a point.
+/// Sets the sizes of all layers; `closed` says for both ends of each slab which layers end there in a point.
 fn compare(slabs: &mut [Slab], closed: &[[Vec<bool>; 2]], regions: usize) {
     let widths: Vec<Vec<Vec<f64>>> = slabs.iter().zip(closed).map(|(slab, closed)| widths(slab, closed)).collect();
     // The width of each region, all of its layers together.
