@@ -1,6 +1,6 @@
 //! All steady axes over the spin as a document.
 
-use bifdiag_equilibria::critical::{AxisCount, Place, SteadyFamily, SteadyStretch, axis_counts};
+use bifdiag_equilibria::critical::{AxisCount, FamilyPoint, SteadyFamily, SteadyStretch, axis_counts};
 use bifdiag_equilibria::curves::BranchName;
 use bifdiag_equilibria::nonlinear::VerdictChange;
 use bifdiag_equilibria::permanent::PermanentAxis;
@@ -78,7 +78,7 @@ fn family(
 }
 
 fn stretch(subject: &Subject, found: &SteadyStretch, isolated: Option<&[&VerdictChange]>) -> SteadyStretchDocument {
-    let place = |place: &Place| SteadyPlaceDocument {
+    let place = |place: &FamilyPoint| SteadyPlaceDocument {
         spin: spin(place.omega * subject.second()),
         error_bound: place.error_bound * subject.second(),
         axis: up(subject, place.gamma),

@@ -4,11 +4,11 @@ use dashu_int::IBig;
 use dashu_ratio::RBig;
 
 use super::CertifiedAtlas;
-use super::arrange::{Arrangement, Slab, Source};
+use super::arrange::{Arrangement, EventSource, Slab};
 use super::curves::{Place, Shape};
 use super::family::Half;
 use super::model::exact_unit;
-use super::pair::{Mark, Proof, Stretch};
+use super::pair::{Proof, Stretch, StretchEnd};
 use super::point::{Evaluator, Evaluators};
 use bifdiag_diagram::arrangement::EventId;
 use bifdiag_equilibria::curves::{CurveId, CurveName, End, Pole};
@@ -115,7 +115,7 @@ impl CertifiedAtlas {
             sign: stretch.sign.into(),
             crossing: match &stretch.proof {
                 Proof::Crossing(x) => {
-                    Some(x.each_ref().map(|x| self.node(evaluators, curves, &Mark::At(x.clone()), 0)))
+                    Some(x.each_ref().map(|x| self.node(evaluators, curves, &StretchEnd::At(x.clone()), 0)))
                 }
                 Proof::Constant => None,
             },
@@ -154,8 +154,8 @@ impl CertifiedAtlas {
     }
 
     /// A node of a pair; `side` says which end of the common range an unmarked one is.
-    fn node(&self, evaluators: &Evaluators<'_>, curves: [CurveId; 2], mark: &Mark, side: usize) -> CertifiedNode {
-        if let Mark::At(x) = mark {
+    fn node(&self, evaluators: &Evaluators<'_>, curves: [CurveId; 2], mark: &StretchEnd, side: usize) -> CertifiedNode {
+        if let StretchEnd::At(x) = mark {
             let places =
                 curves.map(|c| place_over(evaluators.narrow(), c, x).or_else(|| place_over(evaluators.wide(), c, x)));
             let [Some(p), Some(q)] = places else { return CertifiedNode { x: Some(decimal::exact(x)), places: None } };
@@ -198,12 +198,12 @@ impl CertifiedAtlas {
     }
 }
 
-fn source(source: &Source) -> String {
+fn source(source: &EventSource) -> String {
     match source {
-        Source::Cusp(n) => format!("cusp:{}", n.index()),
-        Source::Pitchfork(n) => format!("pitchfork:{}", n.index()),
-        Source::Pole(n) => format!("meeting:{}", n.index()),
-        Source::Crossing(_) => "crossing".to_owned(),
+        EventSource::Cusp(n) => format!("cusp:{}", n.index()),
+        EventSource::Pitchfork(n) => format!("pitchfork:{}", n.index()),
+        EventSource::Pole(n) => format!("meeting:{}", n.index()),
+        EventSource::Crossing(_) => "crossing".to_owned(),
     }
 }
 

@@ -3,7 +3,7 @@
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use super::arrange::{Event, Source};
+use super::arrange::{Event, EventSource};
 use super::curves::Curves;
 use super::id::TransitionId;
 use super::region::{self, Margin, Region, Sample, exact};
@@ -154,20 +154,20 @@ fn middle(event: &Event) -> f64 {
 }
 
 /// What an event does, in the standard program's terms.
-fn change(curves: &Curves, event: &Event, source: &Source, map: &Table<CurveId, CurveId>) -> Change {
+fn change(curves: &Curves, event: &Event, source: &EventSource, map: &Table<CurveId, CurveId>) -> Change {
     match source {
-        Source::Cusp(number) => {
+        EventSource::Cusp(number) => {
             let cusp = &curves.cusps[*number];
             let pair = cusp.curves.map(|c| map[c]);
             if cusp.opens { Change::Birth(pair) } else { Change::Death(pair) }
         }
-        Source::Pitchfork(number) => {
+        EventSource::Pitchfork(number) => {
             let fork = &curves.pitchforks[*number];
             let (through, pair) = (fork.through.map(|c| map[c]), map[fork.pair]);
             if fork.opens { Change::Open { through, pair } } else { Change::Close { through, pair } }
         }
-        Source::Crossing(pair) => Change::Swap(pair.map(|c| map[c])),
-        Source::Pole(_) => {
+        EventSource::Crossing(pair) => Change::Swap(pair.map(|c| map[c])),
+        EventSource::Pole(_) => {
             let line = event.curves.iter().copied().find(|&c| curves.list[c].pole.is_some());
             let other = event.curves.iter().copied().find(|&c| Some(c) != line && curves.list[c].pole.is_none());
             let fallback = event.curves[0];

@@ -20,7 +20,7 @@ const STAGES: [usize; 6] = [64, 160, 400, 1000, 2500, 6000];
 
 /// What has a height.
 #[derive(Clone, Debug)]
-pub(super) enum Source {
+pub(super) enum CriticalSource {
     /// The generic family over an interval of μ with this number.
     Generic { number: usize, place: Place },
     /// The family over a group without r.
@@ -33,8 +33,8 @@ pub(super) enum Source {
 
 /// A height over x.
 #[derive(Clone, Debug)]
-pub(super) struct Level {
-    pub source: Source,
+pub(super) struct CriticalValue {
+    pub source: CriticalSource,
     pub height: Wide,
     /// The sign of h − height; zero is proved.
     pub sign: Sign,
@@ -48,7 +48,7 @@ pub(super) enum CriticalValueError {
     /// Roots of the polynomial of critical points (Proposition 4.8) that are not isolated.
     Roots,
     /// The largest precision does not decide the sign of h against this height, and it is not 0.
-    Sign(Box<Source>),
+    Sign(Box<CriticalSource>),
 }
 
 impl From<IsolationError> for CriticalValueError {
@@ -70,16 +70,17 @@ impl<'a> CriticalValues<'a> {
     }
 
     /// All heights with the signs of h against them.
-    pub fn against(&mut self, h: &RBig) -> Result<Vec<Level>, CriticalValueError> {
+    pub fn against(&mut self, h: &RBig) -> Result<Vec<CriticalValue>, CriticalValueError> {
         let sources = self.sources()?;
         sources.into_iter().map(|source| self.level(source, h)).collect()
     }
 
     /// The level nearest to h. Those that their bounds do not separate are compared with more bits; what the largest
     /// precision finds equal is, like two curves that cross over x, equally near, and the first is taken.
-    pub fn nearest(&mut self, levels: &[Level], h: &RBig) -> Option<Level> {
+    pub fn nearest(&mut self, levels: &[CriticalValue], h: &RBig) -> Option<CriticalValue> {
         let farthest = levels.iter().map(|level| level.distance[1]).fold(f64::INFINITY, f64::min);
-        let mut rivals: Vec<Level> = levels.iter().filter(|level| level.distance[0] <= farthest).cloned().collect();
+        let mut rivals: Vec<CriticalValue> =
+            levels.iter().filter(|level| level.distance[0] <= farthest).cloned().collect();
         for stage in self.useful_stages() {
             if rivals.len() < 2 || farthest == 0.0 {
                 break;
@@ -107,7 +108,7 @@ impl<'a> CriticalValues<'a> {
     }
 
     /// All heights, enclosed with at least the bits of a stage.
-    pub fn enclosed(&mut self, stage: usize) -> Result<Vec<(Source, Wide)>, CriticalValueError> {
+    pub fn enclosed(&mut self, stage: usize) -> Result<Vec<(CriticalSource, Wide)>, CriticalValueError> {
         let sources = self.sources()?;
         Ok(sources.into_iter().map(|source| self.enclosure(source, stage)).collect())
     }
@@ -117,24 +118,24 @@ impl<'a> CriticalValues<'a> {
         STAGES.len()
     }
 
-    fn sources(&self) -> Result<Vec<Source>, CriticalValueError> {
+    fn sources(&self) -> Result<Vec<CriticalSource>, CriticalValueError> {
         let model = self.model;
         let mut found = Vec::new();
         if model.active.is_empty() {
-            found.extend((0..model.groups.len()).map(|group| Source::Euler { group }));
+            found.extend((0..model.groups.len()).map(|group| CriticalSource::Euler { group }));
             return Ok(found);
         }
         if model.active.len() > 1 {
             let polynomial = self.level_polynomial();
             for number in 0..=model.active.len() {
                 let roots = roots_in_interval(model, &polynomial, number, STAGES[0])?;
-                found.extend(roots.into_iter().map(|(place, _)| Source::Generic { number, place }));
+                found.extend(roots.into_iter().map(|(place, _)| CriticalSource::Generic { number, place }));
             }
         }
         for &group in &model.passive {
             found.extend(self.over(group)?);
         }
-        found.extend([Pole::Plus, Pole::Minus].map(Source::Line));
+        found.extend([Pole::Plus, Pole::Minus].map(CriticalSource::Line));
         Ok(found)
     }
 
@@ -154,7 +155,7 @@ impl<'a> CriticalValues<'a> {
     }
 
     /// (a v − R̂)⁴ = 4x² v³ for v = s² ≥ P̂ (Proposition 4.8), in y = v − P̂.
-    fn over(&self, group: usize) -> Result<Vec<Source>, CriticalValueError> {
+    fn over(&self, group: usize) -> Result<Vec<CriticalSource>, CriticalValueError> {
         let (r_sum, p_sum) = self.model.sums_over(group);
         let moment = [-r_sum, self.model.a(group).clone()];
         let square = rational::mul(&moment, &moment);
@@ -170,7 +171,7 @@ impl<'a> CriticalValues<'a> {
             root.refine(STAGES[0]);
             places.push(of_root(half, root, &RBig::ONE));
         }
-        Ok(places.into_iter().map(|place| Source::Over { group, place }).collect())
+        Ok(places.into_iter().map(|place| CriticalSource::Over { group, place }).collect())
     }
 
     fn constants(&mut self, stage: usize) -> &Constants<Wide> {
@@ -181,12 +182,12 @@ impl<'a> CriticalValues<'a> {
         &self.constants[stage]
     }
 
-    fn level(&mut self, mut source: Source, h: &RBig) -> Result<Level, CriticalValueError> {
+    fn level(&mut self, mut source: CriticalSource, h: &RBig) -> Result<CriticalValue, CriticalValueError> {
         /// A distance is known to this relative accuracy.
         const ACCURACY: f64 = 1e-12;
-        let equal = |source: Source| {
+        let equal = |source: CriticalSource| {
             count(Question::Sign, Precision::Algebra);
-            Ok(Level { source, height: Wide::rational(h, STAGES[0]), sign: Sign::Zero, distance: [0.0; 2] })
+            Ok(CriticalValue { source, height: Wide::rational(h, STAGES[0]), sign: Sign::Zero, distance: [0.0; 2] })
         };
         let straight = self.straight_sign(&source, h);
         if straight == Some(Sign::Zero) {
@@ -207,7 +208,7 @@ impl<'a> CriticalValues<'a> {
             if decided.is_none() {
                 count(Question::Sign, Precision::Bits(bits));
             }
-            decided = Some(Level { source: source.clone(), height, sign, distance });
+            decided = Some(CriticalValue { source: source.clone(), height, sign, distance });
             if distance[1] - distance[0] <= ACCURACY * distance[1] {
                 break;
             }
@@ -216,10 +217,10 @@ impl<'a> CriticalValues<'a> {
     }
 
     /// The sign of h against a straight line, which rational arithmetic decides.
-    fn straight_sign(&self, source: &Source, h: &RBig) -> Option<Sign> {
+    fn straight_sign(&self, source: &CriticalSource, h: &RBig) -> Option<Sign> {
         match source {
-            Source::Euler { group } => Some((h * self.model.a(*group)).cmp(&self.x).into()),
-            Source::Line(pole) => {
+            CriticalSource::Euler { group } => Some((h * self.model.a(*group)).cmp(&self.x).into()),
+            CriticalSource::Line(pole) => {
                 let [r2, weighted] = &self.model.line;
                 let above = h - &self.x * r2 / weighted;
                 // Against −r for P+ and r for P−, by squares.
@@ -231,39 +232,39 @@ impl<'a> CriticalValues<'a> {
                     (Pole::Minus, false) => square.cmp(r2).into(),
                 })
             }
-            Source::Generic { .. } | Source::Over { .. } => None,
+            CriticalSource::Generic { .. } | CriticalSource::Over { .. } => None,
         }
     }
 
-    fn enclosure(&mut self, source: Source, stage: usize) -> (Source, Wide) {
+    fn enclosure(&mut self, source: CriticalSource, stage: usize) -> (CriticalSource, Wide) {
         let bits = STAGES[stage];
         let (model, x) = (self.model, Wide::rational(&self.x, bits));
         let c = self.constants(stage);
         match source {
-            Source::Euler { group } => (source, x / c.a[group].clone()),
-            Source::Line(pole) => {
+            CriticalSource::Euler { group } => (source, x / c.a[group].clone()),
+            CriticalSource::Line(pole) => {
                 let kinetic = x / c.j_r.clone().unwrap_or_else(|| c.small(1));
                 (source, if pole == Pole::Plus { kinetic - c.r.clone() } else { kinetic + c.r.clone() })
             }
-            Source::Generic { number, place } => {
+            CriticalSource::Generic { number, place } => {
                 let place = refined(&place, bits);
                 let height = height_at(model, c, &place, x);
-                (Source::Generic { number, place }, height)
+                (CriticalSource::Generic { number, place }, height)
             }
-            Source::Over { group, place } => {
+            CriticalSource::Over { group, place } => {
                 let place = refined(&place, bits);
                 let height = height_at(model, c, &place, x);
-                (Source::Over { group, place }, height)
+                (CriticalSource::Over { group, place }, height)
             }
         }
     }
 
     /// The height is h: decided by gcd of the polynomial of critical points with that of their height (Lemma 4.11).
-    fn is_equal(&self, source: &Source, h: &RBig) -> bool {
+    fn is_equal(&self, source: &CriticalSource, h: &RBig) -> bool {
         let (place, condition) = match source {
-            Source::Generic { place, .. } => (place, self.generic_condition(h)),
-            Source::Over { group, place } => (place, self.condition_over(*group, h)),
-            Source::Line(_) | Source::Euler { .. } => return false,
+            CriticalSource::Generic { place, .. } => (place, self.generic_condition(h)),
+            CriticalSource::Over { group, place } => (place, self.condition_over(*group, h)),
+            CriticalSource::Line(_) | CriticalSource::Euler { .. } => return false,
         };
         self.is_root_at(place, &condition)
     }

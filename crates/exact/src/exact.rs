@@ -5,7 +5,7 @@
 //! A cell of the plane is identified by its x and the set of curves below it: within a slab that set grows with the cell. So the
 //! exact signs of h against every height over x name the cell, and the atlas names its region.
 
-use super::critical_values::{CriticalValues, Level};
+use super::critical_values::{CriticalValue, CriticalValues};
 use super::model::{Model, exact_unit};
 use super::plane::{Gap, Open, Plane};
 use super::vertex::{self, Vertex};
@@ -22,13 +22,13 @@ use dashu_ratio::RBig;
 use thiserror::Error;
 
 /// A point of the plane in the frame's units.
-pub(crate) struct Point {
+pub(crate) struct PlanePoint {
     /// l²/2.
     pub x: RBig,
     pub h: RBig,
 }
 
-impl Point {
+impl PlanePoint {
     /// (h, l) in the body's units.
     pub fn scaled(frame: &Frame, h: &Number, l: &Number) -> Self {
         let momentum = l.value() / exact_unit(frame.momentum_unit);
@@ -46,7 +46,7 @@ pub fn classify_exactly(body: &Body, h: &Number, l: &Number) -> Result<Classific
     }
     let frame = body.frame();
     let model = Model::new(body, &frame);
-    let Point { x, h: energy } = Point::scaled(&frame, h, l);
+    let PlanePoint { x, h: energy } = PlanePoint::scaled(&frame, h, l);
     let plane = Plane::new(&model, &frame);
     let mut heights = CriticalValues::new(&model, x.clone());
     let levels = heights.against(&energy).map_err(|none| plane.open(none, &x))?;
@@ -59,7 +59,7 @@ pub fn classify_exactly(body: &Body, h: &Number, l: &Number) -> Result<Classific
 }
 
 /// The distance to the nearest curve.
-fn margin(plane: &Plane<'_>, nearest: Option<Level>, x: &RBig) -> Margin {
+fn margin(plane: &Plane<'_>, nearest: Option<CriticalValue>, x: &RBig) -> Margin {
     let unit = plane.frame.energy_unit;
     let Some(level) = nearest else { return Margin { h: 0.0, nearest: None, error_bound: 0.0 } };
     let [lo, hi] = level.distance;
@@ -95,7 +95,7 @@ pub(crate) fn places(
 ) -> Result<Vec<Option<RegionId>>, PlaceError> {
     let frame = body.frame();
     let model = Model::new(body, &frame);
-    let Point { x, h } = Point::scaled(&frame, h, l);
+    let PlanePoint { x, h } = PlanePoint::scaled(&frame, h, l);
     let plane = Plane::new(&model, &frame);
     let mut heights = CriticalValues::new(&model, x.clone());
     let levels = heights.against(&h).map_err(|none| plane.open(none, &x))?;
@@ -135,7 +135,7 @@ fn region(
     plane: &Plane<'_>,
     heights: &CriticalValues<'_>,
     h: &RBig,
-    levels: &[Level],
+    levels: &[CriticalValue],
     between: &Lookup<'_>,
 ) -> Result<Option<RegionId>, PlaceError> {
     let x = &heights.x;
@@ -150,7 +150,7 @@ fn region(
 }
 
 /// The names of the curves on both sides of a point off them.
-fn sides(plane: &Plane<'_>, levels: &[Level], x: &RBig) -> Sides {
+fn sides(plane: &Plane<'_>, levels: &[CriticalValue], x: &RBig) -> Sides {
     let names = |sign: Sign| -> Vec<CurveName> {
         levels.iter().filter(|level| level.sign == sign).map(|level| plane.name(&level.source, x)).collect()
     };

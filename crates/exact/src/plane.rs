@@ -11,7 +11,7 @@ use dashu_base::BitTest;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use super::critical_values::{CriticalValueError, Level, Source, refined};
+use super::critical_values::{CriticalSource, CriticalValue, CriticalValueError, refined};
 use super::curves::{Place, order, passive_place, roots_in_interval};
 use super::model::Model;
 use super::ridges::Ridges;
@@ -57,7 +57,7 @@ pub(super) struct Gap {
 }
 
 impl Gap {
-    pub fn around(levels: &[Level]) -> Self {
+    pub fn around(levels: &[CriticalValue]) -> Self {
         let bounds = |sign: Sign| {
             levels.iter().filter(move |level| level.sign == sign).filter_map(|level| level.height.exact_bounds())
         };
@@ -96,23 +96,23 @@ impl<'a> Plane<'a> {
     }
 
     /// The name of the curve through something at x.
-    pub fn name(&self, source: &Source, x: &RBig) -> CurveName {
+    pub fn name(&self, source: &CriticalSource, x: &RBig) -> CurveName {
         let on = |branch, piece| CurveName::on(BranchName::of(self.frame, branch), piece);
         match source {
-            Source::Generic { number, place } => {
+            CriticalSource::Generic { number, place } => {
                 on(Branch::Generic(IntervalId::at(*number)), 1 + self.cuts_before(*number, place))
             }
-            Source::Over { group, place } => {
+            CriticalSource::Over { group, place } => {
                 let (r_sum, p_sum) = self.model.sums_over(*group);
                 let turn = r_sum * RBig::from(-3) / self.model.a(*group) - p_sum;
                 let beyond = turn > RBig::ZERO && self.is_before(&Place::exact(place.half, turn), place);
                 on(Branch::Symmetric(self.model.axis[*group]), 1 + usize::from(beyond))
             }
-            Source::Line(pole) if self.model.active.len() == 1 => {
+            CriticalSource::Line(pole) if self.model.active.len() == 1 => {
                 on(Branch::Axis(*pole), 1 + self.forks_before(*pole, x))
             }
-            Source::Line(pole) => CurveName::Pole(*pole),
-            Source::Euler { group } => on(Branch::Symmetric(self.model.axis[*group]), 1),
+            CriticalSource::Line(pole) => CurveName::Pole(*pole),
+            CriticalSource::Euler { group } => on(Branch::Symmetric(self.model.axis[*group]), 1),
         }
     }
 

@@ -84,7 +84,7 @@ pub struct StabilitySpan {
     pub l_to: Option<f64>,
     /// The linear type there.
     pub stability: Stability,
-    /// The verdict there, but at isolated points, which `verdict_changes` lists.
+    /// The verdict there, except at isolated points, which `verdict_changes` lists.
     pub nonlinear: NonlinearDocument,
     /// What friction leaves of it.
     pub friction: FrictionDocument,
@@ -112,7 +112,7 @@ pub struct StabilityChangeDocument {
     pub h: f64,
     /// Id of the curve on which it lies; at a cusp or pitchfork the first of the two.
     pub curve: String,
-    /// Id of the curve that goes on after a cusp or pitchfork.
+    /// Id of the curve that continues after a cusp or pitchfork.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub onto: Option<String>,
     /// What happens.
@@ -162,7 +162,7 @@ pub struct VerdictChangeDocument {
     pub proved: bool,
 }
 
-/// How a curve goes on to infinity: h = l²/(2 J) + h0 + O(l⁻²).
+/// The asymptote of a curve: h = l²/(2 J) + h0 + O(l⁻²).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct TailDocument {
     /// J: the moment of inertia of the limiting axis.
@@ -241,7 +241,8 @@ pub struct EventDocument {
     pub enclosure: Option<EnclosureDocument>,
 }
 
-/// A point inside a region, chosen where it is wide; where no double lies inside, the doubles nearest to one, which the certificate has exactly.
+/// A point inside a region, chosen where it is wide; where no double lies inside, the doubles nearest to a point
+/// inside, which the certificate has exactly.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SampleDocument {
     /// Energy.
@@ -294,7 +295,8 @@ pub struct RegionDocument {
     pub neighbours: Vec<NeighbourDocument>,
     /// The cells whose union it is, by rising l, then h.
     pub cells: Vec<CellDocument>,
-    /// True when a window cuts it. Of a cut region `sample` lies in the window; `cells`, `l_range` and `h_width` are those of the
+    /// True when a window cuts it. The `sample` of a cut region lies in the window; `cells`, `l_range` and `h_width`
+    /// are those of the
     /// whole.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub clipped: bool,
@@ -345,7 +347,7 @@ pub struct WindowDocument {
 pub struct ViewDocument {
     /// The default view: all events, and a part of every unbounded region; the `polygon` of each region lies in it.
     pub everything: WindowDocument,
-    /// All events but those that lie far beyond all others.
+    /// All events except those far beyond all others.
     pub main: WindowDocument,
 }
 
@@ -362,18 +364,20 @@ pub struct CurveDrawing {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct RegionDrawing {
     /// The part of the region inside `view.everything` (inside the window, if one was asked for): closed outlines of points
-    /// [h, l] whose last point is the first; a hole is an outline of its own (fill by the even-odd rule). An outline begins at
-    /// its smallest l, there at the lowest h, and has the region on its left as l runs to the right and h upwards; outlines
-    /// stand by that l, then h. Where two events of the list are at one l, all outlines end at the l of each event. Corners
-    /// lie on the curves, but for those where a curve leaves the view. No edge leaves its curve by more than 1/250 of the
+    /// [h, l] whose last point is the first; a hole is a separate outline (fill by the even-odd rule). An outline
+    /// begins at
+    /// its smallest l, there at the lowest h, and has the region on its left as l runs to the right and h upwards;
+    /// outlines are ordered by that l, then h. Where two events of the list are at one l, all outlines end at the l of
+    /// each event. Corners lie on the curves, except where a curve leaves the view. No edge leaves its curve by more
+    /// than 1/250 of the
     /// height of the view in h, or it spans less than 10⁻⁹ of the view's l.
     pub polygon: Vec<Vec<[f64; 2]>>,
     /// The largest extent in h at one l, to 10⁻⁶ of it and 4·10⁻⁹ of |r|; null if unbounded.
     pub h_width: Option<f64>,
 }
 
-/// What pictures of an atlas show, in f64: no part of a proof. The accuracies hold for all bodies but those whose curves
-/// doubles do not tell apart, such as rods of 10⁻¹¹ and less.
+/// What pictures of an atlas show, in f64: no part of a proof. The accuracies hold for all bodies except those whose
+/// curves cannot be told apart in doubles, such as rods of 10⁻¹¹ and less.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct DrawingDocument {
     /// Where the diagram is seen; it depends on the body alone.
@@ -390,11 +394,11 @@ pub struct AtlasDocument {
     /// Where it comes from.
     #[serde(flatten)]
     pub head: Head,
-    /// The level of accuracy that was asked for.
+    /// The requested level of accuracy.
     pub accuracy: Accuracy,
     /// The body.
     pub body: BodyDocument,
-    /// The window that was asked for; absent: the whole half-plane.
+    /// The requested window; absent: the whole half-plane.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub window: Option<WindowDocument>,
     /// Critical curves and pole lines.
@@ -420,7 +424,8 @@ pub struct AtlasDocument {
 }
 
 impl RegionDocument {
-    /// What it shows: the sections' names joined by `+`; for r = 0, where there are none, those of the types of U.
+    /// The label of the region: the sections' names joined by `+`; for r = 0, where there are no sections, those of the
+    /// types of U.
     #[must_use]
     pub fn shown(&self) -> String {
         let accessible = || self.components.iter().map(|component| component.accessible_region.as_str());

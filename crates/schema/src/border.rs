@@ -32,7 +32,7 @@ pub enum BorderEventName {
     PoleLinesAtInfinity,
     /// A crossing comes from, or goes to, l = 0 or infinity.
     CrossingAtTheEdge,
-    /// Several of these at once, or something else; the lists tell.
+    /// Several of these at once, or something else; see the lists.
     Other,
 }
 
@@ -66,8 +66,8 @@ pub struct BorderValueDocument {
     pub value: f64,
     /// Estimate of the error of `value`; 0 where the border is at just this value.
     pub error: f64,
-    /// Values at which the body has the first and the second of `classes`; the bodies between are undecided, or were not
-    /// looked at, and beyond them other borders may lie.
+    /// Values at which the body has the first and the second of `classes`; the bodies between are undecided or were not
+    /// examined, and other borders may lie beyond them.
     pub enclosure: [f64; 2],
 }
 
@@ -95,7 +95,7 @@ pub struct BorderDocument {
     pub vary: Vec<RangeDocument>,
     /// The border that was found; between the two ends of `vary` there may be others.
     pub borders: Vec<FoundBorderDocument>,
-    /// Bodies that were looked at.
+    /// Bodies that were examined.
     pub atlases: u32,
 }
 
@@ -124,8 +124,8 @@ pub struct EventTracksDocument {
     pub vary: RangeDocument,
     /// Bodies in equal steps, as many as were asked for.
     pub bodies: u32,
-    /// Those of them that were left out: special bodies, those on a border, and undecided ones; bodies beside them were looked at
-    /// in their place.
+    /// Those that were left out: special bodies, those on a border, and undecided ones; neighbouring bodies were
+    /// examined instead.
     pub passed: u32,
     /// The class before the first border, between any two, and behind the last; null where it is not known.
     pub classes: Vec<Option<String>>,

@@ -12,7 +12,8 @@ pub struct ChaosShareDocument {
     pub accessible_region: String,
     /// The component of E, such as `S3`.
     pub energy_surface: String,
-    /// The share of the orbits that are known to be chaotic; the whole lies between this and `fraction` + `open`.
+    /// The share of the orbits known to be chaotic; apart from the sampling error, the true share lies between this and
+    /// `fraction` + `open`.
     pub fraction: f64,
     /// One standard deviation of `fraction`.
     pub error: f64,
@@ -40,7 +41,7 @@ pub struct ChaosPointDocument {
     /// The region of the point; absent where no atlas was made.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub region: Option<String>,
-    /// Steps of the integrator after which an orbit stays open.
+    /// Steps of the integrator after which an orbit is left open.
     pub steps: u64,
     /// One entry for each component of E, in the order of `classify`.
     pub components: Vec<ChaosShareDocument>,
@@ -62,13 +63,13 @@ pub struct ChaosCellDocument {
     pub region: String,
     /// The component of E, counted from 0 in the order of `classify`.
     pub component: u32,
-    /// Which part of the cell belongs to the region, as 16 points have it.
+    /// The fraction of the cell that belongs to the region, estimated from 16 points.
     pub part: f64,
     /// Cells along a side of the block that was measured as one: its orbits are those of all its cells.
     pub block: u32,
     /// The share of the orbits that are known to be chaotic; `null` without orbits.
     pub fraction: Option<f64>,
-    /// One standard deviation of `fraction`, with what the quarters of the block differ by beyond chance.
+    /// One standard deviation of `fraction`, including by how much the quarters of the block differ beyond chance.
     pub error: Option<f64>,
     /// The share of the orbits without a verdict.
     pub open: f64,
@@ -91,13 +92,13 @@ pub struct ChaosMapDocument {
     pub window: WindowDocument,
     /// How many cells, along h and along l.
     pub cells: [u64; 2],
-    /// The standard deviation that was asked for.
+    /// The requested standard deviation.
     pub error: f64,
-    /// Steps of the integrator after which an orbit stays open.
+    /// Steps of the integrator after which an orbit is left open.
     pub steps: u64,
     /// The choice of the orbits.
     pub seed: u64,
-    /// The tiles of 8 × 8 cells that it holds: from this one on, up to but without that one.
+    /// The range of 8 × 8 tiles that it contains, from the first one up to but excluding the second.
     pub tiles: [u64; 2],
     /// Its rows, by tiles, then by cells.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

@@ -29,8 +29,8 @@ pub struct ClassNeighbourDocument {
 pub struct ClassDocument {
     /// Its name.
     pub name: String,
-    /// The canonical form of its diagram, of which the name is the beginning of the SHA-256. (The list inside the program
-    /// has none: its witness has it.)
+    /// The canonical form of its diagram, whose SHA-256 begins with the name. (Absent in the built-in list: the witness
+    /// has it.)
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub text: String,
     /// What is special about its bodies: the moments that are equal, where r lies (axes by rising moments). Absent for a
@@ -48,7 +48,7 @@ pub struct ClassDocument {
     /// How far the witness is from the nearest body of another class that was found, or from the nearest special body (two
     /// equal moments, a component of r that is 0): √(|ΔA|² + ∠²), for A with the sum 2 and the angle between the two r. 0 where that was not sought, as for all of `others`.
     pub distance: f64,
-    /// Its share of all bodies that exist; if none of them has it, of all bodies with A > 0. Second moments of mass (or A
+    /// Its share of all physical bodies; if none of them has it, of all bodies with A > 0. Second moments of mass (or A
     /// itself) are uniform on a simplex, r̂ on the sphere. With a stratum: its share of the bodies of that stratum.
     pub measure: f64,
     /// Standard error of `measure`; if no body of the sample has the class, the share of one body.
@@ -93,7 +93,7 @@ pub struct ClassBorderDocument {
 pub struct ClassBesideDocument {
     /// Its name.
     pub class: String,
-    /// The share of random bodies at a distance of 1e-6 that have it.
+    /// The share of random bodies at a distance of 1e-6 that have this class.
     pub share: f64,
 }
 
@@ -110,7 +110,7 @@ pub struct StandingDocument {
     /// What is special about the body (axes by rising moments), decided exactly; absent for a generic one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stratum: Option<String>,
-    /// Of a special body: the classes of generic bodies beside it, the most frequent first. Rare ones may be missing.
+    /// For a special body: the classes of generic bodies beside it, the most frequent first. Rare ones may be missing.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub generic: Vec<ClassBesideDocument>,
     /// The borders of the class around the body, by rising distance; none for a body without a class.

@@ -76,7 +76,7 @@ pub struct ClassificationDocument {
     pub l: String,
     /// What is known of the point.
     pub status: Status,
-    /// The level of accuracy that was asked for.
+    /// The requested level of accuracy.
     pub accuracy: Accuracy,
     /// Id of the region in the body's atlas; null unless regular, with `--no-region`, and where no atlas gives it (`note` says
     /// so).

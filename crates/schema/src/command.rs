@@ -5,7 +5,7 @@ use std::fmt::Display;
 
 use super::{GivenBody, PartDocument};
 
-/// A command line that makes the document in which it stands.
+/// The command line that makes the document containing it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CommandLine(String);
 
@@ -52,7 +52,7 @@ impl CommandLine {
         self
     }
 
-    /// Adds the options that describe a body, as it was given, or the part of which that is.
+    /// Adds the options that describe a body as given, or its part.
     #[must_use]
     pub fn body(self, given: &GivenBody, part: Option<&PartDocument>) -> Self {
         let Some(part) = part else {
@@ -82,7 +82,7 @@ impl CommandLine {
     }
 }
 
-/// A shell reads it as it stands.
+/// A shell can read it unchanged.
 #[must_use]
 pub fn is_plain(c: u8) -> bool {
     c.is_ascii_alphanumeric() || b"+-./:=,_".contains(&c)

@@ -74,7 +74,8 @@ pub struct CrossedBorderDocument {
     pub classes: [String; 2],
 }
 
-/// The path between two bodies: straight in A and r, both brought to A1 ≤ A2 ≤ A3 with the sum 2 and to r_i ≥ 0, the largest of which is 1.
+/// The path between two bodies: straight in A and r, both in standard form, A1 ≤ A2 ≤ A3 with sum 2 and r_i ≥ 0 with
+/// largest component 1.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct PathDocument {
     /// The two ends, in these axes and units. Where moments are equal the axes are those in which r is nearest to that of the
@@ -82,7 +83,7 @@ pub struct PathDocument {
     pub ends: [GivenBody; 2],
     /// For each end: r is turned by 90° about an axis of symmetry, or reflected there, or that of a ball has the direction of the other's r, which changes no diagram.
     pub turned: [bool; 2],
-    /// The borders that were found, in their order. Bisection may pass over a class that the path enters and leaves again.
+    /// The borders that were found, in their order. Bisection may miss a class that the path enters and leaves again.
     pub borders: Vec<CrossedBorderDocument>,
     /// True when these borders lead from the class of the first body to that of the second.
     pub complete: bool,

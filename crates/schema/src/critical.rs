@@ -55,7 +55,7 @@ impl Verdict {
     /// Every value, in the order of their codes.
     pub const ALL: &[Self] = &[Self::Energy, Self::Integral, Self::Arnold, Self::Spectrum, Self::Unstable, Self::Open];
 
-    /// By what it is stable, as tables say it.
+    /// The reason for stability, in the words of tables.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -149,7 +149,7 @@ impl JsonSchema for Verdict {
     }
 }
 
-/// What an entry stands for: one critical point, or a circle or sphere of them.
+/// What an entry represents: one critical point, or a circle or sphere of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Multiplicity {
     /// 1: a nondegenerate critical point. 2: a degenerate one, in which curves end: at a cusp two critical points meet in it, at
@@ -220,7 +220,7 @@ pub struct RelativeEquilibriumDocument {
     pub multiplicity: Multiplicity,
     /// Linear type of the flow reduced by l.
     pub stability: Stability,
-    /// By what it is stable, as far as that is known: `nonlinear` in one word.
+    /// The reason for its stability, if known: `nonlinear` in one word.
     pub stable: Verdict,
     /// The verdict on its stability, with its reason.
     pub nonlinear: NonlinearDocument,

@@ -71,7 +71,7 @@ pub struct FindDocument {
     pub verified_by: Vec<String>,
     /// Bodies that were drawn while sampling.
     pub drawn: u64,
-    /// Of these, bodies that were looked at: those inside the limits that are decided.
+    /// Of these, bodies that were tried: those inside the limits that are decided.
     pub tried: u64,
     /// Of these, bodies that show it.
     pub showing: u64,

@@ -29,7 +29,7 @@ pub struct GridDocument {
     /// The body.
     #[serde(flatten)]
     pub body: GivenBody,
-    /// The level of accuracy that was asked for.
+    /// The requested level of accuracy.
     pub accuracy: Accuracy,
     /// Energies: the columns.
     pub h: GridAxisDocument,

@@ -36,7 +36,7 @@ pub struct FurtherIntegralDocument {
     /// Of which case.
     #[serde(flatten)]
     pub of: IntegrableDocument,
-    /// True where it is constant along these motions, within rounding of their starts.
+    /// True if it is constant along these motions, within rounding of their starts.
     pub kept: bool,
     /// Its value at the start; of several motions the largest in magnitude.
     pub at_start: f64,

@@ -106,7 +106,7 @@ pub use tolerance::{MeasuredDocument, SampledClassDocument, SpinRangeDocument, T
 /// Version of every document in this module.
 pub const SCHEMA_VERSION: &str = "3";
 
-/// The level of accuracy that was asked for.
+/// The requested level of accuracy.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Accuracy {

@@ -1,4 +1,4 @@
-//! `bodies`: the named bodies; `explain`: the terms; and the line that stands for a wrong line of a batch.
+//! `bodies`: the named bodies; `explain`: the terms; and the answer to an invalid line of a batch.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -36,7 +36,7 @@ pub struct ExplainedTermDocument {
     pub meaning: String,
     /// Other names of them.
     pub also_called: Vec<String>,
-    /// The part of the glossary in which the row stands.
+    /// The section of the glossary with this row.
     pub section: String,
 }
 
@@ -46,13 +46,13 @@ pub struct ExplanationDocument {
     /// Where it comes from.
     #[serde(flatten)]
     pub head: Head,
-    /// The word as it was asked; empty for the whole glossary.
+    /// The requested word; empty for the whole glossary.
     pub word: String,
     /// The rows of the glossary that explain it.
     pub entries: Vec<ExplainedTermDocument>,
 }
 
-/// The answer to a line of a batch that is wrong.
+/// The answer to an invalid line of a batch.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct BatchErrorDocument {
     /// What is wrong, and what would be right.

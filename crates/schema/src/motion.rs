@@ -22,7 +22,7 @@ pub struct MotionSampleDocument {
     pub psi: f64,
     /// Euler's angle φ, continuous in time.
     pub phi: f64,
-    /// The attitude as a unit quaternion [w, x, y, z], continuous in time: it takes vectors of the body to space.
+    /// The attitude as a unit quaternion [w, x, y, z], continuous in time: it takes vectors from the body to space.
     pub attitude: [f64; 4],
 }
 
@@ -70,7 +70,7 @@ pub struct MotionDocument {
     /// The motion, by rising time; absent where the samples are written as data.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub samples: Option<Vec<MotionSampleDocument>>,
-    /// What is to be known about the result, in words.
+    /// Remarks on the result, in words.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
     /// The part from which A and r were computed, when one was given.
@@ -88,7 +88,7 @@ pub struct EnclosuresDocument {
     pub gamma: Vec<[Ends; 3]>,
     /// Angular velocity.
     pub omega: Vec<[Ends; 3]>,
-    /// The rotation matrix that takes vectors of the body to space, by rows; γ is its last row.
+    /// The rotation matrix that takes vectors from the body to space, by rows; γ is its last row.
     pub rotation: Vec<[Ends; 9]>,
     /// The same rotation as a unit quaternion [w, x, y, z], continuous in time.
     pub quaternion: Vec<[Ends; 4]>,
@@ -125,7 +125,7 @@ pub struct ProvedMotionDocument {
     pub proved_to: f64,
     /// The same for the past.
     pub proved_from: f64,
-    /// The widest enclosure that was asked for.
+    /// The requested bound on the widest enclosure.
     pub bound: f64,
     /// The widest enclosure, rounded up.
     pub widest: f64,
@@ -135,7 +135,7 @@ pub struct ProvedMotionDocument {
     pub steps: u64,
     /// False when times are missing.
     pub complete: bool,
-    /// What is to be known about the result, in words.
+    /// Remarks on the result, in words.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
     /// The part from which A and r were computed, when one was given.

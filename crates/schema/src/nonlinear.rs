@@ -12,9 +12,9 @@ term! {
     pub enum NonlinearVerdict {
         /// Motions that start near it stay near it for all time.
         Stable = "stable",
-        /// Some motions that start as near as one likes leave it.
+        /// Some motions that start arbitrarily near leave it.
         Unstable = "unstable",
-        /// No theorem that the program knows decides.
+        /// None of the theorems that the program uses decides.
         Open = "open",
     }
 }
@@ -56,7 +56,7 @@ pub struct ResonancesDocument {
     pub one_to_three: f64,
 }
 
-/// The verdict on the stability of a relative equilibrium, with all that it rests on.
+/// The verdict on the stability of a relative equilibrium, with its evidence.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct NonlinearDocument {
     /// Stable, unstable, or open.
@@ -64,13 +64,14 @@ pub struct NonlinearDocument {
     /// Why.
     pub why: Reason,
     /// Arnold's determinant D₄ = K₁₁ω₂² + K₁₂ω₁ω₂ + K₂₂ω₁² over Ω², where H = ω₁I₁ − ω₂I₂ + K₁₁I₁² + K₁₂I₁I₂ + K₂₂I₂² + … with
-    /// the pair of positive Krein sign first; `null` but at index 2 with two distinct imaginary pairs, and along a curve.
+    /// the pair of positive Krein sign first; `null` except at index 2 with two distinct imaginary pairs, and along a
+    /// curve.
     #[serde(rename = "D4_over_s")]
     pub d4_over_s: Option<f64>,
     /// Bound on its error.
     #[serde(rename = "D4_error")]
     pub d4_error: Option<f64>,
-    /// Distances to the resonances; `null` but at index 2 with imaginary pairs, and along a curve.
+    /// Distances to the resonances; `null` except at index 2 with imaginary pairs, and along a curve.
     pub near: Option<ResonancesDocument>,
     /// Decided by enclosures and exact arithmetic; in an atlas: `verify` confirms it.
     pub proved: bool,

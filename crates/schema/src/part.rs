@@ -28,7 +28,7 @@ pub struct PartAnswerDocument {
     pub integrable: Vec<IntegrableDocument>,
 }
 
-/// A part as it was understood.
+/// A part as it was read.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct PartDocument {
     /// The tensor about the fixed point, its entries exact (off the diagonal Ixy = −∫ x y dm).
@@ -53,7 +53,7 @@ pub struct PartDocument {
     pub center: [String; 3],
     /// True when A and r are exact; else they are rounded to 130 digits, and every symmetry is kept.
     pub exact: bool,
-    /// Some distribution of mass has these mass properties.
+    /// Some mass distribution has these mass properties.
     pub physical: bool,
 }
 

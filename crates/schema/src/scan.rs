@@ -120,7 +120,7 @@ pub struct ScanIdentityDocument {
     pub program: String,
     /// What the answers are worth.
     pub accuracy: Accuracy,
-    /// Which bodies the scan looks at.
+    /// Which bodies the scan covers.
     pub design: DesignDocument,
     /// The numbers of the bodies: from this one on, up to but without that one.
     pub range: [u64; 2],
@@ -176,8 +176,8 @@ pub struct RowDocument {
     pub signatures: Option<String>,
     /// How many regions show a component with k boundary circles and n poles: `k0n2:1 k1n1:4`.
     pub types: Option<String>,
-    /// Of the region that is most easily seen (all but those unbounded above): the distance in h of its sample from
-    /// the boundary, divided by |r|.
+    /// For the most visible region (of those bounded above): the distance in h of its sample from the boundary, divided
+    /// by |r|.
     pub largest_margin: Option<f64>,
     /// Signature of that region.
     pub largest_region: Option<String>,
@@ -253,7 +253,7 @@ pub struct ScanSummaryDocument {
     /// What the answers are worth.
     #[serde(default)]
     pub accuracy: Accuracy,
-    /// Which bodies the scan looks at.
+    /// Which bodies the scan covers.
     pub design: DesignDocument,
     /// The numbers of the bodies: from this one on, up to but without that one.
     pub range: [u64; 2],

@@ -35,7 +35,7 @@ pub struct IntegratorDocument {
 /// Where the orbits started.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct StartsDocument {
-    /// How many orbits were asked for.
+    /// How many orbits were requested.
     pub orbits: usize,
     /// The seed of the spread starts; absent when the user gave the points.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -57,17 +57,17 @@ pub struct DriftDocument {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum EndName {
-    /// It has the crossings that were asked for.
+    /// It has the requested number of crossings.
     Crossings,
     /// Its time was up.
     Time,
-    /// Its verdict was found, and no more was asked for.
+    /// Its verdict was found, and no more was requested.
     Decided,
     /// S ≡ 0 along it: a relative equilibrium, or a regular precession of Lagrange's top.
     StaysOnSection,
-    /// The integrator could not go on.
+    /// The integrator could not continue.
     Failed,
-    /// The run was interrupted; the points until then are there.
+    /// The run was interrupted; the points until then were kept.
     Interrupted,
 }
 
@@ -76,7 +76,7 @@ pub enum EndName {
 pub struct LyapunovDocument {
     /// λ(T) = ln(|δ(T)|/|δ(0)|)/T; of regular orbits it falls like ln(T)/T.
     pub exponent: f64,
-    /// λ(T/2): what it still changes.
+    /// λ(T/2), to show how much it still changes.
     pub exponent_half: f64,
     /// The weighted mean of d ln|δ|/dt, which converges faster for regular orbits.
     pub mean_rate: f64,
@@ -124,7 +124,7 @@ pub enum VerdictName {
     Regular,
     /// A tangent vector grows exponentially and steadily, and averages over the orbit do not settle.
     Chaotic,
-    /// Not decided, or not asked for.
+    /// Not decided, or not requested.
     Open,
 }
 
@@ -134,7 +134,7 @@ pub enum VerdictName {
 pub enum VerdictsName {
     /// Over the whole of each orbit.
     Whole,
-    /// Each orbit was ended where its verdict was found.
+    /// Each orbit ended where its verdict was found.
     Early,
     /// The verdicts alone, without exponents and rotation numbers.
     Only,
@@ -142,7 +142,8 @@ pub enum VerdictsName {
     None,
 }
 
-/// Where a verdict was decided: the time of the look that decided, and the last crossing before it. An orbit that is followed
+/// Where a verdict was decided: the time of the deciding test, and the last crossing before it. An orbit that is
+/// followed
 /// further keeps it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct DecidedDocument {
@@ -152,7 +153,7 @@ pub struct DecidedDocument {
     pub crossing: u32,
 }
 
-/// A look at an orbit at one time T: means over the windows [T/4, 5T/8] and [5T/8, T] with the weight (u(1−u))⁸.
+/// A test of an orbit at one time T: means over the windows [T/4, 5T/8] and [5T/8, T] with the weight (u(1−u))⁸.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct EvidenceDocument {
     /// T.
@@ -170,12 +171,13 @@ pub struct EvidenceDocument {
 pub struct ChaosDocument {
     /// The largest Lyapunov exponent; null for an orbit of no duration, with fewer than 24 returns, or that was not finished.
     pub lyapunov: Option<LyapunovDocument>,
-    /// The rotation number; null if there is none.
+    /// The rotation number; null if undefined.
     pub rotation: Option<RotationDocument>,
     /// Why there is no rotation number.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub no_rotation: Option<String>,
-    /// What the verdict rests on: the three looks that decided it; where it is open, the last three. Empty for an orbit that was too short
+    /// The evidence for the verdict: the three tests that decided it; where it is open, the last three. Empty for an
+    /// orbit that was too short
     /// or not finished.
     pub evidence: Vec<EvidenceDocument>,
 }
@@ -217,7 +219,7 @@ pub struct OrbitDocument {
     /// Where it was decided; absent where it is open.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub decided: Option<DecidedDocument>,
-    /// How regular it is, if that was asked for.
+    /// How regular it is, if requested.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub chaos: Option<ChaosDocument>,
 }
@@ -269,14 +271,14 @@ pub struct SectionDocument {
     pub integrator: IntegratorDocument,
     /// Where they started.
     pub starts: StartsDocument,
-    /// Crossings that were asked for of each orbit.
+    /// Crossings requested of each orbit.
     pub crossings: usize,
     /// Time after which each orbit was stopped; absent: none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_time: Option<f64>,
     /// How the orbits were judged.
     pub verdicts: VerdictsName,
-    /// False when the run was interrupted: orbits are then missing or shorter than asked for.
+    /// False when the run was interrupted: orbits are then missing or shorter than requested.
     pub complete: bool,
     /// Totals.
     pub summary: SectionSummaryDocument,
@@ -285,7 +287,7 @@ pub struct SectionDocument {
     pub integrals: Vec<FurtherIntegralDocument>,
     /// Every orbit that was begun.
     pub orbits: Vec<OrbitDocument>,
-    /// What is to be known about the result, in words.
+    /// Remarks on the result, in words.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
     /// The part from which A and r were computed, when one was given.

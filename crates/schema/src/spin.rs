@@ -25,7 +25,7 @@ pub struct SteadyAxisDocument {
     pub axis: [f64; 3],
     /// Vertical angular momentum, in the units of the body.
     pub l: f64,
-    /// At this spin it meets another steady axis: slower bodies have neither.
+    /// At this spin it meets another steady axis; just below it neither exists.
     pub fold: bool,
     /// The relative equilibrium, as `critical` lists it at this l.
     #[serde(flatten)]
@@ -60,7 +60,7 @@ pub struct SteadyAxesDocument {
 pub enum SteadyStart {
     /// At rest, where the body hangs or stands.
     Rest,
-    /// Together with another family: slower, there is neither.
+    /// Together with another family; just below this spin neither exists.
     Fold,
     /// On another family, from which a pair or a circle of axes leaves.
     Fork,
@@ -81,7 +81,7 @@ pub struct SteadyPlaceDocument {
     pub h: f64,
 }
 
-/// A spin at which alone a hypothesis of Arnold's theorem fails, between spins to which it applies.
+/// An isolated spin at which a hypothesis of Arnold's theorem fails, between spins to which the theorem applies.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct IsolatedSpinDocument {
     /// The spin.
@@ -103,7 +103,7 @@ pub struct SteadyStretchDocument {
     pub change: Option<StabilityChangeKind>,
     /// Linear type of the flow reduced by l.
     pub stability: Stability,
-    /// What is known of its stability, but at the isolated spins.
+    /// What is known of its stability, except at the isolated spins.
     pub stable: Verdict,
     /// The isolated spins inside at which Arnold's theorem does not apply; `null` where not all of them were found.
     pub isolated: Option<Vec<IsolatedSpinDocument>>,
@@ -130,7 +130,7 @@ pub struct SteadyFamilyDocument {
     pub stretches: Vec<SteadyStretchDocument>,
 }
 
-/// A permanent axis near to the one that was asked about.
+/// A permanent axis near the given one.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct NearestAxisDocument {
     /// A unit vector in the frame of the question, at an acute angle to the axis of the question.
@@ -199,7 +199,7 @@ pub struct SpinStretchDocument {
     pub to: Option<SpinDocument>,
     /// The spectral type.
     pub stability: SpinType,
-    /// The verdict, but at the isolated spins.
+    /// The verdict, except at the isolated spins.
     pub nonlinear: NonlinearDocument,
     /// The isolated spins inside at which Arnold's theorem does not apply; `null` where not all of them were found.
     pub isolated: Option<Vec<IsolatedSpinDocument>>,
@@ -220,15 +220,16 @@ pub struct CriticalSpinDocument {
     pub axis: [f64; 3],
     /// Rotation about it is permanent at every spin.
     pub permanent: bool,
-    /// The permanent axis that is taken where `permanent` is true and the given one is not it to the last digit; else the
+    /// The permanent axis used if `permanent` is true and the given axis is not exactly permanent; otherwise the
     /// nearest permanent axis.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub nearest: Option<NearestAxisDocument>,
-    /// The spin at which rotation about the given axis itself is steady, at an angle of 10⁻⁶ at most; empty if there is none;
-    /// absent where the given axis is permanent at every spin.
+    /// The spin at which rotation about the given axis itself is steady, at an angle of 10⁻⁶ at most; empty if there is
+    /// no such spin; absent where the given axis is permanent at every spin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub steady: Option<Vec<SteadySpinDocument>>,
-    /// Of an axis that is not permanent: the families of steady axes that tend to the principal axis nearest to it at fast
+    /// For an axis that is not permanent: the families of steady axes that tend to the principal axis nearest to it at
+    /// fast
     /// spins, with `+axis` and with `-axis` up.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub families: Vec<SteadyFamilyDocument>,

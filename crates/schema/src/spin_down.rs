@@ -9,21 +9,21 @@ use super::{GivenBody, Head, PartDocument};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum SlowdownEvent {
-    /// Another curve crosses its own: other regions lie beside it.
+    /// Another curve crosses its own: the neighbouring regions change.
     Crossing,
-    /// Its curve goes over, at a pitchfork, into another one that is a minimum.
+    /// At a pitchfork its curve continues as another one that is a minimum.
     Turn,
     /// Its curve ends at a pitchfork beyond which nothing near is a minimum: the body falls.
     Pitchfork,
     /// Its curve ends at a cusp: the body falls.
     Cusp,
-    /// It is no minimum: with friction the body falls at once.
+    /// It is not a minimum: with friction the body falls at once.
     Start,
-    /// The body comes to rest, and hangs if it has weight.
+    /// The body comes to rest, hanging if it has weight.
     Rest,
 }
 
-/// A stretch of the way, between two events.
+/// A stretch of the path, between two events.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SlowdownDocument {
     /// Id of the curve along which the rotation goes.
@@ -42,8 +42,8 @@ pub struct SlowdownDocument {
     pub onto: Vec<String>,
 }
 
-/// The answer of `spin-down`: how a steady rotation ends when friction at the pivot or in the air slowly takes its l, in the limit
-/// in which that is much slower than the damping of all that is not steady.
+/// The answer of `spin-down`: how a steady rotation ends when friction at the pivot or in the air slowly takes its l,
+/// in the limit where that is much slower than the damping of all that is not steady.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SpinDownDocument {
     /// Where it comes from.

@@ -13,7 +13,7 @@ use super::{
 pub struct SteadyDocument {
     /// Its axis, a unit vector in the frame of the question, pointing up.
     pub axis: [f64; 3],
-    /// The angle between it and the vertical of the question, in degrees; 0 where they are meant to be one.
+    /// The angle between it and the vertical of the question, in degrees; 0 where they are taken to be the same.
     pub angle_deg: f64,
     /// Its energy, in the units of the body.
     pub h: f64,
@@ -21,8 +21,8 @@ pub struct SteadyDocument {
     pub l: f64,
     /// The spectral type.
     pub stability: Stability,
-    /// `circle` or `sphere`: it is one of so many steady rotations at this spin, and `stable` is that of all as a whole;
-    /// absent for one alone.
+    /// `circle` or `sphere`: it is one of a circle or sphere of steady rotations at this spin, and `stable` refers to
+    /// the whole set; absent for a single rotation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub one_of: Option<Multiplicity>,
     /// What is known of its stability, as in `critical`.
@@ -31,10 +31,11 @@ pub struct SteadyDocument {
     pub nonlinear: NonlinearDocument,
     /// What friction leaves of it.
     pub friction: FrictionDocument,
-    /// Frequencies of small oscillations seen from the turning body, in Hz, by size; 0 for a real pair of eigenvalues and
+    /// Frequencies of small oscillations seen from the rotating body, in Hz, by size; 0 for a real pair of eigenvalues
+    /// and
     /// for a pair of zeros, the same twice for a complex quadruple.
     pub frequencies_hz: [f64; 2],
-    /// The time in which a deviation grows by e, in s; `null` when none does.
+    /// The time in which a deviation grows by a factor of e, in s; `null` when none does.
     pub growth_time_s: Option<f64>,
     /// The change at exactly this spin (of regions only: within rounding).
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -50,7 +51,7 @@ pub struct SteadyDocument {
     pub note: Option<String>,
 }
 
-/// A state: where it lies in the (h, l) plane and what it is.
+/// A state: where it lies in the (h, l) plane, and whether it is a steady rotation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StateDocument {
     /// Where it comes from.
@@ -61,7 +62,7 @@ pub struct StateDocument {
     pub body: GivenBody,
     /// The angular velocity in the frame of the question, in rad/s.
     pub omega: [f64; 3],
-    /// The direction upward in that frame.
+    /// The upward direction in that frame.
     pub vertical: [f64; 3],
     /// Its magnitude.
     pub spin: SpinDocument,

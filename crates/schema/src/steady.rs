@@ -36,7 +36,7 @@ pub struct SteadySpinsDocument {
     /// The body.
     #[serde(flatten)]
     pub body: GivenBody,
-    /// The axes that are permanent at every spin; of a circle of them one.
+    /// The axes that are permanent at every spin; a circle of them is represented by one.
     pub permanent: Vec<PermanentAxisDocument>,
     /// All families of steady axes, permanent ones included.
     pub families: Vec<SteadyFamilyDocument>,

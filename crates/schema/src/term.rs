@@ -1,6 +1,6 @@
 //! Terms of the field: what documents and tables write as words.
 
-/// Declares an enum whose values stand in JSON as these words, and in a column of codes as their places among them.
+/// Declares an enum whose values are these words in JSON, and their positions in the list in a column of codes.
 macro_rules! term {
     ($(#[$about:meta])* pub enum $name:ident { $($(#[$about_value:meta])* $value:ident = $word:literal,)+ }) => {
         $(#[$about])*

@@ -12,7 +12,7 @@ pub struct ToleranceDocument {
     /// where each number has its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub relative: Option<[String; 4]>,
-    /// The numbers of the part that are known to within so much; empty with `relative`.
+    /// The numbers of the part that have an uncertainty; empty with `relative`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub inputs: Vec<MeasuredDocument>,
     /// The ranges are those of the steady rotation that moves with the spin and tends to the principal axis nearest to the
@@ -33,10 +33,10 @@ pub struct ToleranceDocument {
     pub ranges: Vec<SpinRangeDocument>,
 }
 
-/// A number of a part that is known to within so much.
+/// A number of a part with an uncertainty.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct MeasuredDocument {
-    /// Ixx, …, com x, …, mass, g, products as entries of the tensor; `pivot x` where that is known to within so much, and `com x -
+    /// Ixx, …, com x, …, mass, g, products as entries of the tensor; `pivot x` where that is uncertain, and `com x -
     /// pivot x` where both are, or the pivot is not the origin.
     pub name: String,
     /// The nominal value, exact.
@@ -50,7 +50,7 @@ pub struct MeasuredDocument {
 pub struct SampledClassDocument {
     /// Its name; `null` for parts whose class is left open.
     pub class: Option<String>,
-    /// How many of the sampled parts have it.
+    /// How many of the sampled parts have this class.
     pub parts: usize,
 }
 
@@ -67,8 +67,8 @@ pub struct SpinRangeDocument {
     pub rpm: [Option<f64>; 2],
     /// Types other than these that some of the sampled parts have inside.
     pub between: Vec<SpinType>,
-    /// The input that moves the change most by itself: with `relative` that of the nominal part, from samples, else by bounds;
-    /// `null` where there is none.
+    /// The single input that moves the change most: with `relative` that of the nominal part, from samples, else by
+    /// bounds; `null` if there is none.
     pub most: Option<String>,
     /// How far it moves it, in rpm.
     pub most_rpm: Option<f64>,

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use bifdiag_body::part::Spin;
 use bifdiag_documents::Subject;
-use bifdiag_equilibria::critical::{Place, RelativeEquilibria, SteadyFamily};
+use bifdiag_equilibria::critical::{FamilyPoint, RelativeEquilibria, SteadyFamily};
 use bifdiag_equilibria::nonlinear::NonlinearVerdict;
 use bifdiag_plot::{Steadiness, SteadyCurve, SteadyScene, Theme, draw_steady};
 use bifdiag_schema::Reason;
@@ -51,7 +51,7 @@ fn scene(subject: &Subject, ends: [&Spin; 2], count: u32) -> Result<SteadyScene,
     let [from, to] = ends.map(Spin::in_rpm);
     let start = |family: &SteadyFamily| -> Vec<[f64; 2]> {
         let place = family.stretches.first().and_then(|first| first.from);
-        let at_start = |place: Place| [rpm(place.omega), angle(place.gamma)];
+        let at_start = |place: FamilyPoint| [rpm(place.omega), angle(place.gamma)];
         place.map(at_start).or(family.slow.map(|gamma| [0.0, angle(gamma)])).into_iter().collect()
     };
     let mut points: Vec<Vec<[f64; 2]>> = families.iter().map(start).collect();

@@ -21,7 +21,7 @@ pub struct PairCrossing {
 
 /// A range of x with the order of a and b all along it, if proved.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Stretch {
+struct OrderedRange {
     x: [f64; 2],
     order: Option<Ordering>,
 }
@@ -29,7 +29,7 @@ struct Stretch {
 /// What is proved of the order of two curves a and b, by rising x.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PairOrder {
-    stretches: Vec<Stretch>,
+    stretches: Vec<OrderedRange>,
     located: Vec<PairCrossing>,
     /// Points of curves that were computed.
     pub evaluations: u32,
@@ -38,12 +38,12 @@ pub struct PairOrder {
 impl PairOrder {
     /// One order all along.
     pub(super) fn constant(x: [f64; 2], order: Ordering) -> Self {
-        Self { stretches: vec![Stretch { x, order: Some(order) }], ..Self::default() }
+        Self { stretches: vec![OrderedRange { x, order: Some(order) }], ..Self::default() }
     }
 
     /// Adds the next range.
     pub(super) fn push(&mut self, x: [f64; 2], order: Option<Ordering>) {
-        self.stretches.push(Stretch { x, order });
+        self.stretches.push(OrderedRange { x, order });
     }
 
     /// Adds the next range, in which the order changes once, from `before`.
@@ -92,7 +92,7 @@ impl PairOrder {
     pub fn crossings(&self, height: impl Fn(f64) -> (f64, f64)) -> Vec<PairCrossing> {
         let mut found = Vec::new();
         let mut last: Option<(Ordering, f64)> = None;
-        for Stretch { x, order } in &self.stretches {
+        for OrderedRange { x, order } in &self.stretches {
             let Some(order) = *order else { continue };
             if let Some((_, at)) = last.filter(|(before, _)| *before != order) {
                 let located = self.located.iter().find(|crossing| crossing.x == at && at == x[0]);

@@ -36,7 +36,7 @@ pub struct Region {
 #[derive(Clone, Copy)]
 struct Candidate<'a> {
     cell: Cell,
-    row: &'a Row,
+    row: &'a SlabRow,
     sample: Sample,
     /// Margin less its error bound, relative to the energy scale x/J + r.
     quality: f64,
@@ -50,18 +50,18 @@ pub(crate) fn regions(arrangement: &Arrangement) -> Table<RegionId, Region> {
             cells[region].push(Cell { slab, position });
         }
     }
-    let rows: Table<SlabId, Vec<Row>> = arrangement.slabs.ids().map(|slab| rows(arrangement, slab)).collect();
+    let rows: Table<SlabId, Vec<SlabRow>> = arrangement.slabs.ids().map(|slab| rows(arrangement, slab)).collect();
     cells.into_iter().map(|cells| region(arrangement, &rows, cells)).collect()
 }
 
 /// The points of all curves of a slab at one abscissa.
-struct Row {
+struct SlabRow {
     x: f64,
     points: Vec<Point>,
 }
 
 /// Rows at a few abscissae of a slab.
-fn rows(arrangement: &Arrangement, slab: SlabId) -> Vec<Row> {
+fn rows(arrangement: &Arrangement, slab: SlabId) -> Vec<SlabRow> {
     let [from, to] = arrangement.slabs[slab].x;
     let middle = arrangement.middle(slab);
     // In the last slab near its lower end: there the sample is still inside the default picture.
@@ -77,12 +77,12 @@ fn rows(arrangement: &Arrangement, slab: SlabId) -> Vec<Row> {
         .filter(inside)
         .map(|x| {
             let points = arrangement.slabs[slab].order.iter().map(|&c| set.curves[c].point(&set.frame, x)).collect();
-            Row { x, points }
+            SlabRow { x, points }
         })
         .collect()
 }
 
-fn region(arrangement: &Arrangement, rows: &Table<SlabId, Vec<Row>>, cells: Vec<Cell>) -> Region {
+fn region(arrangement: &Arrangement, rows: &Table<SlabId, Vec<SlabRow>>, cells: Vec<Cell>) -> Region {
     // Should rounding hide a join at the best place, as next to a pitchfork, the next ones may still show it.
     const ATTEMPTS: usize = 32;
     let mut candidates: Vec<Candidate<'_>> = cells
@@ -117,7 +117,7 @@ fn corner(arrangement: &Arrangement, Cell { slab, position }: Cell) -> Sample {
     Sample { x: point.x, h: point.h(), margin: 0.0, error: point.h_error(), nearest: curve }
 }
 
-fn candidate<'a>(arrangement: &Arrangement, cell: Cell, row: &'a Row) -> Candidate<'a> {
+fn candidate<'a>(arrangement: &Arrangement, cell: Cell, row: &'a SlabRow) -> Candidate<'a> {
     let Cell { slab, position } = cell;
     let order = &arrangement.slabs[slab].order;
     let lower = &row.points[position];

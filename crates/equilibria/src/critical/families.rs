@@ -42,7 +42,7 @@ pub struct SteadyFamily {
 #[derive(Clone, Debug, PartialEq)]
 pub struct SteadyStretch {
     /// Where it begins; `None`: at rest.
-    pub from: Option<Place>,
+    pub from: Option<FamilyPoint>,
     /// Which eigenvalues meet there; `None` where the family itself begins.
     pub change: Option<StabilityChangeKind>,
     /// The linear type.
@@ -54,7 +54,7 @@ pub struct SteadyStretch {
 
 /// A point of a family.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct FamilyPoint {
     /// Ω.
     pub omega: f64,
     /// Bound on its error.
@@ -146,9 +146,9 @@ pub struct AxisCount {
 /// How many steady axes there are by rising spin; starts closer than their error bounds are one.
 #[must_use]
 pub fn axis_counts(families: &[SteadyFamily]) -> Vec<AxisCount> {
-    let mut starts: Vec<(Option<Place>, Multiplicity)> =
+    let mut starts: Vec<(Option<FamilyPoint>, Multiplicity)> =
         families.iter().map(|family| (family.stretches.first().and_then(|first| first.from), family.axes)).collect();
-    let omega = |place: &Option<Place>| place.map_or(0.0, |place| place.omega);
+    let omega = |place: &Option<FamilyPoint>| place.map_or(0.0, |place| place.omega);
     starts.sort_by(|(p, _), (q, _)| omega(p).total_cmp(&omega(q)));
     let mut counts: Vec<AxisCount> = Vec::new();
     let mut reached = f64::NEG_INFINITY;
@@ -220,12 +220,12 @@ impl RelativeEquilibria<'_> {
         }
     }
 
-    fn place(&self, c: &Constants<Wide>, state: &State<Wide>) -> Place {
+    fn place(&self, c: &Constants<Wide>, state: &State<Wide>) -> FamilyPoint {
         let frame = &self.set.frame;
         let [(l, _), (h, _)] = state.place(c, frame);
         let omega = middle(&state.s.sqrt()) * frame.frequency_unit;
         let gamma = frame.vector_to_body(self.point(state, abscissa_of(state)).gamma);
-        Place { omega, error_bound: 4.0 * f64::EPSILON * omega, l, h, gamma }
+        FamilyPoint { omega, error_bound: 4.0 * f64::EPSILON * omega, l, h, gamma }
     }
 
     /// Without weight the axes of the eigenspaces are steady, at every spin of one type.

@@ -22,7 +22,7 @@ use bifdiag_numbers::table::Id;
 use bifdiag_numbers::vector::{dot, norm};
 
 pub use bifdiag_schema::Multiplicity;
-pub use families::{AxisCount, Place, SteadyFamily, SteadyStretch, axis_counts};
+pub use families::{AxisCount, FamilyPoint, SteadyFamily, SteadyStretch, axis_counts};
 
 /// A relative equilibrium: the body turns about the vertical γ with constant angular velocity ω γ.
 #[derive(Clone, Debug, PartialEq)]

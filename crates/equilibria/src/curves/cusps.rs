@@ -11,7 +11,7 @@ use bifdiag_numbers::table::Id;
 use nalgebra::DMatrix;
 
 /// Of degree 10 at most: the cusp polynomial of three distinct moments.
-type Form = FormOf<11>;
+type CuspForm = FormOf<11>;
 
 /// Degree-10 products of rounded linear forms, summed: fewer than 64 roundings on any path.
 const ROUNDINGS: f64 = 64.0;
@@ -119,24 +119,25 @@ fn outer_scale(frame: &Frame, first: Axis) -> f64 {
 /// P²TJ = Σ_i a_i r_i⁴/τ_i⁵ + Σ_{i<j} r_i² r_j² (a_j τ_j + a_i τ_i)/(τ_i³ τ_j³) and
 /// P²V = Σ_{i<j} r_i² r_j² (a_i − a_j)²/(τ_i³ τ_j³) with τ = μ − a; every |τ| is linear in u and of one sign, so that
 /// each summand is a product of non-negative forms.
-fn cusp_form(frame: &Frame, interval: &MuInterval, active: &[Axis]) -> Form {
+fn cusp_form(frame: &Frame, interval: &MuInterval, active: &[Axis]) -> CuspForm {
     let (lines, [at_zero, at_one]) = interval.lines(frame);
-    let unit = Form::linear(at_zero, at_one);
-    let lines: Vec<Form> = active.iter().map(|&k| Form::linear(lines[k][0].abs(), lines[k][1].abs())).collect();
-    let squares: Vec<Form> = lines.iter().map(|line| line.times(line)).collect();
-    let fifths: Vec<Form> = squares.iter().zip(&lines).map(|(square, line)| square.times(square).times(line)).collect();
+    let unit = CuspForm::linear(at_zero, at_one);
+    let lines: Vec<CuspForm> = active.iter().map(|&k| CuspForm::linear(lines[k][0].abs(), lines[k][1].abs())).collect();
+    let squares: Vec<CuspForm> = lines.iter().map(|line| line.times(line)).collect();
+    let fifths: Vec<CuspForm> =
+        squares.iter().zip(&lines).map(|(square, line)| square.times(square).times(line)).collect();
     let n = active.len();
     let others = |skip: &[usize]| {
-        (0..n)
-            .filter(|m| !skip.contains(m))
-            .fold(None, |product: Option<Form>, m| Some(product.map_or(fifths[m], |product| product.times(&fifths[m]))))
+        (0..n).filter(|m| !skip.contains(m)).fold(None, |product: Option<CuspForm>, m| {
+            Some(product.map_or(fifths[m], |product| product.times(&fifths[m])))
+        })
     };
-    let with_others = |form: Form, skip: &[usize]| others(skip).map_or(form, |rest| rest.times(&form));
+    let with_others = |form: CuspForm, skip: &[usize]| others(skip).map_or(form, |rest| rest.times(&form));
     let weight = |m: usize| frame.r[active[m]] * frame.r[active[m]];
     let sign = |m: usize| interval.sign(active[m]);
     let moment = |m: usize| frame.a[active[m]];
 
-    let mut sum = Form::zero(5 * (n - 1));
+    let mut sum = CuspForm::zero(5 * (n - 1));
     for i in 0..n {
         if let Some(rest) = others(&[i]) {
             sum.add_scaled(sign(i) * moment(i) * weight(i) * weight(i), &rest);
@@ -144,7 +145,7 @@ fn cusp_form(frame: &Frame, interval: &MuInterval, active: &[Axis]) -> Form {
         for j in i + 1..n {
             let product = squares[i].times(&squares[j]);
             let d = frame.diff[active[i]][active[j]];
-            let mut line = Form::zero(1);
+            let mut line = CuspForm::zero(1);
             line.add_scaled(sign(i) * moment(i), &lines[i]);
             line.add_scaled(sign(j) * moment(j), &lines[j]);
             line.add_scaled(4.0 * d * d, &unit);

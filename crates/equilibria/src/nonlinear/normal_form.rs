@@ -38,19 +38,19 @@ impl<E: Enclosure> NormalForm<E> {
     /// unbounded. Without the term that stays at ω₁ = 3ω₂.
     #[must_use]
     pub fn new(hamiltonian: &Series<E>, b: &E, c: &E, precision: E::Precision) -> Option<Self> {
-        Some(Form::new(hamiltonian, b, c, precision, Quartic::even)?.normal())
+        Some(ModeHamiltonian::new(hamiltonian, b, c, precision, Quartic::even)?.normal())
     }
 
     /// Arnold's determinant alone, by fewer operations.
     #[must_use]
     pub fn arnold(hamiltonian: &Series<E>, b: &E, c: &E, precision: E::Precision) -> Option<E> {
-        Some(Form::new(hamiltonian, b, c, precision, Quartic::contracted)?.normal().arnold)
+        Some(ModeHamiltonian::new(hamiltonian, b, c, precision, Quartic::contracted)?.normal().arnold)
     }
 
     /// The same with the term that stays at ω₁ = 3ω₂.
     #[must_use]
     pub fn with_quartic(hamiltonian: &Series<E>, b: &E, c: &E, precision: E::Precision) -> Option<Self> {
-        let form = Form::new(hamiltonian, b, c, precision, Quartic::whole)?;
+        let form = ModeHamiltonian::new(hamiltonian, b, c, precision, Quartic::whole)?;
         // 2|c| |z₁| |z₂|ⁿ with |z_j|² = I_j/(2ω_j|n_j|).
         let size = form.squared_size(&form.rest([1, 0, 0, 3], true));
         let [first, second] = form.pair.actions(precision);
@@ -60,7 +60,7 @@ impl<E: Enclosure> NormalForm<E> {
 }
 
 /// A Hamiltonian in the coordinates of its modes.
-struct Form<E: Enclosure> {
+struct ModeHamiltonian<E: Enclosure> {
     pair: ModePair<E>,
     /// H₃ by monomials of z₁, z₂, z̄₁, z̄₂.
     cubic: Vec<Complex<E>>,
@@ -70,7 +70,7 @@ struct Form<E: Enclosure> {
     precision: E::Precision,
 }
 
-impl<E: Enclosure> Form<E> {
+impl<E: Enclosure> ModeHamiltonian<E> {
     fn new(
         hamiltonian: &Series<E>,
         b: &E,

@@ -3,7 +3,7 @@
 use bifdiag_body::{Body, Number};
 use bifdiag_numbers::vector::{dot, norm, normalised};
 
-use crate::critical::{Multiplicity, Place, SteadyFamily, SteadyStretch};
+use crate::critical::{FamilyPoint, Multiplicity, SteadyFamily, SteadyStretch};
 
 /// The families whose axes are nearest to a direction that points up, at fast spins: several if they are equally near,
 /// none if all of them are perpendicular to it. Of a symmetric pair the one on that side, of a circle the nearest.
@@ -57,7 +57,7 @@ fn mirrored(family: SteadyFamily) -> SteadyFamily {
 
 /// The family with every γ moved.
 fn moved(family: SteadyFamily, by: impl Fn([f64; 3]) -> [f64; 3]) -> SteadyFamily {
-    let place = |place: Place| Place { gamma: by(place.gamma), ..place };
+    let place = |place: FamilyPoint| FamilyPoint { gamma: by(place.gamma), ..place };
     let stretch = |stretch: SteadyStretch| SteadyStretch { from: stretch.from.map(place), ..stretch };
     SteadyFamily {
         slow: family.slow.map(&by),

@@ -16,7 +16,7 @@ use bifdiag_numbers::root::itp;
 use bifdiag_numbers::wide::Interval128;
 
 /// Of degree 18 at most: three distinct moments that all carry r.
-type Form = FormOf<19>;
+type CollisionForm = FormOf<19>;
 
 /// No path from the exact body to a coefficient of the form has as many roundings: 21 to a weight, 80 to B, 65 to
 /// C and 55 to Q², with which the products have 135 and 170.
@@ -74,12 +74,12 @@ pub(super) fn collisions(
 /// B² − 4 det A Q² C with S = Σ a_k² g_k, unit U of the lines, and i, j, k cyclic:
 /// B = (tr A Q − 2S)² U + Σ a_j a_k ((T_j g_k + T_k g_j) Q + 4 (a_j − a_k)² g_j g_k U),
 /// C = Σ (g_i T_j T_k Q + 4 (a_j − a_k)² T_i g_j g_k U).
-fn collision_form(frame: &Frame, family: &CollisionFamily) -> Form {
+fn collision_form(frame: &Frame, family: &CollisionFamily) -> CollisionForm {
     let Lines { unit, line, weight } = family.lines(frame);
     let a = frame.a;
-    let degree = weight.iter().flatten().map(Form::degree).max().unwrap_or(0);
+    let degree = weight.iter().flatten().map(CollisionForm::degree).max().unwrap_or(0);
     let mean = |factor: &dyn Fn(usize) -> f64| {
-        let mut sum = Form::zero(degree);
+        let mut sum = CollisionForm::zero(degree);
         for k in 0..3 {
             if let Some(weight) = &weight[k] {
                 sum.add_scaled(factor(k), weight);
@@ -88,11 +88,11 @@ fn collision_form(frame: &Frame, family: &CollisionFamily) -> Form {
         sum
     };
     let q = mean(&|k| a[k]);
-    let mut gyroscopic = Form::zero(degree);
+    let mut gyroscopic = CollisionForm::zero(degree);
     gyroscopic.add_scaled(a[0] + a[1] + a[2], &q);
     gyroscopic.add_scaled(-2.0, &mean(&|k| a[k] * a[k]));
     let mut swing = gyroscopic.times(&gyroscopic).times(&unit);
-    let mut product = Form::zero(2 * degree + 2);
+    let mut product = CollisionForm::zero(2 * degree + 2);
     for i in 0..3 {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         for (m, n) in [(j, k), (k, j)] {
@@ -117,9 +117,9 @@ fn collision_form(frame: &Frame, family: &CollisionFamily) -> Form {
 
 /// A family in linear forms; a weight that vanishes throughout is left out.
 struct Lines {
-    unit: Form,
-    line: [Form; 3],
-    weight: [Option<Form>; 3],
+    unit: CollisionForm,
+    line: [CollisionForm; 3],
+    weight: [Option<CollisionForm>; 3],
 }
 
 impl CollisionFamily {
@@ -128,18 +128,18 @@ impl CollisionFamily {
         match self {
             Self::Generic(interval) => {
                 let (ends, unit) = interval.lines(frame);
-                let line = ends.map(|[at_zero, at_one]| Form::linear(at_zero, at_one));
+                let line = ends.map(|[at_zero, at_one]| CollisionForm::linear(at_zero, at_one));
                 let weight = Axis::ALL.map(|k| {
                     let others =
                         Axis::ALL.into_iter().filter(|&m| m != k && active(m)).map(|m| line[m].times(&line[m]));
                     let product = others.reduce(|product, square| product.times(&square));
                     product.filter(|_| active(k)).map(|product| {
-                        let mut weight = Form::zero(product.degree());
+                        let mut weight = CollisionForm::zero(product.degree());
                         weight.add_scaled(frame.r[k] * frame.r[k], &product);
                         weight
                     })
                 });
-                Lines { unit: Form::linear(unit[0], unit[1]), line, weight }
+                Lines { unit: CollisionForm::linear(unit[0], unit[1]), line, weight }
             }
             // γ_k² = (r_k/(a − a_k))² z and the rest of 1, with z = u/P̂.
             Self::Over(family) => {
@@ -147,13 +147,13 @@ impl CollisionFamily {
                 let weight = Axis::ALL.map(|k| {
                     let ratio = frame.r[k] / (gap(k) * family.s_pitchfork);
                     if k == family.axis {
-                        Some(Form::linear(1.0, 0.0))
+                        Some(CollisionForm::linear(1.0, 0.0))
                     } else {
-                        active(k).then(|| Form::linear(0.0, ratio * ratio))
+                        active(k).then(|| CollisionForm::linear(0.0, ratio * ratio))
                     }
                 });
-                let line = Axis::ALL.map(|k| Form::linear(gap(k), gap(k)));
-                Lines { unit: Form::linear(1.0, 1.0), line, weight }
+                let line = Axis::ALL.map(|k| CollisionForm::linear(gap(k), gap(k)));
+                Lines { unit: CollisionForm::linear(1.0, 1.0), line, weight }
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use super::event::{Event, Source, Undecided, crossing_event};
+use super::event::{Event, EventSource, Undecided, crossing_event};
 use super::stages::STAGES;
 use crate::id::TransitionId;
 use crate::pair::{PairProof, Proof};
@@ -33,7 +33,7 @@ fn overlapping(events: &[Event]) -> Vec<usize> {
         p.x[0] <= q.x[1] && q.x[0] <= p.x[1] && p.curves.iter().any(|curve| q.curves.contains(curve))
     };
     (0..events.len())
-        .filter(|&n| matches!(events[n].sources[..], [Source::Crossing(_)]))
+        .filter(|&n| matches!(events[n].sources[..], [EventSource::Crossing(_)]))
         .filter(|&n| (0..events.len()).any(|m| m != n && overlaps(&events[n], &events[m])))
         .collect()
 }
@@ -41,7 +41,7 @@ fn overlapping(events: &[Event]) -> Vec<usize> {
 /// Narrows the boxes of these crossings.
 fn narrow<E: Enclosure>(evaluator: &Evaluator<'_, E>, open: &[usize], events: &mut [Event], pairs: &mut [PairProof]) {
     for &n in open {
-        let [Source::Crossing(pair)] = events[n].sources[..] else { continue };
+        let [EventSource::Crossing(pair)] = events[n].sources[..] else { continue };
         if let Some(x) = evaluator.narrowed(pair, &events[n].x) {
             let proofs = pairs.iter_mut().filter(|proof| proof.curves == pair).flat_map(|proof| &mut proof.stretches);
             for stretch in proofs.filter(|stretch| stretch.proof == Proof::Crossing(events[n].x.clone())) {

@@ -17,7 +17,7 @@ use dashu_ratio::RBig;
 
 /// What an event is.
 #[derive(Clone, Debug)]
-pub(crate) enum Source {
+pub(crate) enum EventSource {
     Cusp(CuspId),
     Pitchfork(PitchforkId),
     Pole(MeetingId),
@@ -28,7 +28,7 @@ pub(crate) enum Source {
 /// A point at which curves meet; several sources when they are proved to be the same point.
 #[derive(Clone, Debug)]
 pub(crate) struct Event {
-    pub sources: Vec<Source>,
+    pub sources: Vec<EventSource>,
     pub curves: Vec<CurveId>,
     /// x lies strictly between, or at, these.
     pub x: [RBig; 2],
@@ -42,8 +42,8 @@ pub(super) fn known_meetings(curves: &Curves, events: &[Event]) -> Vec<Passage> 
         for &curve in &event.curves {
             for side in [0, 1] {
                 let ends_here = event.sources.iter().any(|source| match source {
-                    Source::Cusp(number) => curves.list[curve].ends[side] == End::Cusp(*number),
-                    Source::Pitchfork(number) => curves.list[curve].ends[side] == End::Pitchfork(*number),
+                    EventSource::Cusp(number) => curves.list[curve].ends[side] == End::Cusp(*number),
+                    EventSource::Pitchfork(number) => curves.list[curve].ends[side] == End::Pitchfork(*number),
                     _ => false,
                 });
                 if ends_here {
@@ -72,7 +72,7 @@ pub(super) fn crossing_event<E: Enclosure>(evaluator: &Evaluator<'_, E>, pair: [
         point.map_or([f64::NEG_INFINITY, f64::INFINITY], |point| point.h().bounds())
     };
     let h = [height(&x[0])[0], height(&x[1])[1]];
-    Event { sources: vec![Source::Crossing(pair)], curves: pair.to_vec(), x: x.clone(), h: confirmable(h) }
+    Event { sources: vec![EventSource::Crossing(pair)], curves: pair.to_vec(), x: x.clone(), h: confirmable(h) }
 }
 
 /// Why nothing more is proved.
@@ -105,12 +105,12 @@ pub(super) fn single_events(
     };
     for (number, cusp) in curves.cusps.pairs() {
         let state = evaluator.state(cusp.place.half, &evaluator.place(&cusp.place));
-        events.push(event(Source::Cusp(number), cusp.curves.to_vec(), &state.x, &state.h())?);
+        events.push(event(EventSource::Cusp(number), cusp.curves.to_vec(), &state.x, &state.h())?);
     }
     for (number, fork) in curves.pitchforks.pairs() {
         let state = evaluator.state(Half::Over { group: fork.group }, &evaluator.c.small(0));
         let list = vec![fork.through[0], fork.through[1], fork.pair];
-        events.push(event(Source::Pitchfork(number), list, &state.x, &state.h())?);
+        events.push(event(EventSource::Pitchfork(number), list, &state.x, &state.h())?);
     }
     for (number, meeting) in meetings.pairs() {
         let state = evaluator.state(meeting.place.half, &evaluator.place(&meeting.place));
@@ -125,14 +125,14 @@ pub(super) fn single_events(
         };
         if let Some(place) = place {
             let target = &mut events[place];
-            target.sources.push(Source::Pole(number));
+            target.sources.push(EventSource::Pole(number));
             for curve in list {
                 if !target.curves.contains(&curve) {
                     target.curves.push(curve);
                 }
             }
         } else {
-            events.push(event(Source::Pole(number), list, &state.x, &state.h())?);
+            events.push(event(EventSource::Pole(number), list, &state.x, &state.h())?);
         }
     }
     Ok(events)

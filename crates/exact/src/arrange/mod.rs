@@ -8,6 +8,6 @@ mod slab;
 mod stages;
 
 pub(crate) use arrangement::{Arrangement, arrange};
-pub(crate) use event::{Event, Source, Undecided};
+pub(crate) use event::{Event, EventSource, Undecided};
 pub(crate) use slab::Slab;
 pub(crate) use stages::STAGES;

@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use super::event::{Event, Source, Undecided};
+use super::event::{Event, EventSource, Undecided};
 use super::stages::{Ordered, Stages};
 use crate::curves::Curves;
 use crate::id::TransitionId;
@@ -37,8 +37,8 @@ fn span(
             let group = &transitions[*transition];
             group.iter().any(|&event| {
                 events[event].sources.iter().any(|source| match source {
-                    Source::Cusp(number) => end == End::Cusp(*number),
-                    Source::Pitchfork(number) => end == End::Pitchfork(*number),
+                    EventSource::Cusp(number) => end == End::Cusp(*number),
+                    EventSource::Pitchfork(number) => end == End::Pitchfork(*number),
                     _ => false,
                 })
             })

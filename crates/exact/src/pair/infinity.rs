@@ -1,6 +1,6 @@
 //! The order of two curves towards x → ∞.
 
-use super::node::{Mark, Node, Open, Proof, Stretch, few_bits};
+use super::node::{Node, Open, Proof, Stretch, StretchEnd, few_bits};
 use super::stretch::DEPTH;
 use crate::point::Evaluator;
 use bifdiag_equilibria::curves::CurveId;
@@ -20,7 +20,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
         let mut node = first;
         for _ in 0..FAR {
             if let Some(sign) = self.far_sign(curves, &node) {
-                stretches.push(Stretch { x: [node.mark(), Mark::End], sign, proof: Proof::Constant });
+                stretches.push(Stretch { x: [node.mark(), StretchEnd::End], sign, proof: Proof::Constant });
                 return Ok(());
             }
             let from = node.x.bounds()[1];

@@ -19,4 +19,4 @@ mod stretch;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use node::{Mark, Open, POINTS, PairProof, Proof, Stretch};
+pub(crate) use node::{Open, POINTS, PairProof, Proof, Stretch, StretchEnd};

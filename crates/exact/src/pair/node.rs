@@ -21,9 +21,9 @@ pub(super) struct Node<E: Enclosure> {
 }
 
 impl<E: Enclosure> Node<E> {
-    pub(super) fn mark(&self) -> Mark {
+    pub(super) fn mark(&self) -> StretchEnd {
         let at = self.x.exact_bounds().filter(|_| !self.is_end);
-        at.map_or(Mark::End, |[at, _]| Mark::At(at))
+        at.map_or(StretchEnd::End, |[at, _]| StretchEnd::At(at))
     }
 }
 
@@ -84,7 +84,7 @@ pub(crate) const POINTS: u32 = 4000;
 
 /// What ends a stretch.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Mark {
+pub(crate) enum StretchEnd {
     /// The lower or upper end of the common range.
     End,
     /// This x.
@@ -94,7 +94,7 @@ pub(crate) enum Mark {
 /// A stretch with a proved sign of h_a − h_b, or with one crossing.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Stretch {
-    pub x: [Mark; 2],
+    pub x: [StretchEnd; 2],
     /// Sign at the lower end.
     pub sign: Sign,
     pub proof: Proof,

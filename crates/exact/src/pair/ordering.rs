@@ -2,7 +2,7 @@
 //!
 //! The order of two curves beside a cusp or pitchfork that both share.
 
-use super::node::{Mark, Node, Open, PairProof, Proof, Stretch};
+use super::node::{Node, Open, PairProof, Proof, Stretch, StretchEnd};
 use super::side::{Side, position};
 use super::stretch::DEPTH;
 use crate::family::Curvature;
@@ -33,7 +33,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
             }
         }
         if let Some(sign) = self.ordered_on_axis(curves) {
-            let stretches = vec![Stretch { x: [Mark::End, Mark::End], sign, proof: Proof::Constant }];
+            let stretches = vec![Stretch { x: [StretchEnd::End, StretchEnd::End], sign, proof: Proof::Constant }];
             return Ok(Some(PairProof { curves, stretches }));
         }
         let mut stretches = Vec::new();
@@ -75,7 +75,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
                         .node_within(curves, &from, &to, t)
                         .and_then(|node| self.sign_beside(curves, lower, &node, 0).map(|sign| (sign, node)));
                     if let Some((sign, node)) = found {
-                        stretches.push(Stretch { x: [Mark::End, node.mark()], sign, proof: Proof::Constant });
+                        stretches.push(Stretch { x: [StretchEnd::End, node.mark()], sign, proof: Proof::Constant });
                         return Ok(Some(node));
                     }
                     t *= 0.25;
@@ -104,7 +104,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
                 .node_within(curves, &to, &from, t)
                 .and_then(|node| self.sign_beside(curves, upper, &node, 1).map(|sign| (sign, node)));
             if let Some((sign, node)) = found {
-                stretches.push(Stretch { x: [node.mark(), Mark::End], sign, proof: Proof::Constant });
+                stretches.push(Stretch { x: [node.mark(), StretchEnd::End], sign, proof: Proof::Constant });
                 return Ok(node);
             }
             t *= 0.25;

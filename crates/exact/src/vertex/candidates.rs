@@ -8,7 +8,7 @@ use dashu_ratio::RBig;
 
 use super::fan::Vertex;
 use super::{fan, strip};
-use crate::critical_values::{CriticalValues, Source};
+use crate::critical_values::{CriticalSource, CriticalValues};
 use crate::plane::{Gap, Open, Plane};
 
 /// A cell over one x.
@@ -82,7 +82,7 @@ fn power_below(limit: &RBig) -> RBig {
 
 /// The curves at an x next to the point.
 struct Beside {
-    sources: Vec<Source>,
+    sources: Vec<CriticalSource>,
     /// The cells between the curves that pass near h, with those below and above.
     cells: Vec<Gap>,
     /// Those curves, by their numbers among the sources.

@@ -4,7 +4,7 @@
 
 use std::cmp::Ordering;
 
-use crate::critical_values::{CriticalValues, Level, Source, ordered};
+use crate::critical_values::{CriticalSource, CriticalValue, CriticalValues, ordered};
 use crate::curves::Place;
 use crate::family::{Curvature, Half, State};
 use crate::model::{Constants, Model};
@@ -19,14 +19,14 @@ const BITS: usize = 256;
 
 /// A curve between the point and an x beside it.
 struct Arc<'a> {
-    at: &'a Source,
-    beside: &'a Source,
+    at: &'a CriticalSource,
+    beside: &'a CriticalSource,
 }
 
 /// The curves with these numbers among the sources beside the point come from it and do not meet between (Proposition
 /// 8.6): for each two the ranges of J are disjoint, or they are the arms of a cusp, or the pair and what it leaves at a
 /// pitchfork.
-pub(super) fn is_ordered(vertex: &Vertex<'_>, sources: &[Source], near: &[usize]) -> bool {
+pub(super) fn is_ordered(vertex: &Vertex<'_>, sources: &[CriticalSource], near: &[usize]) -> bool {
     if near.len() < 2 {
         return true;
     }
@@ -46,25 +46,27 @@ pub(super) fn is_ordered(vertex: &Vertex<'_>, sources: &[Source], near: &[usize]
 }
 
 /// The curve of a source beside the point, back to the point.
-fn arc<'a>(vertex: &'a Vertex<'_>, sources: &'a [Source], number: usize) -> Option<Arc<'a>> {
+fn arc<'a>(vertex: &'a Vertex<'_>, sources: &'a [CriticalSource], number: usize) -> Option<Arc<'a>> {
     let beside = &sources[number];
     let mut ends = vertex.levels.iter().filter(|level| level.sign == Sign::Zero).map(|level| &level.source);
     let at = match beside {
-        Source::Line(pole) => ends.find(|end| matches!(end, Source::Line(other) if other == pole)),
-        Source::Euler { group } => ends.find(|end| matches!(end, Source::Euler { group: other } if other == group)),
-        // Two points over one x lie on both sides of the cusp.
-        Source::Over { group, .. } => {
-            ends.find(|end| matches!(end, Source::Over { group: other, .. } if other == group))
+        CriticalSource::Line(pole) => ends.find(|end| matches!(end, CriticalSource::Line(other) if other == pole)),
+        CriticalSource::Euler { group } => {
+            ends.find(|end| matches!(end, CriticalSource::Euler { group: other } if other == group))
         }
-        Source::Generic { number, place } => return generic_arc(vertex, sources, *number, place, beside),
+        // Two points over one x lie on both sides of the cusp.
+        CriticalSource::Over { group, .. } => {
+            ends.find(|end| matches!(end, CriticalSource::Over { group: other, .. } if other == group))
+        }
+        CriticalSource::Generic { number, place } => return generic_arc(vertex, sources, *number, place, beside),
     };
     at.map(|at| Arc { at, beside })
 }
 
 /// The place of a source on an interval of the generic family.
-fn place_on(source: &Source, interval: usize) -> Option<&Place> {
+fn place_on(source: &CriticalSource, interval: usize) -> Option<&Place> {
     match source {
-        Source::Generic { number, place } if *number == interval => Some(place),
+        CriticalSource::Generic { number, place } if *number == interval => Some(place),
         _ => None,
     }
 }
@@ -73,10 +75,10 @@ fn place_on(source: &Source, interval: usize) -> Option<&Place> {
 /// there is no cusp.
 fn generic_arc<'a>(
     vertex: &'a Vertex<'_>,
-    sources: &[Source],
+    sources: &[CriticalSource],
     interval: usize,
     place: &Place,
-    beside: &'a Source,
+    beside: &'a CriticalSource,
 ) -> Option<Arc<'a>> {
     let model = vertex.plane.model;
     let is_itself = |other: &&Place| other.lo == place.lo && other.hi == place.hi && other.half == place.half;
@@ -107,9 +109,9 @@ fn nearest<'a>(
     interval: usize,
     place: &Place,
     side: Ordering,
-) -> Result<Option<(&'a Level, &'a Place)>, Unordered> {
+) -> Result<Option<(&'a CriticalValue, &'a Place)>, Unordered> {
     let is_beyond = |p: &Place, q: &Place| Ok(ordered(vertex.plane.model, p, q).ok_or(Unordered)? == side);
-    let mut nearest: Option<(&Level, &Place)> = None;
+    let mut nearest: Option<(&CriticalValue, &Place)> = None;
     for level in vertex.levels {
         let Some(at) = place_on(&level.source, interval) else { continue };
         if !is_beyond(at, place)? {
@@ -140,10 +142,10 @@ fn hull(model: &Model, p: &Place, q: &Place) -> Option<(Half, Wide)> {
     (ends[0] >= RBig::ZERO).then(|| (p.half, number(&ends[0]).hull(&number(&ends[1]))))
 }
 
-fn place(source: &Source) -> Option<&Place> {
+fn place(source: &CriticalSource) -> Option<&Place> {
     match source {
-        Source::Generic { place, .. } | Source::Over { place, .. } => Some(place),
-        Source::Line(_) | Source::Euler { .. } => None,
+        CriticalSource::Generic { place, .. } | CriticalSource::Over { place, .. } => Some(place),
+        CriticalSource::Line(_) | CriticalSource::Euler { .. } => None,
     }
 }
 
@@ -157,17 +159,17 @@ impl Arc<'_> {
     /// All of its J.
     fn moment(&self, model: &Model, c: &Constants<Wide>) -> Option<Wide> {
         match self.at {
-            Source::Line(_) => c.j_r.clone(),
-            Source::Euler { group } => Some(c.a[*group].clone()),
-            Source::Generic { .. } | Source::Over { .. } => Some(self.states(model, c)?.j),
+            CriticalSource::Line(_) => c.j_r.clone(),
+            CriticalSource::Euler { group } => Some(c.a[*group].clone()),
+            CriticalSource::Generic { .. } | CriticalSource::Over { .. } => Some(self.states(model, c)?.j),
         }
     }
 
     /// All of its d²h/dx².
     fn curvature(&self, model: &Model, c: &Constants<Wide>) -> Option<Curvature<Wide>> {
         match self.at {
-            Source::Line(_) | Source::Euler { .. } => Some(Curvature::zero(c)),
-            Source::Generic { .. } | Source::Over { .. } => {
+            CriticalSource::Line(_) | CriticalSource::Euler { .. } => Some(Curvature::zero(c)),
+            CriticalSource::Generic { .. } | CriticalSource::Over { .. } => {
                 let state = |place: &Place| {
                     let y = Wide::rational(&place.lo, BITS).hull(&Wide::rational(&place.hi, BITS));
                     State::at(model, c, place.half, &y)
@@ -182,30 +184,30 @@ impl Arc<'_> {
 /// Both arms of one cusp, with J monotone from one to the other (Lemma 7.4).
 fn are_arms(model: &Model, c: &Constants<Wide>, a: &Arc<'_>, b: &Arc<'_>) -> bool {
     match (a.at, b.at) {
-        (Source::Generic { .. }, Source::Generic { .. }) if std::ptr::eq(a.at, b.at) => {
+        (CriticalSource::Generic { .. }, CriticalSource::Generic { .. }) if std::ptr::eq(a.at, b.at) => {
             let range = place(a.beside).zip(place(b.beside)).and_then(|(p, q)| hull(model, p, q));
             range.is_some_and(|(half, y)| State::at(model, c, half, &y).j_slope.strict_sign().is_some())
         }
         // J = a − R̂/v.
-        (Source::Over { .. }, Source::Over { .. }) => std::ptr::eq(a.at, b.at),
+        (CriticalSource::Over { .. }, CriticalSource::Over { .. }) => std::ptr::eq(a.at, b.at),
         _ => false,
     }
 }
 
 /// The pair that leaves at a pitchfork, and the curve that it leaves, with different curvatures (Lemma 7.3).
 fn are_forked(model: &Model, c: &Constants<Wide>, [through, pair]: [&Arc<'_>; 2]) -> bool {
-    let Source::Over { group, place } = pair.at else { return false };
+    let CriticalSource::Over { group, place } = pair.at else { return false };
     if place.lo != RBig::ZERO || place.hi != RBig::ZERO {
         return false;
     }
     let passes = match through.at {
-        Source::Generic { place, .. } => {
+        CriticalSource::Generic { place, .. } => {
             let [lo, hi] = place.mu(model);
             let a = model.a(*group);
             lo <= *a && *a <= hi
         }
-        Source::Line(_) => model.active.len() == 1,
-        Source::Over { .. } | Source::Euler { .. } => false,
+        CriticalSource::Line(_) => model.active.len() == 1,
+        CriticalSource::Over { .. } | CriticalSource::Euler { .. } => false,
     };
     let curvatures = through.curvature(model, c).zip(pair.curvature(model, c));
     passes && curvatures.is_some_and(|(p, q)| p.minus(&q).is_some())
@@ -216,5 +218,5 @@ pub(crate) struct Vertex<'a> {
     pub plane: &'a Plane<'a>,
     pub heights: &'a CriticalValues<'a>,
     pub h: &'a RBig,
-    pub levels: &'a [Level],
+    pub levels: &'a [CriticalValue],
 }

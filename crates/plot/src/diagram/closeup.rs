@@ -42,7 +42,7 @@ pub(super) enum Closeup {
 
 /// The extent of a region in h at one l.
 #[derive(Clone, Copy)]
-struct Station {
+struct RegionExtent {
     l: f64,
     h: [f64; 2],
 }
@@ -59,7 +59,8 @@ pub(super) fn closeup(
     if width < NARROWEST * length(visible.h) {
         return Ok(Closeup::TooSmall);
     }
-    let Some(Station { l: widest, h: there }) = widest(scene, region, &stations(scene, visible, region, width * 1e-3)?)
+    let Some(RegionExtent { l: widest, h: there }) =
+        widest(scene, region, &stations(scene, visible, region, width * 1e-3)?)
     else {
         return Ok(Closeup::Outside);
     };
@@ -102,10 +103,10 @@ pub(super) fn closeup(
 
 /// Where a region is widest. A strip that never ends is widest far out; the atlas' sample lies where it has something to
 /// show, and is preferred if it is wide there, too.
-fn widest(scene: &Scene<'_>, region: usize, stations: &[Station]) -> Option<Station> {
-    let width = |station: &Station| length(station.h);
+fn widest(scene: &Scene<'_>, region: usize, stations: &[RegionExtent]) -> Option<RegionExtent> {
+    let width = |station: &RegionExtent| length(station.h);
     let widest = stations.iter().max_by(|a, b| width(a).total_cmp(&width(b)))?;
-    let from_sample = |station: &Station| (station.l - scene.atlas.regions[region].sample.l).abs();
+    let from_sample = |station: &RegionExtent| (station.l - scene.atlas.regions[region].sample.l).abs();
     let near_sample = stations.iter().min_by(|a, b| from_sample(a).total_cmp(&from_sample(b)))?;
     let endless = scene.cells[region].iter().any(|cell| cell.l[1].is_infinite());
     Some(if endless && width(near_sample) >= 0.3 * width(widest) { *near_sample } else { *widest })
@@ -129,7 +130,7 @@ fn stations(
     window: &WindowDocument,
     region: usize,
     tolerance: f64,
-) -> Result<Vec<Station>, PlotError> {
+) -> Result<Vec<RegionExtent>, PlotError> {
     let mut stations = Vec::new();
     for cell in &scene.cells[region] {
         let [from, to] = common(cell.l, window.l);
@@ -145,7 +146,7 @@ fn stations(
             let high = upper.as_ref().map_or(Some(window.h[1]), |upper| upper.h_at(l));
             let h = common([low, high.unwrap_or(low)], window.h);
             if h[0] <= h[1] {
-                stations.push(Station { l, h });
+                stations.push(RegionExtent { l, h });
             }
         }
     }

@@ -2,8 +2,8 @@
 
 use super::colors::{fill, line as line_color};
 use super::legend::{BORDER, LINE, MapLegend, NO_BODY, Places, line_pattern};
-use super::marks::{Mark, Marked, RING, marked, note_box};
-use super::model::{Map, MapBodies, MapLine, MapNote, SIZE, SMALL, View};
+use super::marks::{MapMark, Marked, RING, marked, note_box};
+use super::model::{Map, MapBodies, MapLine, MapNote, MapView, SIZE, SMALL};
 use std::collections::BTreeSet;
 
 use plotters::style::RGBColor;
@@ -40,7 +40,7 @@ pub fn draw_map(map: &Map, theme: Theme, width: Width) -> Result<Picture, PlotEr
     let side = if width.is_column() { paper - LEFT - EDGE } else { SIDE * width.scale() };
     let heading = Heading::new(map, paper - LEFT - EDGE);
     let rect = Rect { x: LEFT, y: heading.height, width: side, height: side };
-    let view = View { x: map.x.range, y: map.y.range, rect };
+    let view = MapView { x: map.x.range, y: map.y.range, rect };
     let marked = marked(map, &view);
     let beside = rect.right() + GAP;
     let room = if width.is_column() { [0.0; 2] } else { [paper - beside - EDGE, side] };
@@ -99,7 +99,7 @@ impl Heading {
     }
 }
 
-fn bodies(canvas: &Canvas, map: &Map, view: &View) {
+fn bodies(canvas: &Canvas, map: &Map, view: &MapView) {
     match &map.bodies {
         MapBodies::Grid { columns, entries } => {
             let rows = entries.len() / (*columns).max(1);
@@ -154,14 +154,14 @@ fn bodies(canvas: &Canvas, map: &Map, view: &View) {
 }
 
 /// The part of a line inside the map.
-fn draw_line(canvas: &Canvas, line: &MapLine, view: &View) {
+fn draw_line(canvas: &Canvas, line: &MapLine, view: &MapView) {
     for part in view.parts(line) {
         canvas.dashed(&part, &line_pattern(line.dashed, line_color(line.hue)), LINE);
     }
 }
 
 /// The names of lines, the marks of the entries, and the notes.
-fn draw_marks(canvas: &Canvas, map: &Map, view: &View, Marked { marks, names }: &Marked) {
+fn draw_marks(canvas: &Canvas, map: &Map, view: &MapView, Marked { marks, names }: &Marked) {
     for name in names {
         let line = &map.lines[name.of];
         draw_text(canvas, &line.name, name, line_color(line.hue));
@@ -175,7 +175,7 @@ fn draw_marks(canvas: &Canvas, map: &Map, view: &View, Marked { marks, names }: 
 }
 
 /// A mark or a name; one with a leader has a box.
-fn draw_text(canvas: &Canvas, text: &str, mark: &Mark, color: RGBColor) {
+fn draw_text(canvas: &Canvas, text: &str, mark: &MapMark, color: RGBColor) {
     if let Some([tip, end]) = mark.leader {
         canvas.path(&[tip, end], Ink { color, width: 0.7 });
         canvas.disc(tip, 1.5, color);
@@ -186,7 +186,7 @@ fn draw_text(canvas: &Canvas, text: &str, mark: &Mark, color: RGBColor) {
     canvas.text(text, [x, y + 0.36 * mark.size], mark.size, color, Anchor::Middle);
 }
 
-fn draw_note(canvas: &Canvas, note: &MapNote, view: &View) {
+fn draw_note(canvas: &Canvas, note: &MapNote, view: &MapView) {
     let rect = note_box(note, view);
     canvas.polygon(&rect.corners(), PAPER);
     let [x, y] = rect.center();
@@ -196,7 +196,7 @@ fn draw_note(canvas: &Canvas, note: &MapNote, view: &View) {
     }
 }
 
-fn axes(canvas: &Canvas, map: &Map, view: &View) {
+fn axes(canvas: &Canvas, map: &Map, view: &MapView) {
     let rect = &view.rect;
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a handful")]
     let count = |on_page: f64| (on_page * rect.width / SIDE).round() as usize;

@@ -1,8 +1,8 @@
 //! The legend of a map: its entries beside it while there is room, the rest below, with what lines mean.
 
 use super::colors::{fill, line as line_color};
-use super::marks::Mark;
-use super::model::{Map, MapBodies, View};
+use super::marks::MapMark;
+use super::model::{Map, MapBodies, MapView};
 use super::spots::{short_place, spot};
 use crate::page::{Canvas, Dash, FAINT_INK, Ink, Legend, Path, Point, Rect, Symbol, Table, pixel};
 use plotters::style::RGBColor;
@@ -56,7 +56,7 @@ struct Entry {
 
 impl MapLegend {
     /// Each entry is listed with its number, and where it lies if no mark in the map says that.
-    pub(super) fn new(map: &Map, view: &View, marks: &[Mark], places: Places) -> Self {
+    pub(super) fn new(map: &Map, view: &MapView, marks: &[MapMark], places: Places) -> Self {
         let mut entries: Vec<Entry> = Vec::with_capacity(map.entries.len());
         for (number, entry) in map.entries.iter().enumerate() {
             let is_marked = marks.iter().any(|mark| mark.of == number);

@@ -2,7 +2,7 @@
 //! room, and
 //! for an entry without one beside what shows it, with a leader.
 
-use super::model::{Map, MapBodies, MapLine, MapNote, SIZE, SMALL, View};
+use super::model::{Map, MapBodies, MapLine, MapNote, MapView, SIZE, SMALL};
 use crate::page::{Areas, Labelled, NOTHING, Point, Rect, Sums, Taken, all_over, between, distance, pixel, text_width};
 
 /// Room of a mark inside of its patch, above and below its middle.
@@ -24,7 +24,7 @@ const PART: f64 = 4.0;
 const TIPS: usize = 48;
 
 /// A text with its place.
-pub(super) struct Mark {
+pub(super) struct MapMark {
     /// The number of its line or entry.
     pub of: usize,
     pub size: f64,
@@ -36,13 +36,13 @@ pub(super) struct Mark {
 /// The contents of a map besides its notes.
 pub(super) struct Marked {
     /// Marks of entries.
-    pub marks: Vec<Mark>,
+    pub marks: Vec<MapMark>,
     /// Names of lines.
-    pub names: Vec<Mark>,
+    pub names: Vec<MapMark>,
 }
 
 /// The names of lines and the marks of entries; no marks for bodies that are points.
-pub(super) fn marked(map: &Map, view: &View) -> Marked {
+pub(super) fn marked(map: &Map, view: &MapView) -> Marked {
     let notes: Vec<Rect> = map.notes.iter().map(|note| note_box(note, view)).collect();
     let mut taken = Taken::default();
     for rect in &notes {
@@ -54,7 +54,7 @@ pub(super) fn marked(map: &Map, view: &View) -> Marked {
 }
 
 /// The names of all lines that have one and are seen; takes their places.
-fn names(map: &Map, view: &View, taken: &mut Taken) -> Vec<Mark> {
+fn names(map: &Map, view: &MapView, taken: &mut Taken) -> Vec<MapMark> {
     if map.lines.iter().all(|line| line.name.is_empty()) {
         return Vec::new();
     }
@@ -79,18 +79,18 @@ fn beside(
     of: usize,
     size: [f64; 2],
     tips: &[Point],
-    view: &View,
+    view: &MapView,
     taken: &mut Taken,
     cost: impl Fn(&Rect) -> f64,
-) -> Option<Mark> {
+) -> Option<MapMark> {
     let labelled = Labelled { tips, lengths: LEADER, clearance: CLEAR };
     let places = all_over(view.rect.grown(-2.0), size, STEP).map(|rect| (cost(&rect), rect));
     let (rect, leader) = taken.place_with_leader(&labelled, places, |_| 0.0)?;
-    Some(Mark { of, size: SMALL, rect, leader: Some(leader) })
+    Some(MapMark { of, size: SMALL, rect, leader: Some(leader) })
 }
 
 /// The points of a line on the page, at this distance.
-fn parts(line: &MapLine, view: &View) -> Vec<Point> {
+fn parts(line: &MapLine, view: &MapView) -> Vec<Point> {
     let mut points: Vec<Point> = Vec::new();
     let all = view.parts(line).concat();
     for (place, point) in all.iter().enumerate() {
@@ -102,7 +102,7 @@ fn parts(line: &MapLine, view: &View) -> Vec<Point> {
 }
 
 /// The marks of entries where nothing is taken; none may cover texts in `boxes`.
-fn marks(map: &Map, view: &View, boxes: &[Rect], taken: &mut Taken) -> Vec<Mark> {
+fn marks(map: &Map, view: &MapView, boxes: &[Rect], taken: &mut Taken) -> Vec<MapMark> {
     if let MapBodies::Points(_) = &map.bodies {
         return Vec::new();
     }
@@ -120,7 +120,7 @@ fn marks(map: &Map, view: &View, boxes: &[Rect], taken: &mut Taken) -> Vec<Mark>
             rows.for_each(|row| of[row * size[0]..][columns.clone()].fill(NOTHING));
         }
     });
-    let mut marks: Vec<Mark> = Vec::new();
+    let mut marks: Vec<MapMark> = Vec::new();
     for (patch, (&entry, depth)) in entries.iter().zip(patches.depths(entries.len())).enumerate() {
         let size = [text_width(&map.entries[entry].mark, SIZE) + 2.0, 2.0 * ROOM];
         if depth < ROOM - NECK || map.entries[entry].mark.is_empty() {
@@ -129,7 +129,7 @@ fn marks(map: &Map, view: &View, boxes: &[Rect], taken: &mut Taken) -> Vec<Mark>
         let others = Sums::new(&patches, |at| usize::try_from(patches.of[at]) != Ok(patch));
         if let Some(rect) = patches.inside(patch, &others, size, 0.0, taken) {
             taken.take_box(rect);
-            marks.push(Mark { of: entry, size: SIZE, rect, leader: None });
+            marks.push(MapMark { of: entry, size: SIZE, rect, leader: None });
         }
     }
     let (seen, _) = map.bodies.seen(map.entries.len(), view);
@@ -171,7 +171,7 @@ fn patches(shown: &Areas) -> (Vec<i32>, Vec<usize>) {
 
 /// Lines on the page: the full black ones, which are borders as those of areas are, so that no patch reaches across them; and
 /// all, with the borders of areas.
-fn lines(map: &Map, view: &View) -> [Vec<Vec<Point>>; 2] {
+fn lines(map: &Map, view: &MapView) -> [Vec<Vec<Point>>; 2] {
     let on_page = |points: &[[f64; 2]]| points.iter().map(|point| view.at(*point)).collect::<Vec<Point>>();
     let is_border = |line: &&MapLine| !line.dashed && line.hue == 0;
     let of_areas = match &map.bodies {
@@ -186,7 +186,7 @@ fn lines(map: &Map, view: &View) -> [Vec<Vec<Point>>; 2] {
 }
 
 /// Empties the pixels on lines, and beside them, so that no two on different sides touch.
-fn cut(lines: &[Vec<Point>], view: &View, [width, height]: [usize; 2], of: &mut [i32]) {
+fn cut(lines: &[Vec<Point>], view: &MapView, [width, height]: [usize; 2], of: &mut [i32]) {
     for ends in lines.iter().flat_map(|line| line.windows(2)) {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundreds of pixels")]
         let steps = (2.0 * distance(ends[0], ends[1])).ceil().max(1.0) as usize;
@@ -200,7 +200,7 @@ fn cut(lines: &[Vec<Point>], view: &View, [width, height]: [usize; 2], of: &mut 
 }
 
 /// What bodies show in each pixel.
-fn fill(bodies: &MapBodies, view: &View, [width, height]: [usize; 2], of: &mut [i32]) {
+fn fill(bodies: &MapBodies, view: &MapView, [width, height]: [usize; 2], of: &mut [i32]) {
     let code = |entry: Option<usize>| entry.and_then(|entry| i32::try_from(entry).ok()).unwrap_or(NOTHING);
     match bodies {
         MapBodies::Points(_) => {}
@@ -238,7 +238,7 @@ fn middles(from: f64, to: f64, count: usize) -> std::ops::Range<usize> {
 }
 
 /// The box of a note's text.
-pub(super) fn note_box(note: &MapNote, view: &View) -> Rect {
+pub(super) fn note_box(note: &MapNote, view: &MapView) -> Rect {
     let place = view.at(note.at);
     let half = 0.5 * text_width(&note.text, SMALL) + 3.0;
     let [left, right] = [view.rect.x, view.rect.right()];
@@ -287,9 +287,9 @@ mod tests {
         }
     }
 
-    fn view() -> View {
+    fn view() -> MapView {
         let rect = Rect { x: 0.0, y: 0.0, width: 500.0, height: 500.0 };
-        View { x: [0.0, 1.0], y: [0.0, 1.0], rect }
+        MapView { x: [0.0, 1.0], y: [0.0, 1.0], rect }
     }
 
     #[test]
@@ -328,7 +328,7 @@ mod tests {
         let view = view();
         let marks = marked(&map, &view).marks;
         for entry in 0..12 {
-            let own: Vec<&Mark> = marks.iter().filter(|mark| mark.of == entry).collect();
+            let own: Vec<&MapMark> = marks.iter().filter(|mark| mark.of == entry).collect();
             assert_eq!(own.len(), 1, "entry {entry}");
             let tip = own[0].leader.map_or(own[0].rect.center(), |leader| leader[0]);
             let inside = if entry < 2 { None } else { Some([500.0 * strip(entry - 2), 500.0 * strip(entry - 1)]) };
@@ -381,7 +381,7 @@ mod tests {
             notes: Vec::new(),
             key: Vec::new(),
         };
-        let view = View { x: [0.0, 1.0], y: [0.0, 1.0], rect: Rect { x: 0.0, y: 0.0, width: 500.0, height: 500.0 } };
+        let view = MapView { x: [0.0, 1.0], y: [0.0, 1.0], rect: Rect { x: 0.0, y: 0.0, width: 500.0, height: 500.0 } };
         let names = names(&map, &view, &mut Taken::default());
         assert_eq!(names.iter().map(|name| name.of).collect::<Vec<_>>(), [0, 1, 2]);
         let mut lines = Taken::default();

@@ -81,7 +81,7 @@ pub struct MapNote {
 
 impl MapBodies {
     /// Which of this many entries are visible, and whether unknown bodies are: not what covers too few pixels.
-    pub(super) fn seen(&self, entries: usize, view: &View) -> (Vec<bool>, bool) {
+    pub(super) fn seen(&self, entries: usize, view: &MapView) -> (Vec<bool>, bool) {
         let pieces = match self {
             Self::Grid { entries: shown, .. } => return (vec![true; entries], shown.iter().any(Option::is_none)),
             Self::Points(points) => return (vec![true; entries], points.iter().any(|(_, entry)| entry.is_none())),
@@ -162,13 +162,13 @@ pub(super) const SIZE: f64 = 11.5;
 pub(super) const SMALL: f64 = 11.0;
 
 /// The ranges of a map and its place on the page.
-pub(super) struct View {
+pub(super) struct MapView {
     pub x: [f64; 2],
     pub y: [f64; 2],
     pub rect: Rect,
 }
 
-impl View {
+impl MapView {
     /// A point of the map on the page.
     pub(super) fn at(&self, [x, y]: [f64; 2]) -> Point {
         let share = |value: f64, [from, to]: [f64; 2]| (value - from) / (to - from);
@@ -184,7 +184,7 @@ impl View {
 }
 
 /// The area of a polygon on the page.
-pub(super) fn area(corners: &[[f64; 2]], view: &View) -> f64 {
+pub(super) fn area(corners: &[[f64; 2]], view: &MapView) -> f64 {
     let corners: Vec<Point> = corners.iter().map(|corner| view.at(*corner)).collect();
     let next = corners.iter().cycle().skip(1);
     0.5 * corners.iter().zip(next).map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f64>().abs()
@@ -197,7 +197,7 @@ mod tests {
     #[test]
     fn lines_reach_the_frame_and_end_there() {
         let rect = Rect { x: 0.0, y: 0.0, width: 4.0, height: 2.0 };
-        let view = View { x: [0.0, 4.0], y: [0.0, 2.0], rect };
+        let view = MapView { x: [0.0, 4.0], y: [0.0, 2.0], rect };
         let parts = |points: &[[f64; 2]]| view.parts(&MapLine { points: points.to_vec(), ..MapLine::default() });
         assert_eq!(parts(&[[0.0, 1.0], [1.0, 3.0]]), [[[0.0, 1.0], [0.5, 0.0]]]);
         assert_eq!(parts(&[[0.0, 4.0], [4.0, -4.0]]), [[[1.0, 0.0], [2.0, 2.0]]]);

@@ -1,6 +1,6 @@
 //! Where an entry lies that the map has no room to mark.
 
-use super::model::{MapBodies, View};
+use super::model::{MapBodies, MapView};
 use crate::page::{Point, distance, short_number};
 
 /// The place of a body, and in both parameters how far from it another entry may lie.
@@ -12,7 +12,7 @@ pub(super) struct Spot {
 
 /// The place of a body that shows an entry, as far from borders as one is known; `None` where none is known, or bodies are
 /// points.
-pub(super) fn spot(bodies: &MapBodies, entry: usize, view: &View) -> Option<Spot> {
+pub(super) fn spot(bodies: &MapBodies, entry: usize, view: &MapView) -> Option<Spot> {
     match bodies {
         MapBodies::Areas { seen, borders, .. } => {
             let own = seen.iter().filter(|(shown, _)| *shown == entry);
@@ -43,7 +43,7 @@ pub(super) fn spot(bodies: &MapBodies, entry: usize, view: &View) -> Option<Spot
 }
 
 /// A place on a border with few digits in both coordinates, if it lies on that border too and no other is near.
-fn shortened(at: [f64; 2], borders: &[[[f64; 2]; 2]], view: &View) -> [f64; 2] {
+fn shortened(at: [f64; 2], borders: &[[[f64; 2]; 2]], view: &MapView) -> [f64; 2] {
     /// On the page, by how much a place may be off a border on which it lies, and how far it may move along it.
     const ON: f64 = 1e-10;
     const MOVED: f64 = 0.05;
@@ -73,7 +73,7 @@ fn from_segment(point: Point, from: Point, to: Point) -> f64 {
 
 /// How far on the page the next border is to the left or right of a point, and how far above or below; a border on which
 /// the point lies is no bar along itself.
-fn clear(point: Point, borders: &[[[f64; 2]; 2]], view: &View) -> [f64; 2] {
+fn clear(point: Point, borders: &[[[f64; 2]; 2]], view: &MapView) -> [f64; 2] {
     let along = |axis: usize| {
         let across = 1 - axis;
         let met = borders.iter().filter_map(|ends| {
@@ -88,7 +88,7 @@ fn clear(point: Point, borders: &[[[f64; 2]; 2]], view: &View) -> [f64; 2] {
 }
 
 /// The shorter and the longer of the two ways that are clear, within the map.
-fn seclusion(point: Point, clear: [f64; 2], view: &View) -> [f64; 2] {
+fn seclusion(point: Point, clear: [f64; 2], view: &MapView) -> [f64; 2] {
     let rect = &view.rect;
     let x = clear[0].min(point[0] - rect.x).min(rect.right() - point[0]);
     let y = clear[1].min(point[1] - rect.y).min(rect.bottom() - point[1]);
@@ -114,8 +114,8 @@ mod tests {
     use super::*;
     use crate::page::Rect;
 
-    fn view() -> View {
-        View { x: [0.0, 1.0], y: [0.0, 2.0], rect: Rect { x: 0.0, y: 0.0, width: 100.0, height: 100.0 } }
+    fn view() -> MapView {
+        MapView { x: [0.0, 1.0], y: [0.0, 2.0], rect: Rect { x: 0.0, y: 0.0, width: 100.0, height: 100.0 } }
     }
 
     fn areas(seen: Vec<(usize, [f64; 2])>) -> MapBodies {
@@ -144,7 +144,7 @@ mod tests {
     #[test]
     fn a_place_on_a_slanted_border_is_told_in_few_digits_where_they_lie_on_it_too() {
         let at = [1.370_108_695_652_174; 2];
-        let view = View { x: [0.0, 2.0], y: [0.0, 2.0], rect: Rect { x: 0.0, y: 0.0, width: 500.0, height: 500.0 } };
+        let view = MapView { x: [0.0, 2.0], y: [0.0, 2.0], rect: Rect { x: 0.0, y: 0.0, width: 500.0, height: 500.0 } };
         let diagonal = [[1.0, 1.0], [2.0, 2.0]];
         assert_eq!(shortened(at, &[diagonal], &view), [1.37; 2]);
         // Not off another one.

@@ -19,7 +19,7 @@ const LINE: f64 = 15.0;
 const SWATCH: f64 = 12.0;
 
 /// Draws something round a point.
-type Mark = dyn Fn(&Canvas, Point);
+type DrawMark = dyn Fn(&Canvas, Point);
 
 /// What a text explains.
 pub(crate) enum Symbol {
@@ -32,7 +32,7 @@ pub(crate) enum Symbol {
     /// Dots side by side, one in each colour.
     Dots(Vec<RGBColor>),
     /// What draws itself round a point, and what its shape is called.
-    Mark(&'static str, Box<Mark>),
+    Mark(&'static str, Box<DrawMark>),
 }
 
 impl Symbol {

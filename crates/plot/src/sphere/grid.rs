@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use super::view::{Vector, View};
+use super::view::{SphereView, Vector};
 use crate::page::{Path, Point};
 
 /// Steps from the middle to the rim, and round it. The second is even, so that the rims of both views share their nodes.
@@ -15,18 +15,18 @@ pub(super) type Node = [usize; 2];
 
 /// Values at the nodes of a view.
 pub(super) struct Grid<'a> {
-    view: &'a View,
+    view: &'a SphereView,
     values: Vec<f64>,
 }
 
 impl<'a> Grid<'a> {
-    pub fn new(view: &'a View, function: &dyn Fn(Vector) -> f64) -> Self {
+    pub fn new(view: &'a SphereView, function: &dyn Fn(Vector) -> f64) -> Self {
         let nodes = (0..=RINGS).flat_map(|ring| (0..SPOKES).map(move |spoke| [ring, spoke]));
         let values = nodes.map(|node| function(Self::gamma_on(view, node))).collect();
         Self { view, values }
     }
 
-    fn gamma_on(view: &View, node: Node) -> Vector {
+    fn gamma_on(view: &SphereView, node: Node) -> Vector {
         let [t, phi] = angles(node);
         view.gamma(t, phi)
     }
@@ -185,8 +185,8 @@ fn cell([ring, spoke]: Node) -> [Node; 4] {
 mod tests {
     use super::*;
 
-    fn front() -> View {
-        let [front, _] = View::pair([0.0, 0.0, 1.0], Some([0.0, -1.0, 0.0]), [[0.0, 0.0], [0.0, 0.0]], 100.0);
+    fn front() -> SphereView {
+        let [front, _] = SphereView::pair([0.0, 0.0, 1.0], Some([0.0, -1.0, 0.0]), [[0.0, 0.0], [0.0, 0.0]], 100.0);
         front
     }
 

@@ -1,7 +1,7 @@
 //! Poles, relative equilibria and principal axes, and their names: beside the marks, off ∂U and the rim, and off each other.
 
 use super::scene::SphereScene;
-use super::view::{Vector, View, turned};
+use super::view::{SphereView, Vector, turned};
 use crate::page::{
     Anchor, Canvas, FAINT_INK, INK, Ink, Labelled, PAPER, POLE, POLE_MINUS, Point, Rect, Taken, distance, letter,
     meets, rgb, round_point, text_width,
@@ -29,7 +29,7 @@ const CROSSED: [f64; 2] = [60.0, 4.0];
 
 /// The meaning of a mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Mark {
+pub(super) enum SphereMark {
     /// A relative equilibrium of this Morse index.
     Equilibrium(u8),
     /// +r̂ (true) or −r̂.
@@ -38,7 +38,7 @@ pub(super) enum Mark {
     Axis,
 }
 
-impl Mark {
+impl SphereMark {
     /// Of a relative equilibrium: across a circle of maxima U rises nowhere, as at a maximum.
     pub(super) fn of(point: &RelativeEquilibriumDocument) -> Self {
         match (point.multiplicity, point.index) {
@@ -48,14 +48,14 @@ impl Mark {
     }
 }
 
-pub(super) fn draw(canvas: &Canvas, mark: Mark, at: Point) {
+pub(super) fn draw(canvas: &Canvas, mark: SphereMark, at: Point) {
     let thin = Ink { color: EQUILIBRIUM, width: 1.8 };
     match mark {
-        Mark::Equilibrium(0) => {
+        SphereMark::Equilibrium(0) => {
             canvas.disc(at, MARK + 1.0, PAPER);
             canvas.disc(at, MARK, EQUILIBRIUM);
         }
-        Mark::Equilibrium(1) => {
+        SphereMark::Equilibrium(1) => {
             for [dx, dy] in [[1.0, 1.0], [1.0, -1.0]] {
                 let [x, y] = [MARK * dx, MARK * dy];
                 let ends = [[at[0] - x, at[1] - y], [at[0] + x, at[1] + y]];
@@ -63,14 +63,14 @@ pub(super) fn draw(canvas: &Canvas, mark: Mark, at: Point) {
                 canvas.path(&ends, thin);
             }
         }
-        Mark::Equilibrium(_) => canvas.ring(at, MARK, thin),
-        Mark::Pole(plus) => {
+        SphereMark::Equilibrium(_) => canvas.ring(at, MARK, thin),
+        SphereMark::Pole(plus) => {
             canvas.ring(at, POLE_RING, Ink { color: if plus { POLE } else { POLE_MINUS }, width: 2.2 });
             if plus {
                 canvas.disc(at, 1.7, POLE);
             }
         }
-        Mark::Axis => canvas.disc(at, 1.6, FAINT_INK),
+        SphereMark::Axis => canvas.disc(at, 1.6, FAINT_INK),
     }
 }
 
@@ -95,7 +95,7 @@ pub(super) fn draw_all(canvas: &Canvas, scene: &SphereScene<'_>, names: &mut Nam
     for (plus, name) in [(true, "+r̂"), (false, "−r̂")] {
         let sign = if plus { 1.0 } else { -1.0 };
         if let Some(at) = r_hat.and_then(|r| view.position(r.map(|c| sign * c))) {
-            draw(canvas, Mark::Pole(plus), at);
+            draw(canvas, SphereMark::Pole(plus), at);
             names.take(Rect::around(at, POLE_RING + 1.0));
             named.push((at, name.to_owned(), LABEL, INK));
         }
@@ -107,7 +107,7 @@ pub(super) fn draw_all(canvas: &Canvas, scene: &SphereScene<'_>, names: &mut Nam
             // At a pole the mark of the pole says more.
             let near = |pole: &Vector| (0..3).all(|k| (pole[k] - gamma[k]).abs() < NEAR);
             if let Some(at) = view.position(gamma).filter(|_| !poles.iter().any(near)) {
-                draw(canvas, Mark::Axis, at);
+                draw(canvas, SphereMark::Axis, at);
                 names.take(Rect::around(at, 2.0));
                 named.push((at, name.to_owned(), LABEL, FAINT_INK));
             }
@@ -127,7 +127,7 @@ pub(super) fn draw_all(canvas: &Canvas, scene: &SphereScene<'_>, names: &mut Nam
             } else {
                 names.take(Rect::around(at, MARK + 1.0));
             }
-            draw(canvas, Mark::of(equilibrium), at);
+            draw(canvas, SphereMark::of(equilibrium), at);
             letters.push((at, letter(place), LABEL, EQUILIBRIUM));
         }
     }
@@ -137,7 +137,7 @@ pub(super) fn draw_all(canvas: &Canvas, scene: &SphereScene<'_>, names: &mut Nam
 }
 
 /// The visible part of the circle on which γ turns about an axis.
-fn circle(canvas: &Canvas, view: &View, gamma: Vector, axis: Vector) {
+fn circle(canvas: &Canvas, view: &SphereView, gamma: Vector, axis: Vector) {
     const STEPS: u32 = 180;
     let step = std::f64::consts::TAU / f64::from(STEPS);
     let places = (0..=STEPS).map(|k| view.position(turned(gamma, axis, step * f64::from(k))));
@@ -150,7 +150,7 @@ fn circle(canvas: &Canvas, view: &View, gamma: Vector, axis: Vector) {
 
 /// The room of a view.
 pub(super) struct Names<'a> {
-    pub view: &'a View,
+    pub view: &'a SphereView,
     /// ∂U with the rim, and other levels.
     lines: [Vec<Vec<Point>>; 2],
     taken: Taken,
@@ -158,7 +158,7 @@ pub(super) struct Names<'a> {
 
 impl<'a> Names<'a> {
     /// A view on a page on which something is taken.
-    pub(super) fn new(view: &'a View, lines: [Vec<Vec<Point>>; 2], taken: Taken) -> Self {
+    pub(super) fn new(view: &'a SphereView, lines: [Vec<Vec<Point>>; 2], taken: Taken) -> Self {
         Self { view, lines, taken }
     }
 
@@ -209,7 +209,7 @@ impl<'a> Names<'a> {
     }
 
     fn cost(&self, rect: &Rect, inside: bool) -> f64 {
-        let View { center, radius, .. } = *self.view;
+        let SphereView { center, radius, .. } = *self.view;
         let leaves = inside && rect.corners().iter().any(|corner| distance(*corner, center) > radius);
         let crossed: f64 =
             self.lines.iter().zip(CROSSED).map(|(lines, cost)| if crosses(lines, rect) { cost } else { 0.0 }).sum();

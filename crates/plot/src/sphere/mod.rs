@@ -19,7 +19,7 @@ use marks::Names;
 use parts::Parts;
 use scene::{CAPTION_SIZE, Titles};
 use tables::{BOUNDARY, FORBIDDEN, LEVEL, tint};
-use view::{View, best_direction};
+use view::{SphereView, best_direction};
 
 /// Width of the page, and of the sphere: for two views beside each other, and for two below each other.
 const WIDTH: [f64; 2] = [860.0, 446.43];
@@ -50,7 +50,7 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme, paper: Width) -> Resul
         [[MARGIN + radius, middle], [width - MARGIN - radius, middle]]
     };
     let direction = scene.view.unwrap_or_else(|| best_direction(scene.r_hat, scene.potential_above, &marked(scene)));
-    let views = View::pair(direction, scene.r_hat, centers, radius);
+    let views = SphereView::pair(direction, scene.r_hat, centers, radius);
     let grids = views.each_ref().map(|view| Grid::new(view, scene.potential_above));
     let parts = Parts::new(&grids, scene.component_of);
     let largest = scene.equilibria.iter().map(|equilibrium| equilibrium.h.abs()).fold(0.0, f64::max);
@@ -115,7 +115,7 @@ fn levels(grids: &[Grid<'_>; 2], largest: f64) -> Vec<f64> {
 /// The disc in the colour of what is not accessible, and the components over it.
 fn ground(
     canvas: &Canvas,
-    view: &View,
+    view: &SphereView,
     grid: &Grid<'_>,
     component: impl Fn(grid::Node) -> Option<usize>,
     components: usize,
@@ -137,7 +137,7 @@ fn marked(scene: &SphereScene<'_>) -> Vec<[f64; 3]> {
 }
 
 /// Light from the upper left and a darker rim, so that the disc is seen as a sphere; too weak to make one tint another.
-fn shade(canvas: &Canvas, view: &View, number: usize) {
+fn shade(canvas: &Canvas, view: &SphereView, number: usize) {
     const STOPS: [(f64, &str, f64); 4] =
         [(0.0, "fff", 0.45), (0.55, "fff", 0.0), (0.56, "000", 0.0), (1.0, "000", 0.22)];
     let [x, y] = view.center.map(to_units);
@@ -155,7 +155,7 @@ fn shade(canvas: &Canvas, view: &View, number: usize) {
 }
 
 /// Level lines, ∂U and the rim.
-fn lines(canvas: &Canvas, view: &View, grid: &Grid<'_>, levels: &[f64]) {
+fn lines(canvas: &Canvas, view: &SphereView, grid: &Grid<'_>, levels: &[f64]) {
     let drawn = |levels: &[f64]| {
         let mut path = Path::default();
         for line in levels.iter().flat_map(|level| grid.level_lines(*level)) {
@@ -169,19 +169,19 @@ fn lines(canvas: &Canvas, view: &View, grid: &Grid<'_>, levels: &[f64]) {
 }
 
 /// The outline of the sphere.
-fn rim(view: &View) -> Path {
+fn rim(view: &SphereView) -> Path {
     let mut path = Path::default();
     path.line(&outline(view), true);
     path
 }
 
-fn outline(view: &View) -> Vec<Point> {
+fn outline(view: &SphereView) -> Vec<Point> {
     let steps = (0..grid::SPOKES).map(|k| std::f64::consts::TAU * k as f64 / grid::SPOKES as f64);
     steps.map(|phi| view.place(std::f64::consts::FRAC_PI_2, phi)).collect()
 }
 
 /// The middle of a view, in words.
-fn seen_from(view: &View) -> String {
+fn seen_from(view: &SphereView) -> String {
     let [x, y, z] = view.gamma(0.0, 0.0).map(|c| number((100.0 * c).round() / 100.0 + 0.0));
     format!("seen from γ = ({x}, {y}, {z})")
 }

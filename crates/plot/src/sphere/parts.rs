@@ -4,13 +4,13 @@ use super::grid::{Grid, Node, RINGS, SPOKES};
 use super::view::Vector;
 
 /// A node of one of the views.
-type Place = (usize, Node);
+type ViewNode = (usize, Node);
 
 /// For each accessible node of each view, the component to which it belongs.
 pub(super) struct Parts {
     of: [Vec<Option<usize>>; 2],
     /// The deepest node of each component that is seen, as a place for its number.
-    pub deepest: Vec<(usize, Place)>,
+    pub deepest: Vec<(usize, ViewNode)>,
 }
 
 impl Parts {
@@ -26,7 +26,7 @@ impl Parts {
                     continue;
                 }
                 let members = flood(grids, &mut seen, (view, node));
-                let value = |&(view, node): &Place| grids[view].value(node);
+                let value = |&(view, node): &ViewNode| grids[view].value(node);
                 let Some(deepest) = members.iter().copied().min_by(|a, b| value(a).total_cmp(&value(b))) else {
                     continue;
                 };
@@ -51,7 +51,7 @@ fn index([ring, spoke]: Node) -> usize {
 }
 
 /// The accessible nodes connected with one of them.
-fn flood(grids: &[Grid<'_>; 2], seen: &mut [Vec<bool>; 2], start: Place) -> Vec<Place> {
+fn flood(grids: &[Grid<'_>; 2], seen: &mut [Vec<bool>; 2], start: ViewNode) -> Vec<ViewNode> {
     let mut members = Vec::new();
     let mut open = vec![start];
     seen[start.0][index(start.1)] = true;
@@ -68,7 +68,7 @@ fn flood(grids: &[Grid<'_>; 2], seen: &mut [Vec<bool>; 2], start: Place) -> Vec<
 }
 
 /// The nodes beside a node; the middle has all of its ring beside it, the rim its double in the other view.
-fn neighbours((view, [ring, spoke]): Place) -> Vec<Place> {
+fn neighbours((view, [ring, spoke]): ViewNode) -> Vec<ViewNode> {
     let mut beside = vec![(view, [ring, (spoke + 1) % SPOKES]), (view, [ring, (spoke + SPOKES - 1) % SPOKES])];
     if ring > 0 {
         beside.push((view, [ring - 1, spoke]));

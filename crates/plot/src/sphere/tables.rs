@@ -4,7 +4,7 @@
 use bifdiag_schema::{ComponentDocument, Multiplicity, RelativeEquilibriumDocument, small_motions};
 use plotters::style::RGBColor;
 
-use super::marks::{self, Mark};
+use super::marks::{self, SphereMark};
 use super::scene::SphereScene;
 use crate::page::{Canvas, INK, Ink, Legend, Symbol, Table, letter, rgb, rgbs, section_type, short_number, short_time};
 
@@ -39,8 +39,8 @@ pub(super) fn legend(scene: &SphereScene<'_>, has_levels: bool, width: f64) -> L
         entries.push((Symbol::solid(LEVEL), "other levels of U".to_owned()));
     }
     if scene.r_hat.is_some() {
-        entries.push((symbol(Mark::Pole(true)), "+r̂, hanging".to_owned()));
-        entries.push((symbol(Mark::Pole(false)), "−r̂, upright".to_owned()));
+        entries.push((symbol(SphereMark::Pole(true)), "+r̂, hanging".to_owned()));
+        entries.push((symbol(SphereMark::Pole(false)), "−r̂, upright".to_owned()));
     }
     Legend::new(entries, width)
 }
@@ -68,7 +68,7 @@ fn sentence(number: usize, component: &ComponentDocument) -> String {
 }
 
 /// A mark as a symbol.
-fn symbol(mark: Mark) -> Symbol {
+fn symbol(mark: SphereMark) -> Symbol {
     Symbol::Mark("marker", Box::new(move |canvas: &Canvas, at| marks::draw(canvas, mark, at)))
 }
 
@@ -123,7 +123,7 @@ fn columns(scene: &SphereScene<'_>, room: f64, count: usize) -> Table {
             point.nonlinear.to_string(),
             small_motions(&[point.eigenvalues], short_time),
         ];
-        (symbol(Mark::of(point)), cells.into_iter().take(count).collect())
+        (symbol(SphereMark::of(point)), cells.into_iter().take(count).collect())
     });
     Table::new(heading, rows.collect(), room)
 }

@@ -71,7 +71,7 @@ pub(super) fn best_direction(r_hat: Option<Vector>, above: &dyn Fn(Vector) -> f6
 
 /// One of the two views.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct View {
+pub(super) struct SphereView {
     right: Vector,
     up: Vector,
     toward: Vector,
@@ -79,7 +79,7 @@ pub(super) struct View {
     pub radius: f64,
 }
 
-impl View {
+impl SphereView {
     /// The view from a direction, and the one from the other side. −r̂, the upright position, points up on the page as it does
     /// in space.
     pub fn pair(direction: Vector, r_hat: Option<Vector>, centers: [Point; 2], radius: f64) -> [Self; 2] {
@@ -117,7 +117,7 @@ mod tests {
 
     #[test]
     fn the_two_views_share_their_rim_and_show_every_point() {
-        let views = View::pair([0.3, -0.5, 0.2], Some([0.6, 0.0, 0.8]), [[100.0, 100.0], [300.0, 100.0]], 90.0);
+        let views = SphereView::pair([0.3, -0.5, 0.2], Some([0.6, 0.0, 0.8]), [[100.0, 100.0], [300.0, 100.0]], 90.0);
         for k in 0..24 {
             let phi = f64::from(k) * 0.3;
             let rim = views[0].gamma(std::f64::consts::FRAC_PI_2, phi);
@@ -146,7 +146,8 @@ mod tests {
 
     #[test]
     fn places_and_positions_agree() {
-        let [front, _] = View::pair([0.0, 0.0, 2.0], Some([1.0, 0.0, 0.0]), [[100.0, 100.0], [300.0, 100.0]], 90.0);
+        let [front, _] =
+            SphereView::pair([0.0, 0.0, 2.0], Some([1.0, 0.0, 0.0]), [[100.0, 100.0], [300.0, 100.0]], 90.0);
         let (place, position) = (front.place(0.7, 1.2), front.position(front.gamma(0.7, 1.2)).unwrap());
         assert!((place[0] - position[0]).abs() < 1e-12 && (place[1] - position[1]).abs() < 1e-12);
     }

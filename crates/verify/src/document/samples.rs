@@ -17,7 +17,7 @@ use crate::order::stand::Orders;
 const ROUNDINGS: u32 = 8;
 
 /// A sample as written and as proved, in the certificate's units.
-struct Place<'a> {
+struct WrittenSample<'a> {
     /// x and h of the certificate.
     exact: [&'a RBig; 2],
     /// l²/2 and h of the document.
@@ -42,7 +42,7 @@ pub(crate) fn check(
         if l <= RBig::ZERO {
             return refuse("its sample is not at a positive l");
         }
-        let place = Place { exact: [&slab.x, h], written: [&l * &l / &l2, written / energy] };
+        let place = WrittenSample { exact: [&slab.x, h], written: [&l * &l / &l2, written / energy] };
         if !place.is_near() {
             return refuse("its sample is not that of its certificate");
         }
@@ -53,7 +53,7 @@ pub(crate) fn check(
     Ok(())
 }
 
-impl Place<'_> {
+impl WrittenSample<'_> {
     /// The written sample is the exact one except for the last bits.
     fn is_near(&self) -> bool {
         let near = |exact: &RBig, written: &RBig| {

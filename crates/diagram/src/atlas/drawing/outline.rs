@@ -17,15 +17,15 @@ use bifdiag_numbers::table::{Id, Table};
 pub type Outline = Vec<[f64; 2]>;
 
 /// A cell: a slab and the gap above the curve at this position.
-type Place = (usize, usize);
+type SlabCell = (usize, usize);
 
 /// Edges of cells along which outlines run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Edge {
     /// To the right along the lower curve.
-    Lower(Place),
+    Lower(SlabCell),
     /// To the left along the upper curve.
-    Upper(Place),
+    Upper(SlabCell),
 }
 
 /// The curves of the slabs that a window shows, as polylines, and how cells continue from slab to slab.
@@ -35,9 +35,9 @@ struct Columns {
     /// The top of the window over each slab.
     top: Vec<Outline>,
     /// The cells to the right of each cell and of the same region, from below.
-    right: BTreeMap<Place, Vec<Place>>,
+    right: BTreeMap<SlabCell, Vec<SlabCell>>,
     /// Those to the left.
-    left: BTreeMap<Place, Vec<Place>>,
+    left: BTreeMap<SlabCell, Vec<SlabCell>>,
 }
 
 impl Atlas {
@@ -49,7 +49,7 @@ impl Atlas {
         self.regions
             .iter()
             .map(|region| {
-                let cells: Vec<Place> = region
+                let cells: Vec<SlabCell> = region
                     .cells
                     .iter()
                     .map(|cell| (cell.slab.index(), cell.position))
@@ -128,13 +128,13 @@ struct Heights<'a> {
     atlas: &'a Atlas,
     /// The curves of the slab.
     order: &'a [CurveId],
-    rows: Vec<Row>,
+    rows: Vec<HeightRow>,
     /// For each row an energy for each curve, NaN until it is computed.
     known: Vec<f64>,
 }
 
 /// Where the energies are.
-struct Row {
+struct HeightRow {
     l: f64,
     /// The rows in the middle of both halves of the range that this one halves.
     halves: Option<[usize; 2]>,
@@ -143,7 +143,7 @@ struct Row {
 impl Heights<'_> {
     fn row(&mut self, l: f64) -> usize {
         self.known.resize(self.known.len() + self.order.len(), f64::NAN);
-        self.rows.push(Row { l, halves: None });
+        self.rows.push(HeightRow { l, halves: None });
         self.rows.len() - 1
     }
 
@@ -226,7 +226,7 @@ fn clipped(chain: &[[f64; 2]], h: [f64; 2]) -> Outline {
 
 impl Columns {
     /// The outlines around these cells, which are all cells of a region that the window shows.
-    fn outlines(&self, cells: Vec<Place>) -> Vec<Outline> {
+    fn outlines(&self, cells: Vec<SlabCell>) -> Vec<Outline> {
         let mut open: std::collections::BTreeSet<Edge> = cells.into_iter().map(Edge::Lower).collect();
         let mut outlines = Vec::new();
         while let Some(start) = open.first().copied() {
@@ -256,7 +256,7 @@ impl Columns {
 
     /// Where the outline continues at the end of an edge.
     fn next(&self, edge: Edge) -> Edge {
-        let of = |side: &BTreeMap<Place, Vec<Place>>, cell| side.get(&cell).cloned().unwrap_or_default();
+        let of = |side: &BTreeMap<SlabCell, Vec<SlabCell>>, cell| side.get(&cell).cloned().unwrap_or_default();
         match edge {
             Edge::Lower(cell) => {
                 let Some(&right) = of(&self.right, cell).first() else { return Edge::Upper(cell) };

@@ -29,14 +29,14 @@ const STEEP: f64 = 1e-4;
 
 /// A point of a curve in the frame's units.
 #[derive(Clone, Copy)]
-struct Node {
+struct CurvePoint {
     l: f64,
     h: f64,
     /// dh/dx = 1/J, x = l²/2; so dh/dl = l/J.
     slope: f64,
 }
 
-impl Node {
+impl CurvePoint {
     fn at(frame: &Frame, curve: &Curve, l: f64) -> Self {
         let [from, to] = curve.x();
         // Below this x every curve that starts at l = 0 is at its limit to the last bit.
@@ -101,11 +101,11 @@ impl Atlas {
     /// The polyline of a curve, in the body's units, over a range of l inside its own, in the frame's.
     pub(super) fn sampled(&self, curve: &Curve, [from, to]: [f64; 2], tolerance: Tolerance) -> Vec<[f64; 2]> {
         let frame = &self.arrangement.set.frame;
-        let mut nodes = vec![Node::at(frame, curve, from)];
+        let mut nodes = vec![CurvePoint::at(frame, curve, from)];
         for arc in &curve.arcs {
             let end = (2.0 * arc.x[1]).sqrt().min(to);
             if end > nodes[nodes.len() - 1].l {
-                extend(&mut nodes, end, tolerance, |l| Node::at(frame, curve, l));
+                extend(&mut nodes, end, tolerance, |l| CurvePoint::at(frame, curve, l));
             }
         }
         nodes.iter().map(|node| [self.energy(node.h), node.l * frame.momentum_unit]).collect()
@@ -114,12 +114,12 @@ impl Atlas {
     /// h of a curve at l, in the body's units; at its ends the limits.
     pub(super) fn h_at(&self, curve: &Curve, l: f64) -> f64 {
         let frame = &self.arrangement.set.frame;
-        self.energy(Node::at(frame, curve, l / frame.momentum_unit).h)
+        self.energy(CurvePoint::at(frame, curve, l / frame.momentum_unit).h)
     }
 }
 
 /// Adds nodes up to `end`, along an arc, with chords nearly as long as the tolerance allows.
-fn extend(nodes: &mut Vec<Node>, end: f64, tolerance: Tolerance, at: impl Fn(f64) -> Node) {
+fn extend(nodes: &mut Vec<CurvePoint>, end: f64, tolerance: Tolerance, at: impl Fn(f64) -> CurvePoint) {
     /// Share of the tolerance that is aimed at.
     const AIM: f64 = 0.95;
     /// A chord is not asked to be closer than this many units of roundoff of h, which no more points would mend.
@@ -152,14 +152,14 @@ fn extend(nodes: &mut Vec<Node>, end: f64, tolerance: Tolerance, at: impl Fn(f64
 ///
 /// Over x the slope 1/J is monotone along an arc (Proposition 3.8 of docs/algorithms.md), so that between two of its points
 /// the arc lies in the triangle of its chord over x and its tangents there. All three are parabolas over l.
-fn excursion([from, middle, to]: [Node; 3]) -> f64 {
+fn excursion([from, middle, to]: [CurvePoint; 3]) -> f64 {
     let slope = (to.h - from.h) / (to.l - from.l);
     let off = middle.h - from.h - slope * (middle.l - from.l);
     half([from, middle], [0.0, off], slope).max(half([middle, to], [off, 0.0], slope))
 }
 
 /// The largest distance of such a triangle from a chord of this slope, given those of its two points on the arc.
-fn half([from, to]: [Node; 2], off: [f64; 2], slope: f64) -> f64 {
+fn half([from, to]: [CurvePoint; 2], off: [f64; 2], slope: f64) -> f64 {
     let width = to.l - from.l;
     let x_width = 0.5 * width * (to.l + from.l);
     let rise = to.h - from.h;

@@ -128,13 +128,13 @@ impl Longitude {
 
 /// A range of longitudes inside one quadrant.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Stretch {
+pub(super) struct LongitudeRange {
     pub quadrant: u8,
     pub t0: f64,
     pub t1: f64,
 }
 
-impl Stretch {
+impl LongitudeRange {
     pub fn quadrants() -> impl DoubleEndedIterator<Item = Self> {
         (0..4).map(|quadrant| Self { quadrant, t0: 0.0, t1: 1.0 })
     }
@@ -189,7 +189,7 @@ mod tests {
 
     #[test]
     fn a_stretch_is_open() {
-        for stretch in Stretch::quadrants() {
+        for stretch in LongitudeRange::quadrants() {
             let (left, right) = stretch.split(0.25).unwrap();
             let holds = |psi| [left.contains(psi), right.contains(psi)];
             assert_eq!(holds(right.start()), [false; 2]);

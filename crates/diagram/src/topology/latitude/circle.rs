@@ -1,6 +1,6 @@
 //! One circle of latitude: its accessible arcs, certified.
 
-use super::angle::{Longitude, Stretch, Trig, half_angle_reach};
+use super::angle::{Longitude, LongitudeRange, Trig, half_angle_reach};
 use super::error::Effort;
 use super::level::{Level, variation};
 use bifdiag_numbers::interval::Interval;
@@ -45,7 +45,7 @@ impl Circle {
         if level.height(&theta).hi <= 0.0 {
             signs.push((Longitude::START, false));
         } else {
-            for stretch in Stretch::quadrants() {
+            for stretch in LongitudeRange::quadrants() {
                 let accessible = level.value(&theta, &stretch.start().trig()).is_positive()?;
                 signs.push((stretch.start(), accessible));
                 refine(level, &theta, stretch, DEPTH, &mut signs, effort)?;
@@ -117,7 +117,7 @@ impl Circle {
 fn refine(
     level: &Level,
     theta: &Trig,
-    stretch: Stretch,
+    stretch: LongitudeRange,
     depth: u32,
     signs: &mut Vec<(Longitude, bool)>,
     effort: &mut Effort,

@@ -2,7 +2,7 @@
 //!
 //! Arcs and gaps glued to components, and which components share a boundary circle.
 
-use super::angle::{Longitude, Stretch, Trig, half_angle_reach};
+use super::angle::{Longitude, LongitudeRange, Trig, half_angle_reach};
 use super::circle::{CUTS, Circle};
 use super::error::Effort;
 use super::level::{Level, variation};
@@ -28,7 +28,7 @@ pub(super) enum Kind {
 /// One brick of a slab.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Brick {
-    pub stretch: Stretch,
+    pub stretch: LongitudeRange,
     pub kind: Kind,
 }
 
@@ -58,7 +58,7 @@ impl Hemisphere {
 
 /// The bricks with which a slab starts: nothing known of any quadrant.
 pub(super) fn open_bricks() -> Vec<Brick> {
-    Stretch::quadrants().map(|stretch| Brick { stretch, kind: Kind::Open }).collect()
+    LongitudeRange::quadrants().map(|stretch| Brick { stretch, kind: Kind::Open }).collect()
 }
 
 /// Tiles the slab t0 ≤ t ≤ t1 with bricks that are no wider than needed; bricks already settled stay.
@@ -123,7 +123,7 @@ struct SlabRange {
 impl SlabRange {
     /// What can be proved of a brick, and for an open brick whether G varies so much along its parallels that a
     /// shorter stretch, not a thinner slab, is the next thing to try.
-    fn kind(&self, level: &Level, stretch: Stretch) -> (Kind, bool) {
+    fn kind(&self, level: &Level, stretch: LongitudeRange) -> (Kind, bool) {
         let psi = stretch.trig();
         let patch = level.over(&self.theta, &psi);
         if let Some(sign) = patch.value().is_positive() {
@@ -204,7 +204,13 @@ fn side_meets(level: &Level, near: &Circle, far: &Circle, psi: Longitude, kind: 
 
 /// Glues through a brick in which G grows from the circle `low` to the circle `high`; returns the number of
 /// components of U in the brick.
-fn glue_sloping(level: &Level, low: &Circle, high: &Circle, stretch: Stretch, gluing: &mut Gluing) -> Option<i64> {
+fn glue_sloping(
+    level: &Level,
+    low: &Circle,
+    high: &Circle,
+    stretch: LongitudeRange,
+    gluing: &mut Gluing,
+) -> Option<i64> {
     let mut column = |psi: Longitude| {
         let (low_sign, low_arc) = low.locate(level, psi, None)?;
         let (high_sign, high_arc) = high.locate(level, psi, low_sign.then_some(true))?;

@@ -2,7 +2,7 @@
 
 use super::super::scene::{Cell, Scene, coincidences};
 use super::shares::Shares;
-use super::strata::{Slab, Station};
+use super::strata::{Slab, SlabSlice};
 use crate::page::{Areas, Point, Rect, pixel};
 use bifdiag_schema::{AtlasDocument, EventDocument};
 
@@ -24,7 +24,7 @@ pub(crate) struct Straight {
 }
 
 /// A place in a slab: its index, that of the station before, and how far from that to the next.
-type Place = (usize, usize, f64);
+type SlabPosition = (usize, usize, f64);
 
 impl Straight {
     /// The plane between these momenta, not placed yet.
@@ -49,7 +49,7 @@ impl Straight {
         let ends = shares.ends(x, width);
         let bottom = self.rect.bottom() - BELOW_ALL;
         let of_slab = |(number, slab): (usize, &Slab)| {
-            let of_station = |station: &Station| {
+            let of_station = |station: &SlabSlice| {
                 let sizes = shares.heights(slab, station);
                 let scale = (height - BELOW_ALL) / sizes.iter().sum::<f64>();
                 let mut sum = 0.0;
@@ -70,32 +70,32 @@ impl Straight {
     }
 
     /// Where l lies; an event momentum at the end of the slab before it.
-    pub(super) fn at(&self, l: f64) -> Option<Place> {
+    pub(super) fn at(&self, l: f64) -> Option<SlabPosition> {
         let slab = self.slabs.iter().position(|slab| (slab.l[0]..=slab.l[1]).contains(&l))?;
         Some(self.within(slab, l))
     }
 
     /// Where a momentum of a slab lies.
-    pub(super) fn within(&self, slab: usize, l: f64) -> Place {
+    pub(super) fn within(&self, slab: usize, l: f64) -> SlabPosition {
         let stations = &self.slabs[slab].stations;
         let next = stations.partition_point(|station| station.l <= l).clamp(1, stations.len() - 1);
         let (from, to) = (stations[next - 1].l, stations[next].l);
         (slab, next - 1, if to > from { (l - from) / (to - from) } else { 0.0 })
     }
 
-    pub(super) fn x(&self, (slab, station, share): Place) -> f64 {
+    pub(super) fn x(&self, (slab, station, share): SlabPosition) -> f64 {
         let (from, to) = (self.placed[slab][station].0, self.placed[slab][station + 1].0);
         from + (to - from) * share
     }
 
     /// The curves at a place, upwards.
-    pub(super) fn heights(&self, (slab, station, share): Place) -> Vec<f64> {
+    pub(super) fn heights(&self, (slab, station, share): SlabPosition) -> Vec<f64> {
         let (from, to) = (&self.placed[slab][station].1, &self.placed[slab][station + 1].1);
         from.iter().zip(to).map(|(from, to)| from + (to - from) * share).collect()
     }
 
     /// The places in the middle of columns of this many pixels.
-    pub(super) fn columns(&self, step: f64) -> Vec<Place> {
+    pub(super) fn columns(&self, step: f64) -> Vec<SlabPosition> {
         let mut columns = Vec::new();
         let mut x = self.rect.x + 0.5 * step;
         for (slab, placed) in self.placed.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! How much of the width and of the height each part has.
 
-use super::strata::{Slab, Station, Vertex, near};
+use super::strata::{Slab, SlabSlice, Vertex, near};
 
 /// The shares of the stretches between event momenta and of the regions, of any sum.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -14,7 +14,7 @@ pub struct Shares {
 impl Shares {
     /// The heights of the layers at a station, in any unit. Where a layer ends in a crossing, those beside it have its part,
     /// so that other curves pass by undisturbed.
-    pub(super) fn heights(&self, slab: &Slab, station: &Station) -> Vec<f64> {
+    pub(super) fn heights(&self, slab: &Slab, station: &SlabSlice) -> Vec<f64> {
         let own = |layer: usize| self.high[slab.layers[layer].region] * station.size[layer];
         let mut heights: Vec<f64> = (0..slab.layers.len()).map(own).collect();
         for Vertex { layer, is_last, opposite } in &slab.points {

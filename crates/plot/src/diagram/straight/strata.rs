@@ -24,7 +24,7 @@ pub(super) struct Slab {
     pub l: [f64; 2],
     /// From the lowest curve upwards; the last is unbounded.
     pub layers: Vec<Layer>,
-    pub stations: Vec<Station>,
+    pub stations: Vec<SlabSlice>,
     pub points: Vec<Vertex>,
 }
 
@@ -45,7 +45,7 @@ pub(super) struct Layer {
 }
 
 /// What a slab holds at one l.
-pub(super) struct Station {
+pub(super) struct SlabSlice {
     pub l: f64,
     /// How far from the lower end of the slab to the upper, from 0 to 1.
     pub share: f64,
@@ -145,9 +145,9 @@ fn slab(scene: &Scene<'_>, ends: [f64; 2], stack: &[(usize, Cell)]) -> Result<Sl
         if step == STATIONS { ends[1] } else { ends[0] + (ends[1] - ends[0]) * share }
     };
     let momenta: Vec<f64> = (0..=STATIONS).map(at).collect();
-    let mut stations: Vec<Station> = momenta
+    let mut stations: Vec<SlabSlice> = momenta
         .iter()
-        .map(|&l| Station {
+        .map(|&l| SlabSlice {
             l,
             share: (l - ends[0]) / (ends[1] - ends[0]),
             h: Vec::with_capacity(stack.len()),
