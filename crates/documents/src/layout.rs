@@ -1,6 +1,5 @@
 //! JSON for people: whatever fits goes on one line. Not a `Formatter` of serde_json, which sees a value only while it
-//! is
-//! written: its length must be known in advance.
+//! is written: its length must be known in advance.
 
 use std::ops::Range;
 

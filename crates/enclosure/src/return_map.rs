@@ -277,8 +277,7 @@ impl Crossing<'_> {
     }
 
     /// The crossings of a step in order, each as a piece with the sign of Ṡ on it, up to a piece on which the sign is
-    /// not proved. At
-    /// the start of the first step S may be 0.
+    /// not proved. At the start of the first step S may be 0.
     #[expect(clippy::type_complexity, reason = "crossings, and what ends them")]
     fn find(&self, is_first: bool) -> (Vec<([f64; 2], Sign)>, Option<[f64; 2]>) {
         let mut found = Vec::new();

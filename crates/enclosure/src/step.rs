@@ -12,8 +12,7 @@
 //! *Proof.* f is quadratic, hence ė = Df(p)e + Q(e, e) − d exactly, and the right derivative of ‖e‖ is at most
 //! L‖e‖ + κ‖e‖² + δ. While ‖e‖ ≤ ε, Gronwall's lemma gives ‖e(t)‖ ≤ (‖e₀‖ + tδ) exp((L + κε)t) < ε: so ‖e‖ never
 //! reaches ε, and a bounded solution continues to exist. Variation of constants with ‖V(t)V(s)⁻¹‖ ≤ e^{L(t−s)} gives 2
-//! and 3,
-//! and 4 since U̇ = (Df(p) + 2Q(e, ·))U. ∎
+//! and 3, and 4 since U̇ = (Df(p) + 2Q(e, ·))U. ∎
 //!
 //! The polynomials p and W may come from anywhere: here they are Taylor polynomials whose coefficients are rounded, and
 //! those roundings are part of the defects. No set is ever put into the recurrences, so that orders of some hundred are

@@ -148,8 +148,7 @@ fn changes_beside(changes: &[RotationChange], omega: &RBig) -> [Option<RotationC
 /// The regions just below and just above a point of a curve: that curve is still the nearest one there, so no other
 /// lies between. Where the point cannot be classified, as where the body's numbers are roots known to finitely many
 /// digits, no curve is its own: the nearest one is then as far away as the step, to a thousandth of it, and none lies
-/// between that
-/// is farther from the point than this.
+/// between that is farther from the point than this.
 fn beside(solver: &Solver, [h, l]: [&Number; 2], size: f64, is_exact: bool) -> Option<[Spot; 2]> {
     /// By how much of the step a point may miss its curve.
     const MISSED: f64 = 1e-3;

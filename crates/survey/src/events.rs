@@ -70,9 +70,8 @@ const BESIDE: f64 = 1e-3;
 const NEAREST: f64 = 1e-6;
 
 /// Follows the events over a number of bodies, in equal steps from one end of the path to the other. Borders are sought
-/// between
-/// neighbours of different classes: two within one step, back to the same class, are not seen, nor is one that is nearer to a
-/// special body than a millionth of a step.
+/// between neighbours of different classes: two within one step, back to the same class, are not seen, nor is one that
+/// is nearer to a special body than a millionth of a step.
 #[must_use]
 pub fn follow(segment: &BodySegment, bodies: usize, options: &BorderOptions) -> EventTracks {
     let bodies = bodies.max(2);

@@ -36,20 +36,20 @@ pub struct FamilyArguments {
     /// The curve of the equilibria, by its id in `bifdiag atlas` (default: every one)
     #[arg(long, value_name = "CURVE", help_heading = "Family")]
     pub from: Option<String>,
-    /// Vertical angular momentum, which is held
+    /// Vertical angular momentum, held fixed
     #[arg(long = "l", value_name = "l", allow_hyphen_values = true, value_parser = values::number, help_heading = "Family")]
     pub momentum: Option<Number>,
-    /// Instead of l: the energy, which is held
+    /// Instead of l: the energy, held fixed
     #[arg(long = "h", value_name = "h", allow_hyphen_values = true, value_parser = values::number, help_heading = "Family")]
     #[arg(conflicts_with = "momentum")]
     pub energy: Option<Number>,
-    /// Follow each family for N orbits at most
+    /// Follow each family for at most N orbits
     #[arg(long, value_name = "N", default_value_t = 200, help_heading = "Family")]
     pub members: usize,
     /// Follow the families that begin at doublings, triplings and crossings too
     #[arg(long, help_heading = "Family")]
     pub branches: bool,
-    /// Draw the periods, to DIR/periodic.svg
+    /// Draw the periods to DIR/periodic.svg
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub out: Option<PathBuf>,
     /// Print the families as JSON
@@ -59,7 +59,7 @@ pub struct FamilyArguments {
 
 /// Significant digits.
 pub const DIGITS: usize = 6;
-/// What is said where there is no answer.
+/// The message where there is no answer.
 pub const NOT_FOUND: &str = "the families could not be followed";
 
 pub fn run(arguments: &FamilyArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {

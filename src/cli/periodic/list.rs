@@ -29,24 +29,24 @@ Examples:
 
 Families begin at every imaginary pair of every relative equilibrium (Lyapunov's centre theorem). Without --l and --h they are \
 followed at l = 0 and at one momentum of each kind: between any two at which equilibria appear, vanish or change their linear type. \
-With --data, a list that was stopped goes on where it was when the same command is given again.";
+With --data, an interrupted list resumes when the same command is run again.";
 
 /// `bifdiag periodic list`.
 #[derive(Debug, Args)]
 pub struct ListArguments {
     #[command(flatten)]
     pub body: BodyArguments,
-    /// Vertical angular momentum, which is held along a family, or a range a:b:n of n of them
+    /// Vertical angular momentum, held fixed along a family, or a range a:b:n of n values
     #[arg(long = "l", value_name = "l|a:b:n", allow_hyphen_values = true, value_parser = Numbers::parse, help_heading = "Families")]
     pub momentum: Option<Numbers>,
-    /// Instead of l: the energy, which is held, or a range of energies
+    /// Instead of l: the energy, held fixed, or a range of energies
     #[arg(long = "h", value_name = "h|a:b:n", allow_hyphen_values = true, value_parser = Numbers::parse, help_heading = "Families")]
     #[arg(conflicts_with = "momentum")]
     pub energy: Option<Numbers>,
-    /// Only those from one curve, or only one: G2.1, or G2.1/2 for its second fastest oscillation
+    /// Only the families of one curve, such as G2.1, or a single one, such as G2.1/2 for its second fastest oscillation
     #[arg(long, value_name = "FAMILY", value_parser = Only::parse, help_heading = "Families")]
     pub family: Option<Only>,
-    /// Follow each family for N orbits at most
+    /// Follow each family for at most N orbits
     #[arg(long, value_name = "N", default_value_t = 200, help_heading = "Families")]
     pub members: usize,
     /// Follow the families that begin at doublings, triplings and crossings too
@@ -139,8 +139,8 @@ pub fn run(arguments: &ListArguments, quiet: bool) -> Result<(), Failure> {
     };
     let work = Work { subject: &subject, catalogue: &catalogue, asked: &asked, arguments };
     let monitor = Arc::new(Monitor::default());
-    let told = Arc::clone(&monitor);
-    let interruptible = stoppable(move || told.stop.store(true, Ordering::Relaxed));
+    let shared = Arc::clone(&monitor);
+    let interruptible = stoppable(move || shared.stop.store(true, Ordering::Relaxed));
     match target {
         Some(DataTarget::File { path, format }) => {
             let journal = work.journal(&path)?;

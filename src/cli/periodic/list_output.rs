@@ -74,8 +74,8 @@ pub fn written(table: &Columns, (path, format): (&Path, DataFormat)) -> Result<V
     files.write()
 }
 
-/// Orbits that are told one by one.
-const TOLD: usize = 40;
+/// Orbits that are listed individually.
+const LISTED: usize = 40;
 
 /// The answer for people.
 pub fn text(subject: &Subject, document: &PeriodicListDocument, files: &[PathBuf]) -> String {
@@ -90,9 +90,9 @@ pub fn text(subject: &Subject, document: &PeriodicListDocument, files: &[PathBuf
     }
     let only = document.stable || document.period.is_some() || document.crossings.is_some();
     report.line(format!("{}{}", counted(orbits, "orbit", "orbits"), if only { " as asked for" } else { "" }));
-    if (1..=TOLD).contains(&orbits) {
+    if (1..=LISTED).contains(&orbits) {
         report.line(of_orbits(document).text());
-    } else if orbits > TOLD && files.is_empty() {
+    } else if orbits > LISTED && files.is_empty() {
         report.line("  --json lists each, --data FILE writes them as a table");
     }
     if document.families.iter().any(|family| family.branch > 0) {

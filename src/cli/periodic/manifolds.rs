@@ -32,9 +32,10 @@ Examples:
   bifdiag periodic manifolds --body paper --h 6.5 --l 3.25 --data curves.csv
   bifdiag periodic manifolds --body paper --from G0.1 --l 0.5
 
-The curves of motions that leave the unstable periodic orbits at (h, l), and of those that come to them, in the part of P where \
-<gamma,r> is largest; or of an unstable equilibrium, at its energy (--from); and the orbits that connect them (homoclinic, \
-heteroclinic), refined to 1e-10. --data writes a row for each point of a curve, with theta, psi, sheet as in `bifdiag section`.";
+The unstable and stable manifolds of the unstable periodic orbits at (h, l), as curves in the part of P where \
+<gamma,r> is largest, or those of an unstable equilibrium, at its energy (--from); and the orbits that connect them \
+(homoclinic, heteroclinic), refined to 1e-10. --data writes a row for each point of a curve, with theta, psi, sheet \
+as in `bifdiag section`.";
 
 /// `bifdiag periodic manifolds`.
 #[derive(Debug, Args)]
@@ -43,16 +44,16 @@ pub struct ManifoldsArguments {
     pub body: BodyArguments,
     #[command(flatten)]
     pub point: PointArguments,
-    /// Of the equilibria of this curve at l instead, by its id in `bifdiag atlas`
+    /// Use the equilibria of this curve at l instead, by its id in `bifdiag atlas`
     #[arg(long, value_name = "CURVE", conflicts_with_all = ["energy", "crossings"], help_heading = "Orbits")]
     pub from: Option<String>,
-    /// Of the orbits with at most N crossings of P in a period, inward and outward
+    /// Use the orbits with at most N crossings of P in a period, inward and outward
     #[arg(long, value_name = "N", default_value_t = 2, help_heading = "Orbits")]
     pub crossings: u32,
     /// Follow each curve for this length, in units in which |gamma| and a bound of |l| are 1
     #[arg(long, value_name = "L", default_value_t = 10.0, value_parser = length, allow_hyphen_values = true, help_heading = "Orbits")]
     pub length: f64,
-    /// Draw the curves over the section, to DIR/manifolds.svg
+    /// Draw the curves over the section to DIR/manifolds.svg
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub out: Option<PathBuf>,
     #[command(flatten)]
@@ -175,7 +176,7 @@ fn of_equilibria(
     Ok(Found { document, manifolds: found, torus, background })
 }
 
-/// What is said where nothing can be drawn.
+/// The message where nothing can be drawn.
 const NO_BACKGROUND: &str = "the orbits behind the curves could not be begun";
 
 fn not_followed(error: ManifoldError) -> Failure {

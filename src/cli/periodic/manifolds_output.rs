@@ -66,8 +66,8 @@ pub fn columns(torus: &PpTorus, found: &Manifolds, document: &ManifoldsDocument)
 
 /// Significant digits.
 const DIGITS: usize = 6;
-/// Connections that are told one by one.
-const TOLD: usize = 20;
+/// Connections that are listed individually.
+const LISTED: usize = 20;
 
 pub fn text(subject: &Subject, document: &ManifoldsDocument, written: &[PathBuf]) -> String {
     let mut report = Report::default();
@@ -99,8 +99,8 @@ pub fn text(subject: &Subject, document: &ManifoldsDocument, written: &[PathBuf]
         if !document.connections.is_empty() {
             report.line(of_connections(document).text());
         }
-        if document.connections.len() > TOLD {
-            report.line(format!("  and {} more; --json lists each", document.connections.len() - TOLD));
+        if document.connections.len() > LISTED {
+            report.line(format!("  and {} more; --json lists each", document.connections.len() - LISTED));
         }
         for contact in &document.contacts {
             let (source, from, to) = (source(document), contact.from, contact.to);
@@ -111,8 +111,8 @@ pub fn text(subject: &Subject, document: &ManifoldsDocument, written: &[PathBuf]
                 )
             } else {
                 format!(
-                    "unstable curves of {source} {from} run along stable ones of {source} {to}: as far as they do, they are not told \
-                     apart"
+                    "unstable curves of {source} {from} run along stable ones of {source} {to}: where they do, they \
+                    are not told apart"
                 )
             });
         }
@@ -227,7 +227,7 @@ fn end(document: &ManifoldsDocument, end: ManifoldEnd) -> String {
 
 fn of_connections(document: &ManifoldsDocument) -> Table {
     let mut table = Table::new(&["from", "to", "points", "angle", "gamma", "omega"]);
-    for connection in document.connections.iter().take(TOLD) {
+    for connection in document.connections.iter().take(LISTED) {
         table.row([
             connection.from.to_string(),
             connection.to.to_string(),

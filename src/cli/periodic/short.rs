@@ -25,7 +25,7 @@ pub struct ShortArguments {
     pub body: BodyArguments,
     #[command(flatten)]
     pub point: PointArguments,
-    /// The most crossings of P in a period, inward and outward
+    /// Find the orbits with at most N crossings of P in a period, inward and outward
     #[arg(long, value_name = "N", default_value_t = 2, help_heading = "Orbits")]
     pub crossings: u32,
     /// Print the orbits as JSON
@@ -105,7 +105,8 @@ fn text(subject: &Subject, document: &PeriodicDocument) -> String {
         report.line(if document.complete {
             "one orbit of each continuum of orbits of one period:"
         } else {
-            "one orbit of each piece that was found of continua of orbits of one period (several may be of one):"
+            "one orbit of each piece found of continua of orbits of one period (several pieces may be of one \
+            continuum):"
         });
         report.line(table(&document.continua).text());
     }

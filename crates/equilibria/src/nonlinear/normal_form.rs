@@ -34,8 +34,7 @@ pub struct NormalForm<E> {
 impl<E: Enclosure> NormalForm<E> {
     /// From the Taylor series of a Hamiltonian in (q₁, q₂, p₁, p₂) and the coefficients of its λ⁴ + bλ² + c. `None`
     /// where the enclosures do not show that the pairs are imaginary, distinct, and of known energies. At ω₁ = 2ω₂ the
-    /// twist is
-    /// unbounded. Without the term that stays at ω₁ = 3ω₂.
+    /// twist is unbounded. Without the term that stays at ω₁ = 3ω₂.
     #[must_use]
     pub fn new(hamiltonian: &Series<E>, b: &E, c: &E, precision: E::Precision) -> Option<Self> {
         Some(ModeHamiltonian::new(hamiltonian, b, c, precision, Quartic::even)?.normal())

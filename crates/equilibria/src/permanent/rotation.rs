@@ -204,8 +204,7 @@ impl AxisRotation {
     }
 
     /// The name of a type for this rotation: with C = 2A = 2B, and of a free plate about its normal, both pairs agree
-    /// at
-    /// every spin.
+    /// at every spin.
     #[must_use]
     pub fn own(&self, kind: SpinType) -> SpinType {
         let [c, a, b] = &self.moments;

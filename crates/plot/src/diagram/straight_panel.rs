@@ -22,8 +22,7 @@ pub type PanelTicks = Vec<(f64, String)>;
 
 impl<'a> StraightPanel<'a> {
     /// In this many pixels, with the shares that are `held`, if they are of such an arrangement, or in which as many
-    /// labels of these
-    /// sizes as may be fit into their regions.
+    /// labels of these sizes as may be fit into their regions.
     ///
     /// # Errors
     /// As those of [`straight_diagram`](super::straight_diagram).

@@ -1,6 +1,5 @@
 //! Line styles: solid where stable, thin where stable only without friction; dashed where unstable, dotted where
-//! neither is known;
-//! coincident curves are one line that alternates between the colours and dashes of each.
+//! neither is known; coincident curves are one line that alternates between the colours and dashes of each.
 
 use std::collections::BTreeMap;
 

@@ -107,8 +107,7 @@ impl MapLegend {
     }
 
     /// In short only the identity of an entry and its position: all of it below the map, entries with a place in
-    /// columns of
-    /// their own.
+    /// columns of their own.
     fn short(mut entries: Vec<Entry>, mut others: Vec<(Symbol, String)>, room: f64) -> Self {
         if shorten(&mut entries) {
             others.push((Symbol::None, "names by their first digits".to_owned()));

@@ -1,6 +1,5 @@
 //! Placement of the names of lines and the marks of entries: a name beside its line, a mark in each patch that has
-//! room, and
-//! for an entry without one beside what shows it, with a leader.
+//! room, and for an entry without one beside what shows it, with a leader.
 
 use super::model::{Map, MapBodies, MapLine, MapNote, MapView, SIZE, SMALL};
 use crate::page::{Areas, Labelled, NOTHING, Point, Rect, Sums, Taken, all_over, between, distance, pixel, text_width};

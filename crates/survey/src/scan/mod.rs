@@ -2,8 +2,7 @@
 //!
 //! A [`Design`](crate::Design) numbers its bodies; body n depends on n alone, so that a scan can be cut into shards,
 //! interrupted and resumed. [`ScanRow::of`] classifies one body, a [`Summary`] counts. Nothing here reads files or
-//! starts
-//! threads.
+//! starts threads.
 
 mod row;
 mod summary;

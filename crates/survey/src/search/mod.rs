@@ -3,9 +3,8 @@
 //!
 //! Each body gets a [`Score`]: how visible the wanted thing is, or how near the body comes to it. Bodies are drawn by
 //! number from four strata cyclically ([`sample`]), the best ones are improved with the simplex method of Nelder and
-//! Mead
-//! (`argmin`, with the feature `search`), and the winner becomes a [`Witness`] only after both topological methods have
-//! confirmed it. Nothing found says nothing about existence; an [`Exclusion`] does.
+//! Mead (`argmin`, with the feature `search`), and the winner becomes a [`Witness`] only after both topological methods
+//! have confirmed it. Nothing found says nothing about existence; an [`Exclusion`] does.
 
 mod exclusion;
 #[cfg(feature = "search")]

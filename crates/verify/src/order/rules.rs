@@ -3,8 +3,7 @@
 //! Throughout, g is h of the first curve minus h of the second over the same x = l²/2, and `sign` the sign that is
 //! claimed of it. Along a curve of critical values dh/dx = 1/J, so that dg/dx = 1/J₁ − 1/J₂ (Proposition 3.6); and J is
 //! strictly monotone along a curve, except for one curve of the generic family on which it turns once, at the
-//! inflection
-//! (Proposition 3.8).
+//! inflection (Proposition 3.8).
 
 use super::node::{Node, coordinate};
 use super::stand::{Orders, Stand};

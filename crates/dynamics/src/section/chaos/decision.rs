@@ -49,8 +49,7 @@ impl Default for DecisionOptions {
 ///
 /// Regular: the averages settle to 3e-7 of the spread; or a tangent vector grows linearly; or both, less closely.
 /// Chaotic: as for [`verdicts`](super::verdicts); or a tangent vector grows steadily and by more than e⁶⁰, and the
-/// averages do not settle so
-/// closely. The result does not depend on threads or instructions.
+/// averages do not settle so closely. The result does not depend on threads or instructions.
 ///
 /// # Errors
 /// [`SectionError::Tolerance`] for a tolerance out of range, [`SectionError::InstructionSet`] if this processor lacks the

@@ -173,8 +173,7 @@ impl Judgement {
     }
 
     /// Judges an orbit by its tests, in their order. `crossings` are those of the orbit, `crossing_at` is the number of
-    /// the last one until
-    /// a time.
+    /// the last one until a time.
     ///
     /// The first three successive looks that decide do so for good: an orbit that is followed further has the same verdict.
     #[must_use]

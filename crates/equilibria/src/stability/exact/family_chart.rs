@@ -164,8 +164,8 @@ impl FamilyChart {
     }
 
     /// Its zeros, with their multiplicity, that are not zeros of the determinant: pitchforks, double moments, and the
-    /// resonance 1:2
-    /// at a moment (l = ∞). On an axis pitchforks are poles of the determinant, and the resonance is not one of them.
+    /// resonance 1:2 at a moment (l = ∞). On an axis pitchforks are poles of the determinant, and the resonance is not
+    /// one of them.
     pub fn zeros_of_degeneracy(&self, body: &ExactBody) -> Vec<RBig> {
         let is_axis = body.active.len() == 1 && matches!(self.family, Family::Generic(_));
         let is_double = |k: Axis| body.group.iter().filter(|group| **group == body.group[k.index()]).count() > 1;
