@@ -105,5 +105,5 @@ pub fn readable(text: &str, name: &str) -> PyResult<()> {
 
 fn read(text: &str, name: &str) -> PyResult<AtlasDocument> {
     documents::reading::atlas(text, name)
-        .map_err(|error| errors::wrong(format!("{name} is no atlas of version {SCHEMA_VERSION}: {error}")))
+        .map_err(|error| errors::wrong(format!("{name} is not an atlas of version {SCHEMA_VERSION}: {error}")))
 }

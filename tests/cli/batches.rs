@@ -138,7 +138,7 @@ fn ignored_keys_are_listed_and_a_spin_is_refused() {
     bifdiag("classify -q --batch -").reading(line).succeeds().telling_nothing();
     let spin = r#"{"A":[2,1.1,1],"r":[1,0,0],"l":1,"spin":"3 rpm"}"#;
     let answers = bifdiag("critical --batch -").reading(spin).succeeds().json_lines();
-    assert!(answers[0]["error"].as_str().unwrap().starts_with("spin: a line asks at one l"), "{answers:?}");
+    assert!(answers[0]["error"].as_str().unwrap().starts_with("spin: a line asks about one l"), "{answers:?}");
     let refused = bifdiag("critical --batch - --spin").and("3 rpm").refused();
     refused.telling("--spin cannot be used with --batch: a line asks about one l, not a spin");
 }

@@ -172,7 +172,7 @@ fn a_body_is_given_in_three_ways() {
     let found =
         part.lines().map(|line| line.split_whitespace().collect::<Vec<_>>()).find(|words| words.first() == Some(&"E5"));
     assert_eq!(found.unwrap(), row);
-    bifdiag("compare paper nobody").refused().telling("BODY nobody: it is no named body").telling("atlas.json");
+    bifdiag("compare paper nobody").refused().telling("BODY nobody: it is not a named body").telling("atlas.json");
     bifdiag("compare paper A=1,2,3").refused().telling("A=2,1.1,1;r=0.94868,0,0.61623");
     bifdiag("compare paper A=1,2,3;r=0,x,1").refused().telling("r2: `x` is not a number");
     bifdiag("compare paper missing.json").refused().telling("missing.json");

@@ -488,7 +488,7 @@ fn wrong_parts_are_refused_with_a_message_that_helps() {
         ("--part broken.stl --density 1", &["--part broken.stl", "STL"]),
         ("--part notes.txt --density 1", &[".stl, .obj, .ply"]),
         ("--part missing.stl --density 1", &["--part missing.stl", "No such file"]),
-        ("--part box.obj --density 1 --com 0,0,1", &["--com does nothing with --part"]),
+        ("--part box.obj --density 1 --com 0,0,1", &["--com has no effect with --part"]),
         // Blocks of links.
         ("--part two.urdf", &["several links", "a, b", "--link NAME"]),
         ("--part two.urdf --link c", &["--link c", "a, b"]),

@@ -120,8 +120,8 @@ class Classification(behaviour.Classification):
         region that meets there. ``"undecided"``: Closer to a curve than the error bound (only with ``fast``);
         ``candidates`` holds every possible region.
     accuracy : str
-        The level of accuracy that was asked for. ``"exact"``: Never undecided: ``f64`` where its error bounds suffice,
-        exact arithmetic elsewhere. ``"fast"``: ``f64`` with error bounds alone; undecided where they do not suffice.
+        The requested level of accuracy. ``"exact"``: Never undecided: ``f64`` where its error bounds suffice, exact
+        arithmetic elsewhere. ``"fast"``: ``f64`` with error bounds alone; undecided where they do not suffice.
     region : str or None
         Id of the region in the body's atlas; None unless regular, with ``--no-region``, and where no atlas gives it
         (``note`` says so).
@@ -166,8 +166,8 @@ class Classification(behaviour.Classification):
 
 @dataclass(frozen=True, slots=True)
 class Sample(behaviour.Sample):
-    """A point inside a region, chosen where it is wide; where no double lies inside, the doubles nearest to one, which the
-    certificate has exactly.
+    """A point inside a region, chosen where it is wide; where no double lies inside, the doubles nearest to a point inside,
+    which the certificate has exactly.
 
     Attributes
     ----------
@@ -268,8 +268,8 @@ class Region(behaviour.Region):
     cells : tuple[Cell, ...]
         The cells whose union it is, by rising l, then h.
     clipped : bool
-        True when a window cuts it. Of a cut region ``sample`` lies in the window; ``cells``, ``l_range`` and ``h_width``
-        are those of the whole.
+        True when a window cuts it. The ``sample`` of a cut region lies in the window; ``cells``, ``l_range`` and
+        ``h_width`` are those of the whole.
     """
 
     id: str
@@ -383,7 +383,7 @@ class StabilityChange:
     curve : str
         Id of the curve on which it lies; at a cusp or pitchfork the first of the two.
     onto : str or None
-        Id of the curve that goes on after a cusp or pitchfork.
+        Id of the curve that continues after a cusp or pitchfork.
     kind : str
         What happens. ``"hamiltonian-hopf"``: Two imaginary pairs of opposite Krein sign meet and leave the imaginary axis.
         ``"real-collision"``: Two real pairs meet and become a complex quadruple. ``"zero"``: A pair of eigenvalues goes
@@ -438,7 +438,7 @@ class VerdictChange:
         What fails. ``"1:1"``: ω₁ = ω₂. ``"1:2"``: ω₁ = 2ω₂. ``"1:3"``: ω₁ = 3ω₂. ``"D4"``: D₄ = 0.
     verdict : str
         The verdict at the point itself. ``"stable"``: Motions that start near it stay near it for all time. ``"unstable"``:
-        Some motions that start as near as one likes leave it. ``"open"``: No theorem that the program knows decides.
+        Some motions that start arbitrarily near leave it. ``"open"``: None of the theorems that the program uses decides.
     why : str
         Why. ``"energy"``: A strict minimum of U_l (Lagrange–Dirichlet). ``"integral"``: A further integral, as at the
         sleeping top. ``"arnold"``: Arnold's theorem: no resonance ω₁ = ω₂, 2ω₂ or 3ω₂, and D₄ is not 0; or D₄ = 0, no
@@ -507,13 +507,13 @@ class Resonances:
 
 @dataclass(frozen=True, slots=True)
 class Nonlinear:
-    """The verdict on the stability of a relative equilibrium, with all that it rests on.
+    """The verdict on the stability of a relative equilibrium, with its evidence.
 
     Attributes
     ----------
     verdict : str
         Stable, unstable, or open. ``"stable"``: Motions that start near it stay near it for all time. ``"unstable"``: Some
-        motions that start as near as one likes leave it. ``"open"``: No theorem that the program knows decides.
+        motions that start arbitrarily near leave it. ``"open"``: None of the theorems that the program uses decides.
     why : str
         Why. ``"energy"``: A strict minimum of U_l (Lagrange–Dirichlet). ``"integral"``: A further integral, as at the
         sleeping top. ``"arnold"``: Arnold's theorem: no resonance ω₁ = ω₂, 2ω₂ or 3ω₂, and D₄ is not 0; or D₄ = 0, no
@@ -522,12 +522,12 @@ class Nonlinear:
         eigenvalue zero, or D₄ = 0 where D₆ does not decide.
     D4_over_s : float or None
         Arnold's determinant D₄ = K₁₁ω₂² + K₁₂ω₁ω₂ + K₂₂ω₁² over Ω², where H = ω₁I₁ − ω₂I₂ + K₁₁I₁² + K₁₂I₁I₂ + K₂₂I₂² + …
-        with the pair of positive Krein sign first; None but at index 2 with two distinct imaginary pairs, and along a
+        with the pair of positive Krein sign first; None except at index 2 with two distinct imaginary pairs, and along a
         curve.
     D4_error : float or None
         Bound on its error.
     near : Resonances or None
-        Distances to the resonances; None but at index 2 with imaginary pairs, and along a curve.
+        Distances to the resonances; None except at index 2 with imaginary pairs, and along a curve.
     proved : bool
         Decided by enclosures and exact arithmetic; in an atlas: ``verify`` confirms it.
     """
@@ -596,7 +596,7 @@ class StabilitySpan:
         one pair. ``"complex"``: A complex quadruple. ``"double-elliptic"``: A double imaginary pair. ``"double-real"``: A
         double real pair. ``"zero"``: An eigenvalue zero.
     nonlinear : Nonlinear
-        The verdict there, but at isolated points, which ``verdict_changes`` lists.
+        The verdict there, except at isolated points, which ``verdict_changes`` lists.
     friction : Friction
         What friction leaves of it.
     """
@@ -620,7 +620,7 @@ class StabilitySpan:
 
 @dataclass(frozen=True, slots=True)
 class Tail:
-    """How a curve goes on to infinity: h = l²/(2 J) + h0 + O(l⁻²).
+    """The asymptote of a curve: h = l²/(2 J) + h0 + O(l⁻²).
 
     Attributes
     ----------
@@ -716,7 +716,8 @@ class ChaosShare:
     energy_surface : str
         The component of E, such as ``S3``.
     fraction : float
-        The share of the orbits that are known to be chaotic; the whole lies between this and ``fraction`` + ``open``.
+        The share of the orbits known to be chaotic; apart from the sampling error, the true share lies between this and
+        ``fraction`` + ``open``.
     error : float
         One standard deviation of ``fraction``.
     open : float
@@ -761,7 +762,7 @@ class ChaosPoint:
     region : str or None
         The region of the point; absent where no atlas was made.
     steps : int
-        Steps of the integrator after which an orbit stays open.
+        Steps of the integrator after which an orbit is left open.
     components : tuple[ChaosShare, ...]
         One entry for each component of E, in the order of ``classify``.
     """

@@ -8,11 +8,11 @@ export interface Atlas {
   version: string;
   /** The canonical command that prints the document, made from body and settings. */
   command: string;
-  /** The level of accuracy that was asked for. */
+  /** The requested level of accuracy. */
   accuracy: Accuracy;
   /** The body. */
   body: Body;
-  /** The window that was asked for; absent: the whole half-plane. */
+  /** The requested window; absent: the whole half-plane. */
   window?: Window;
   /** Critical curves and pole lines. */
   curves: Curve[];
@@ -32,7 +32,7 @@ export interface Atlas {
   certificate?: Certificate;
 }
 
-/** The level of accuracy that was asked for. */
+/** The requested level of accuracy. */
 export type Accuracy = "exact" | "fast";
 
 /** The body of an atlas. */
@@ -74,7 +74,7 @@ export interface Integrable {
 /** A case in which there is a further first integral, or an invariant relation. */
 export type IntegrableCaseName = "euler" | "lagrange" | "kovalevskaya" | "goryachev-chaplygin" | "hess-appelrot";
 
-/** A part as it was understood. */
+/** A part as it was read. */
 export interface Part {
   /** The tensor about the fixed point, its entries exact (off the diagonal Ixy = −∫ x y dm). */
   inertia: [[string, string, string], [string, string, string], [string, string, string]];
@@ -96,7 +96,7 @@ export interface Part {
   r: [string, string, string];
   /** True when A and r are exact; else they are rounded to 130 digits, and every symmetry is kept. */
   exact: boolean;
-  /** Some distribution of mass has these mass properties. */
+  /** Some mass distribution has these mass properties. */
   physical: boolean;
 }
 
@@ -153,7 +153,7 @@ export interface StabilitySpan {
   l_to: number | null;
   /** The linear type there. */
   stability: Stability;
-  /** The verdict there, but at isolated points, which `verdict_changes` lists. */
+  /** The verdict there, except at isolated points, which `verdict_changes` lists. */
   nonlinear: Nonlinear;
   /** What friction leaves of it. */
   friction: Friction;
@@ -162,17 +162,17 @@ export interface StabilitySpan {
 /** Linear type of a relative equilibrium, decided exactly: the eigenvalues ±λ₁, ±λ₂ of the Euler–Poisson flow reduced by l. */
 export type Stability = "elliptic" | "saddle-centre" | "saddle" | "complex" | "double-elliptic" | "double-real" | "zero";
 
-/** The verdict on the stability of a relative equilibrium, with all that it rests on. */
+/** The verdict on the stability of a relative equilibrium, with its evidence. */
 export interface Nonlinear {
   /** Stable, unstable, or open. */
   verdict: NonlinearVerdict;
   /** Why. */
   why: Reason;
-  /** Arnold's determinant D₄ = K₁₁ω₂² + K₁₂ω₁ω₂ + K₂₂ω₁² over Ω², where H = ω₁I₁ − ω₂I₂ + K₁₁I₁² + K₁₂I₁I₂ + K₂₂I₂² + … with the pair of positive Krein sign first; `null` but at index 2 with two distinct imaginary pairs, and along a curve. */
+  /** Arnold's determinant D₄ = K₁₁ω₂² + K₁₂ω₁ω₂ + K₂₂ω₁² over Ω², where H = ω₁I₁ − ω₂I₂ + K₁₁I₁² + K₁₂I₁I₂ + K₂₂I₂² + … with the pair of positive Krein sign first; `null` except at index 2 with two distinct imaginary pairs, and along a curve. */
   D4_over_s: number | null;
   /** Bound on its error. */
   D4_error: number | null;
-  /** Distances to the resonances; `null` but at index 2 with imaginary pairs, and along a curve. */
+  /** Distances to the resonances; `null` except at index 2 with imaginary pairs, and along a curve. */
   near: Resonances | null;
   /** Decided by enclosures and exact arithmetic; in an atlas: `verify` confirms it. */
   proved: boolean;
@@ -207,7 +207,7 @@ export interface Friction {
 /** What friction that conserves l leaves of the stability. */
 export type Damped = "survives" | "lost";
 
-/** How a curve goes on to infinity: h = l²/(2 J) + h0 + O(l⁻²). */
+/** The asymptote of a curve: h = l²/(2 J) + h0 + O(l⁻²). */
 export interface Tail {
   /** J: the moment of inertia of the limiting axis. */
   moment: number;
@@ -252,7 +252,7 @@ export interface StabilityChange {
   h: number;
   /** Id of the curve on which it lies; at a cusp or pitchfork the first of the two. */
   curve: string;
-  /** Id of the curve that goes on after a cusp or pitchfork. */
+  /** Id of the curve that continues after a cusp or pitchfork. */
   onto?: string;
   /** What happens. */
   kind: StabilityChangeKind;
@@ -312,11 +312,11 @@ export interface Region {
   neighbours: Neighbour[];
   /** The cells whose union it is, by rising l, then h. */
   cells: Cell[];
-  /** True when a window cuts it. Of a cut region `sample` lies in the window; `cells`, `l_range` and `h_width` are those of the whole. */
+  /** True when a window cuts it. The `sample` of a cut region lies in the window; `cells`, `l_range` and `h_width` are those of the whole. */
   clipped?: boolean;
 }
 
-/** A point inside a region, chosen where it is wide; where no double lies inside, the doubles nearest to one, which the certificate has exactly. */
+/** A point inside a region, chosen where it is wide; where no double lies inside, the doubles nearest to a point inside, which the certificate has exactly. */
 export interface Sample {
   /** Energy. */
   h: number;
@@ -398,7 +398,7 @@ export interface Undecided {
   curves: string[];
 }
 
-/** What pictures of an atlas show, in f64: no part of a proof. The accuracies hold for all bodies but those whose curves doubles do not tell apart, such as rods of 10⁻¹¹ and less. */
+/** What pictures of an atlas show, in f64: no part of a proof. The accuracies hold for all bodies except those whose curves cannot be told apart in doubles, such as rods of 10⁻¹¹ and less. */
 export interface Drawing {
   /** Where the diagram is seen; it depends on the body alone. */
   view: View;
@@ -412,7 +412,7 @@ export interface Drawing {
 export interface View {
   /** The default view: all events, and a part of every unbounded region; the `polygon` of each region lies in it. */
   everything: Window;
-  /** All events but those that lie far beyond all others. */
+  /** All events except those far beyond all others. */
   main: Window;
 }
 
@@ -424,7 +424,7 @@ export interface CurveDrawing {
 
 /** The drawing of a region. */
 export interface RegionDrawing {
-  /** The part of the region inside `view.everything` (inside the window, if one was asked for): closed outlines of points [h, l] whose last point is the first; a hole is an outline of its own (fill by the even-odd rule). An outline begins at its smallest l, there at the lowest h, and has the region on its left as l runs to the right and h upwards; outlines stand by that l, then h. Where two events of the list are at one l, all outlines end at the l of each event. Corners lie on the curves, but for those where a curve leaves the view. No edge leaves its curve by more than 1/250 of the height of the view in h, or it spans less than 10⁻⁹ of the view's l. */
+  /** The part of the region inside `view.everything` (inside the window, if one was asked for): closed outlines of points [h, l] whose last point is the first; a hole is a separate outline (fill by the even-odd rule). An outline begins at its smallest l, there at the lowest h, and has the region on its left as l runs to the right and h upwards; outlines are ordered by that l, then h. Where two events of the list are at one l, all outlines end at the l of each event. Corners lie on the curves, except where a curve leaves the view. No edge leaves its curve by more than 1/250 of the height of the view in h, or it spans less than 10⁻⁹ of the view's l. */
   polygon: [number, number][][];
   /** The largest extent in h at one l, to 10⁻⁶ of it and 4·10⁻⁹ of |r|; null if unbounded. */
   h_width: number | null;
@@ -580,7 +580,7 @@ export interface Classification {
   l: string;
   /** What is known of the point. */
   status: Status;
-  /** The level of accuracy that was asked for. */
+  /** The requested level of accuracy. */
   accuracy: Accuracy;
   /** Id of the region in the body's atlas; null unless regular, with `--no-region`, and where no atlas gives it (`note` says so). */
   region: string | null;
@@ -651,7 +651,7 @@ export interface RelativeEquilibrium {
   multiplicity: Multiplicity;
   /** Linear type of the flow reduced by l. */
   stability: Stability;
-  /** By what it is stable, as far as that is known: `nonlinear` in one word. */
+  /** The reason for its stability, if known: `nonlinear` in one word. */
   stable: Verdict;
   /** The verdict on its stability, with its reason. */
   nonlinear: Nonlinear;
@@ -717,7 +717,7 @@ export interface Orbit {
   reason: string;
   /** Where it was decided; absent where it is open. */
   decided?: Decided;
-  /** How regular it is, if that was asked for. */
+  /** How regular it is, if requested. */
   chaos?: Chaos;
 }
 
@@ -727,7 +727,7 @@ export type EndName = "crossings" | "time" | "decided" | "stays-on-section" | "f
 /** Whether an orbit is regular or chaotic. Chaotic is not unstable: an unstable periodic orbit is not chaotic. */
 export type VerdictName = "regular" | "chaotic" | "open";
 
-/** Where a verdict was decided: the time of the look that decided, and the last crossing before it. An orbit that is followed further keeps it. */
+/** Where a verdict was decided: the time of the deciding test, and the last crossing before it. An orbit that is followed further keeps it. */
 export interface Decided {
   /** Time since the start. */
   time: number;
@@ -739,11 +739,11 @@ export interface Decided {
 export interface Chaos {
   /** The largest Lyapunov exponent; null for an orbit of no duration, with fewer than 24 returns, or that was not finished. */
   lyapunov: Lyapunov | null;
-  /** The rotation number; null if there is none. */
+  /** The rotation number; null if undefined. */
   rotation: Rotation | null;
   /** Why there is no rotation number. */
   no_rotation?: string;
-  /** What the verdict rests on: the three looks that decided it; where it is open, the last three. Empty for an orbit that was too short or not finished. */
+  /** The evidence for the verdict: the three tests that decided it; where it is open, the last three. Empty for an orbit that was too short or not finished. */
   evidence: Evidence[];
 }
 
@@ -751,7 +751,7 @@ export interface Chaos {
 export interface Lyapunov {
   /** λ(T) = ln(|δ(T)|/|δ(0)|)/T; of regular orbits it falls like ln(T)/T. */
   exponent: number;
-  /** λ(T/2): what it still changes. */
+  /** λ(T/2), to show how much it still changes. */
   exponent_half: number;
   /** The weighted mean of d ln|δ|/dt, which converges faster for regular orbits. */
   mean_rate: number;
@@ -778,7 +778,7 @@ export interface Rotation {
 /** Which angle turns. */
 export type RotationAngleName = "axis" | "mean" | "curve" | "islands";
 
-/** A look at an orbit at one time T: means over the windows [T/4, 5T/8] and [5T/8, T] with the weight (u(1−u))⁸. */
+/** A test of an orbit at one time T: means over the windows [T/4, 5T/8] and [5T/8, T] with the weight (u(1−u))⁸. */
 export interface Evidence {
   /** T. */
   time: number;
