@@ -11,6 +11,7 @@ use bifdiag_diagram::topology::latitude;
 use bifdiag_documents::DocumentOptions;
 use bifdiag_equilibria::critical::critical;
 use bifdiag_equilibria::curves::CriticalSet;
+use bifdiag_exact::CertifiedAtlas;
 
 #[path = "../benches/workload/mod.rs"]
 mod workload;
@@ -42,7 +43,7 @@ fn exact() -> Vec<(Body, Number, Number)> {
 /// Prepares the work of a path.
 type Prepare = fn() -> Job;
 
-const PATHS: [(&str, Prepare); 14] = [
+const PATHS: [(&str, Prepare); 15] = [
     ("parse", || {
         let text = |x: &Number| x.text().to_owned();
         let texts = workload::generic()
@@ -59,6 +60,7 @@ const PATHS: [(&str, Prepare); 14] = [
     ("atlas-plane", || atlas(workload::plane())),
     ("atlas-near-axis", || atlas(workload::near_axis())),
     ("atlas-rods", || atlas(workload::rods())),
+    ("proof", || in_turn(workload::generic(), |case| CertifiedAtlas::new(&case.body))),
     ("polylines", || {
         in_turn(prepared(&workload::generic()), |atlas| {
             bifdiag_documents::atlas::document(atlas, &DocumentOptions::default())
