@@ -75,7 +75,7 @@ def main():
         for text in texts:
             users.setdefault(text, []).append(f"{name} {release} ({licence})")
     for name, font in ("DejaVu Sans", "DejaVuSans"), ("Bifdiag Math, from STIX Math", "Math"):
-        text = (ROOT / f"crates/plot/fonts/{font}-LICENSE.txt").read_text(encoding="utf-8").strip()
+        text = (ROOT / f"crates/page/fonts/{font}-LICENSE.txt").read_text(encoding="utf-8").strip()
         users.setdefault(text, []).append(name)
     pages = ["\n".join(sorted(names)) + "\n\n" + text for text, names in sorted(users.items(), key=lambda item: item[1])]
     if without:

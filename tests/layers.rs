@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 /// What lies at the top of each package's sources, in the order of the data: what stands later imports what stands
 /// earlier. `lib.rs` and `mod.rs` hold the front of a package and stand where they are used.
-const ORDER: [(&str, &str); 15] = [
+const ORDER: [(&str, &str); 16] = [
     (
         "crates/numbers/src",
         "number decimal sign enclosure interval directed fixed_float wide root polynomial vector symmetric bernstein form sequence table",
@@ -41,7 +41,11 @@ const ORDER: [(&str, &str); 15] = [
          section words",
     ),
     ("crates/verify/src", "refused numbers equilibria order topology stability document"),
-    ("crates/plot/src", "page animation steady campbell periods diagram map section chaos sphere part"),
+    (
+        "crates/page/src",
+        "perception sight error geometry formula color places path text picture areas union notation tikz canvas legend axes caption table chart",
+    ),
+    ("crates/plot/src", "animation steady campbell periods diagram map section chaos sphere part"),
     (
         "src/cli",
         "failure terminal input export batch listings explain part spin atlas show classify critical verify section chaos sphere \

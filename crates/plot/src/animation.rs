@@ -3,7 +3,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::page::{
+use bifdiag_page::{
     Anchor, CHART_TEXT, Canvas, FAINT_INK, INK, Ink, Path, Picture, PlotError, Point, Rect, Theme, lines, render, rgb,
     rgbs, ticks, to_units,
 };

@@ -2,11 +2,11 @@
 
 use plotters::style::RGBColor;
 
-use crate::page::{
+use crate::steady::Steadiness;
+use bifdiag_page::{
     Anchor, CHART_TEXT, Canvas, Chart, Dash, INK, Legend, Picture, PlotError, Point, Rect, Symbol, Theme, render, rgb,
     rgbs, short_number, text_width,
 };
-use crate::steady::Steadiness;
 
 /// Frequencies over the spin.
 #[derive(Clone, Debug, PartialEq)]

@@ -10,7 +10,6 @@ mod campbell;
 mod chaos;
 mod diagram;
 mod map;
-pub mod page;
 mod part;
 mod periods;
 mod section;
@@ -18,6 +17,10 @@ mod sphere;
 mod steady;
 
 pub use animation::{AnimatedCrossing, AnimationScene, draw_animation, draw_frame};
+pub use bifdiag_page as page;
+pub use bifdiag_page::{
+    Caption, Figure, Picture, Pixels, PlotError, Theme, Width, body_line, section_type, value_text,
+};
 pub use campbell::{Campbell, CampbellRow, draw_campbell};
 pub use chaos::{ChaosCell, ChaosPanel, ChaosScene, draw_chaos};
 pub use diagram::{
@@ -27,7 +30,6 @@ pub use diagram::{
     straight_diagram,
 };
 pub use map::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote, draw_map};
-pub use page::{Caption, Figure, Picture, Pixels, PlotError, Theme, Width, body_line, section_type, value_text};
 pub use part::{PartScene, draw_part};
 pub use periods::draw_periods;
 pub use section::{

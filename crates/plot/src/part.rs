@@ -2,7 +2,7 @@
 
 use bifdiag_schema::PartDocument;
 
-use crate::page::{
+use bifdiag_page::{
     Anchor, Canvas, FAINT_INK, INK, Ink, Legend, POLE, Picture, PlotError, Point, Rect, Symbol, Taken, Theme, number,
     render, rgb, round_point, short, short_number, text_width,
 };

@@ -6,7 +6,7 @@ use bifdiag_schema::{
 };
 use plotters::style::RGBColor;
 
-use crate::page::{
+use bifdiag_page::{
     Anchor, Chart, Dash, INK, Legend, Picture, PlotError, Point, Rect, Symbol, TICK_SIZE, Theme, render, rgb,
 };
 

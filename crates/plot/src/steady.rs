@@ -2,7 +2,7 @@
 
 use plotters::style::RGBColor;
 
-use crate::page::{
+use bifdiag_page::{
     Anchor, Chart, Dash, INK, Legend, Picture, PlotError, Point, Rect, Symbol, TICK_SIZE, Theme, render, rgb,
 };
 
@@ -121,7 +121,7 @@ pub fn draw_steady(scene: &SteadyScene, theme: Theme) -> Result<Picture, PlotErr
 }
 
 /// The names of curves behind their ends, one below another where they would meet.
-fn names(canvas: &crate::page::Canvas, mut ends: Vec<(Point, &str)>) {
+fn names(canvas: &bifdiag_page::Canvas, mut ends: Vec<(Point, &str)>) {
     ends.sort_by(|p, q| p.0[1].total_cmp(&q.0[1]));
     let mut lowest = f64::NEG_INFINITY;
     for ([x, y], name) in ends {

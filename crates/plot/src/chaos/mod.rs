@@ -6,12 +6,12 @@ use std::collections::BTreeMap;
 
 use plotters::style::RGBColor;
 
-use crate::page::{
+use crate::section::{paint_scale, shade, unknown};
+use areas::merged;
+use bifdiag_page::{
     Anchor, CHART_TEXT, Canvas, Chart, FAINT_INK, INK, Ink, Labelled, PAPER, Path, Picture, PlotError, Point, Rect,
     Taken, Theme, Width, body_line, clip_polyline, is_proper, lines, render, round_point, text_width,
 };
-use crate::section::{paint_scale, shade, unknown};
-use areas::merged;
 
 /// What the picture of a map shows.
 #[derive(Clone, Debug, PartialEq)]

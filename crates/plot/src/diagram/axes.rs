@@ -5,7 +5,7 @@ use super::layout::BELOW;
 use super::panel::Panel;
 use super::plan::{LEFT, RIGHT};
 use super::windows::View;
-use crate::page::{Anchor, Axis, Canvas, INK, Point, TICK_SIZE, Ticks, draw_axes, text_width, ticks};
+use bifdiag_page::{Anchor, Axis, Canvas, INK, Point, TICK_SIZE, Ticks, draw_axes, text_width, ticks};
 
 pub(super) const AXIS_SIZE: f64 = TICK_SIZE + 1.0;
 /// The height of insets that are small.
@@ -105,7 +105,7 @@ pub(super) fn paint_axes(canvas: &Canvas, panel: &Panel, is_main: bool, units: &
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::page::Rect;
+    use bifdiag_page::Rect;
     use bifdiag_schema::WindowDocument;
 
     #[test]

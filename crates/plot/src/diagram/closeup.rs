@@ -4,7 +4,7 @@ use super::panel::{LEGIBLE, areas};
 use super::scene::Scene;
 use super::trace::{Trace, trace};
 use super::windows::{View, clipped, common, hull, length};
-use crate::page::{PlotError, Rect};
+use bifdiag_page::{PlotError, Rect};
 use bifdiag_schema::WindowDocument;
 
 /// The widest window tried for a region shows it with an inscribed circle of at least this radius, the closest with

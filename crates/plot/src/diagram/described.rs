@@ -8,7 +8,7 @@ use super::page::Page;
 use super::paint::Diagram;
 use super::palette::ground_of;
 use super::stroke::{turn_of, width};
-use crate::page::{Dash, INK, PAPER, Point, Symbol, Theme, hex};
+use bifdiag_page::{Dash, INK, PAPER, Point, Symbol, Theme, hex};
 use bifdiag_schema::WindowDocument;
 
 /// Lengths in pixels, each with its colour `#RRGGBB` or empty, alternating; for a solid line a single one, of any

@@ -5,7 +5,7 @@ use super::panel::{LEGIBLE, Panel};
 use super::plan::Plan;
 use super::scene::Scene;
 use super::windows::{area, beside, clear, clipped, contains, hull, length, reach_into};
-use crate::page::PlotError;
+use bifdiag_page::PlotError;
 use bifdiag_schema::WindowDocument;
 
 /// In the window chosen for it, a region's inscribed circle has at least this radius.

@@ -1,6 +1,6 @@
 //! The labels of regions, and the marks of events and sample points.
 
-use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, PAPER, Point, Rect, section_type, superscript, text_width};
+use bifdiag_page::{Anchor, Canvas, FAINT_INK, INK, Ink, PAPER, Point, Rect, section_type, superscript, text_width};
 use bifdiag_schema::{AtlasDocument, EventKind, RegionDocument};
 
 /// The energy.
@@ -191,7 +191,7 @@ fn paint_texts(canvas: &Canvas, label: &Label, name: &Name) {
 fn paint_leader(canvas: &Canvas, [tip, end]: [Point; 2]) {
     let ink = Ink { color: INK, width: 0.7 };
     canvas.path(&[tip, end], ink);
-    let length = crate::page::distance(tip, end).max(1e-9);
+    let length = bifdiag_page::distance(tip, end).max(1e-9);
     let [x, y] = [(end[0] - tip[0]) / length, (end[1] - tip[1]) / length];
     let wing = |side: f64| [tip[0] + ARROW * (x - side * 0.35 * y), tip[1] + ARROW * (y + side * 0.35 * x)];
     canvas.polygon(&[tip, wing(1.0), wing(-1.0)], INK);

@@ -3,7 +3,7 @@
 use super::panel::Panel;
 use super::plan::{BETWEEN, LEFT, Plan, RIGHT};
 use super::windows::{area, contains};
-use crate::page::{Point, Rect, letter};
+use bifdiag_page::{Point, Rect, letter};
 
 /// Space for the axis below.
 pub(super) const BELOW: f64 = 46.0;

@@ -11,7 +11,7 @@ use super::panel::Panel;
 use super::placement::Texts;
 use super::scene::Scene;
 use super::stroke::{self, Stroke, Verdict, WIDTH};
-use crate::page::{Canvas, FAINT_INK, Legend, Symbol, short_number};
+use bifdiag_page::{Canvas, FAINT_INK, Legend, Symbol, short_number};
 use bifdiag_schema::{AtlasDocument, CurveKind, EventDocument, EventKind};
 
 /// What the panels need explained, in rows of `width` pixels; `dots` says what the dots are.

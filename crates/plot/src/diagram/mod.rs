@@ -33,12 +33,10 @@ pub use straight::{LabelBoxes, StraightColumn, StraightShares};
 pub use straight_panel::{PanelTicks, StraightPanel};
 pub use straightened::StraightDiagram;
 
-use crate::page::{FAINT_INK, Figure, INK, PAPER, Picture, PlotError, png};
+use bifdiag_page::{FAINT_INK, Figure, INK, PAPER, Picture, PlotError, png};
 use bifdiag_schema::{AtlasDocument, WindowDocument};
 use page::Page;
 use palette::tint;
-#[cfg(test)]
-pub(crate) use palette::tints;
 use plan::Plan;
 
 /// A plane with more insets than these is better straightened.

@@ -6,7 +6,7 @@ use super::labels::{H, L, region_type};
 use super::panel::Panel;
 use super::scene::Scene;
 use super::stroke::{Stroke, curve_width};
-use crate::page::{Heading, Symbol, body_line, short_number, short_time, text_width};
+use bifdiag_page::{Heading, Symbol, body_line, short_number, short_time, text_width};
 use bifdiag_schema::{AtlasDocument, CurveDocument, small_motions};
 
 /// Font size of the notes.

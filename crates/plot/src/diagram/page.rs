@@ -14,7 +14,7 @@ use super::scene::{CurveSource, DiagramOptions, DiagramTitle, LegendPlace, Scene
 use super::straight::straighten;
 use super::stroke::strokes;
 use super::windows::View;
-use crate::page::{
+use bifdiag_page::{
     Anchor, Canvas, Caption, FAINT_INK, Figure, HEIGHT, Heading, INK, Legend, PlotError, Point, Rect, Table, Theme,
     render, title_size,
 };

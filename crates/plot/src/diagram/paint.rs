@@ -9,7 +9,7 @@ use super::placement::Texts;
 use super::scene::{Scene, Step};
 use super::stroke::{self, Line, Stroke, Verdict};
 use super::windows::contains;
-use crate::page::{Anchor, Canvas, INK, Ink, Point, clip_polyline, distance, letter, rgb, short, text_width};
+use bifdiag_page::{Anchor, Canvas, INK, Ink, Point, clip_polyline, distance, letter, rgb, short, text_width};
 use bifdiag_schema::EventKind;
 
 const FRAME: Ink = Ink { color: INK, width: 0.9 };

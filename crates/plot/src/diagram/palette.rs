@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use plotters::style::RGBColor;
 
-use crate::page::{FAINT_INK, rgb, rgbs};
+use bifdiag_page::{FAINT_INK, rgb, rgbs};
 use bifdiag_schema::{AtlasDocument, ComponentDocument, CurveDocument, CurveKind, RegionDocument};
 
 /// The branch of the global minimum.
@@ -140,17 +140,18 @@ pub(super) fn branch_styles(atlas: &AtlasDocument) -> BTreeMap<&str, BranchStyle
     styles
 }
 
-/// The tints of all types.
-#[cfg(test)]
-pub(crate) fn tints() -> Vec<RGBColor> {
-    TINTS.iter().map(|(_, tint)| *tint).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::page::sight::assert_apart;
-    use crate::page::{INK, PAPER, POLE, POLE_MINUS, Theme, contrast};
+    use bifdiag_page::sight::assert_apart;
+    use bifdiag_page::{INK, PAPER, POLE, POLE_MINUS, Theme, color_name, contrast};
+
+    /// Two were pale yellow.
+    #[test]
+    fn tints_have_names_of_their_own() {
+        let words: std::collections::BTreeSet<&str> = TINTS.iter().map(|(_, tint)| color_name(*tint)).collect();
+        assert_eq!(words.len(), TINTS.len(), "{words:?}");
+    }
 
     #[test]
     fn curves_are_told_apart_by_every_reader() {
@@ -201,7 +202,7 @@ mod tests {
     fn pole_lines_differ_in_colour_and_dash() {
         assert_apart(&[POLE, POLE_MINUS], 40.0);
         let [plus, minus] = [CurveKind::PolePlus, CurveKind::PoleMinus].map(crate::diagram::stroke::pole_pattern);
-        let lengths = |pattern: &[crate::page::Dash]| pattern.iter().map(|dash| dash.1).collect::<Vec<f64>>();
+        let lengths = |pattern: &[bifdiag_page::Dash]| pattern.iter().map(|dash| dash.1).collect::<Vec<f64>>();
         assert_ne!(lengths(&plus), lengths(&minus));
     }
 

@@ -4,7 +4,7 @@ use super::scene::{Cell, Scene};
 use super::straight::Straight;
 use super::trace::{Trace, traces};
 use super::windows::{View, common};
-use crate::page::{Areas, Path, PlotError, Point, clip_polygon, clip_polyline, pixel, union};
+use bifdiag_page::{Areas, Path, PlotError, Point, clip_polygon, clip_polyline, pixel, union};
 use bifdiag_schema::EventDocument;
 
 /// A region whose inscribed circle has at least this radius in pixels can be seen and pointed at.

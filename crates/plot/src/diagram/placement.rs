@@ -5,7 +5,7 @@ use super::labels::{Form, Label, MARKER, Name, SMALLEST, Setting, boxed, names};
 use super::layout::{CROWDED, Frame, LETTER_SIZE, is_marked};
 use super::panel::{LEGIBLE, Panel};
 use super::scene::Scene;
-use crate::page::{Areas, Labelled, NOTHING, Point, Rect, Sums, Taken, all_over, distance, text_width};
+use bifdiag_page::{Areas, Labelled, NOTHING, Point, Rect, Sums, Taken, all_over, distance, text_width};
 
 /// Font sizes that are tried inside a region, best first; the last is that of a label beside its region.
 const SIZES: [f64; 3] = [14.0, 12.0, SMALLEST];
@@ -228,7 +228,7 @@ fn crossed(areas: &Areas, [from, to]: [Point; 2]) -> f64 {
     let mut cost = 0.0;
     let mut walked = 0.0;
     while walked < length {
-        let at = crate::page::between(from, to, walked / length);
+        let at = bifdiag_page::between(from, to, walked / length);
         cost += areas.index(at).map_or(0.0, |index| if areas.depth[index] == 0.0 { CROSSED } else { 0.0 });
         walked += 1.0;
     }

@@ -1,6 +1,6 @@
 //! How large the panels are, and how many are side by side.
 
-use crate::page::Width;
+use bifdiag_page::Width;
 
 /// The sizes of a page.
 #[derive(Clone, Copy, Debug)]

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::plan::Plan;
 use super::windows::l_range;
-use crate::page::{PlotError, Theme, Width, is_proper};
+use bifdiag_page::{PlotError, Theme, Width, is_proper};
 use bifdiag_schema::{AtlasDocument, RegionDocument, RelativeEquilibriumDocument, SlowdownDocument, WindowDocument};
 
 /// In which coordinates the plane is drawn.

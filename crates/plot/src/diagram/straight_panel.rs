@@ -3,7 +3,7 @@
 use super::plan::Plan;
 use super::scene::{CurveSource, DiagramOptions, Scene, windows};
 use super::straight::{LabelBoxes, Straight, StraightColumn, StraightShares, Tick, straighten};
-use crate::page::{PlotError, Point, Rect, TICK_SIZE};
+use bifdiag_page::{PlotError, Point, Rect, TICK_SIZE};
 use bifdiag_schema::AtlasDocument;
 
 /// Width of a digit over the size of letters, and a little more, in any font of numbers.
@@ -95,8 +95,8 @@ mod tests {
     use super::super::scene::{Curves, DiagramTitle};
     use super::super::straight_diagram;
     use super::*;
-    use crate::page::{Width, distance};
     use bifdiag_documents::DocumentOptions;
+    use bifdiag_page::{Width, distance};
     use support::bodies::{STRATA, random_body};
     use support::random::SplitMix64;
 

@@ -4,7 +4,7 @@ use super::described::DiagramDescription;
 use super::page::Page;
 use super::paint::Diagram;
 use super::straight::{Straight, half_width};
-use crate::page::{PlotError, Point, Theme, outlines};
+use bifdiag_page::{PlotError, Point, Theme, outlines};
 
 /// Where everything lies in the straightened plane, in the unit square: l to the right, h upwards. The picture of
 /// [`draw`](super::draw) in this view has the same places.

@@ -9,7 +9,7 @@ use super::palette::{BranchStyle, is_pole};
 use super::panel::Panel;
 use super::scene::coincidences;
 use super::windows::l_range;
-use crate::page::{Canvas, Dash, FAINT_INK, POLE, POLE_MINUS, Path, Point};
+use bifdiag_page::{Canvas, Dash, FAINT_INK, POLE, POLE_MINUS, Path, Point};
 use bifdiag_schema::{AtlasDocument, CurveDocument, CurveKind, Damped, NonlinearVerdict, StabilitySpan};
 
 /// Width of a curve in pixels.

@@ -2,7 +2,7 @@
 
 use super::scene::Scene;
 use super::windows::{common, l_range};
-use crate::page::PlotError;
+use bifdiag_page::PlotError;
 use bifdiag_schema::{CurveDocument, TailDocument};
 
 /// Points added at most between two points of a document's polyline.

@@ -1,6 +1,6 @@
 //! Windows of the (h, l) plane: products of two ranges, where they lie on the page, and how they keep apart.
 
-use crate::page::{Point, Rect};
+use bifdiag_page::{Point, Rect};
 use bifdiag_schema::WindowDocument;
 
 /// The range of l of a curve or a cell; the upper end may be infinite.

@@ -1,7 +1,7 @@
 //! Colours for many entries, distinct in print and for colour-blind readers where possible.
 
 use super::model::Map;
-use crate::page::{INK, rgb, rgbs};
+use bifdiag_page::{INK, rgb, rgbs};
 use plotters::style::RGBColor;
 
 /// What has no colour of its own.
@@ -71,8 +71,8 @@ fn color(number: usize) -> RGBColor {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::page::sight::assert_apart;
-    use crate::page::{Theme, contrast};
+    use bifdiag_page::sight::assert_apart;
+    use bifdiag_page::{Theme, contrast};
 
     #[test]
     fn the_first_colours_are_told_apart_by_every_reader() {

@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 
 use plotters::style::RGBColor;
 
-use crate::page::{
+use bifdiag_page::{
     Anchor, Axis, Canvas, FAINT_INK, HEIGHT, INK, Ink, PAPER, Path, Picture, PlotError, Rect, Theme, Width, draw_axes,
     is_proper, lines, render, text_width, ticks, widest,
 };

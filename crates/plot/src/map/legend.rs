@@ -4,7 +4,7 @@ use super::colors::{fill, line as line_color};
 use super::marks::MapMark;
 use super::model::{Map, MapBodies, MapView};
 use super::spots::{short_place, spot};
-use crate::page::{Canvas, Dash, FAINT_INK, Ink, Legend, Path, Point, Rect, Symbol, Table, pixel};
+use bifdiag_page::{Canvas, Dash, FAINT_INK, Ink, Legend, Path, Point, Rect, Symbol, Table, pixel};
 use plotters::style::RGBColor;
 
 /// What is said of places without a body.

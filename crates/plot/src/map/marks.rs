@@ -2,7 +2,9 @@
 //! room, and for an entry without one beside what shows it, with a leader.
 
 use super::model::{Map, MapBodies, MapLine, MapNote, MapView, SIZE, SMALL};
-use crate::page::{Areas, Labelled, NOTHING, Point, Rect, Sums, Taken, all_over, between, distance, pixel, text_width};
+use bifdiag_page::{
+    Areas, Labelled, NOTHING, Point, Rect, Sums, Taken, all_over, between, distance, pixel, text_width,
+};
 
 /// Room of a mark inside of its patch, above and below its middle.
 const ROOM: f64 = 6.5;

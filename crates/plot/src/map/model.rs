@@ -1,6 +1,6 @@
 //! What a map shows, and where on the page.
 
-use crate::page::{Caption, Point, Rect, clip_polyline};
+use bifdiag_page::{Caption, Point, Rect, clip_polyline};
 
 /// One of the two parameters.
 #[derive(Clone, Debug, PartialEq)]

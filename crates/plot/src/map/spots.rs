@@ -1,7 +1,7 @@
 //! Where an entry lies that the map has no room to mark.
 
 use super::model::{MapBodies, MapView};
-use crate::page::{Point, distance, short_number};
+use bifdiag_page::{Point, distance, short_number};
 
 /// The place of a body, and in both parameters how far from it another entry may lie.
 #[derive(Clone, Copy)]
@@ -112,7 +112,7 @@ pub(super) fn short_place(Spot { at, room }: Spot) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::page::Rect;
+    use bifdiag_page::Rect;
 
     fn view() -> MapView {
         MapView { x: [0.0, 1.0], y: [0.0, 2.0], rect: Rect { x: 0.0, y: 0.0, width: 100.0, height: 100.0 } }

@@ -3,7 +3,7 @@
 use plotters::style::RGBColor;
 
 use super::scene::{OrbitColors, SectionScene};
-use crate::page::{Anchor, Canvas, INK, Ink, Rect, rgb, rgbs, ticks};
+use bifdiag_page::{Anchor, Canvas, INK, Ink, Rect, rgb, rgbs, ticks};
 
 /// Shades of each hue, which distinguish the orbits of a family.
 const SHADES: usize = 4;
@@ -162,7 +162,7 @@ pub(crate) fn paint_scale(canvas: &Canvas, rect: &Rect) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::page::sight::{SIGHTS, apart};
+    use bifdiag_page::sight::{SIGHTS, apart};
 
     /// Relative luminance, the one that colour blindness leaves.
     fn luminance(color: RGBColor) -> f64 {

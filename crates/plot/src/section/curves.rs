@@ -4,8 +4,8 @@ use plotters::style::RGBColor;
 
 use super::layout::SheetPanel;
 use super::scene::{SectionCurves, SectionScene};
-use crate::page::{Canvas, INK, Ink, PAPER, Path, Point, Symbol, rgb};
 use bifdiag_dynamics::section::{Portrait, SectionLine};
+use bifdiag_page::{Canvas, INK, Ink, PAPER, Path, Point, Symbol, rgb};
 
 /// Of motions that leave.
 const UNSTABLE: Ink = Ink { color: rgb(0xc8_30_00), width: 0.9 };

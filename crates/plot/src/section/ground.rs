@@ -8,8 +8,8 @@ use plotters::style::RGBColor;
 use super::colors::{family, shades, unknown};
 use super::layout::SheetPanel;
 use super::scene::{OrbitColors, Projection, SectionScene};
-use crate::page::{Canvas, INK, Ink, Path, Point, Rect, Symbol, rgb, union};
 use bifdiag_dynamics::section::{Portrait, SectionChart, SectionCondition};
+use bifdiag_page::{Canvas, INK, Ink, Path, Point, Rect, Symbol, rgb, union};
 
 /// Ground where Ṡ < 0 and where Ṡ > 0.
 const INCOMING: RGBColor = rgb(0xcd_d5_df);

@@ -3,8 +3,8 @@
 use std::f64::consts::{PI, TAU};
 
 use super::scene::{Projection, SectionScene};
-use crate::page::{Anchor, Canvas, HEIGHT, INK, Ink, Path, Point, Rect, Width, number, short_number};
 use bifdiag_dynamics::section::{Portrait, SectionChart};
+use bifdiag_page::{Anchor, Canvas, HEIGHT, INK, Ink, Path, Point, Rect, Width, number, short_number};
 
 /// How long the mark of a tick is.
 const MARK: f64 = 4.0;

@@ -13,8 +13,8 @@ mod scene;
 
 pub use scene::{OrbitColors, OrbitFamilies, OrbitValues, Projection, SectionCurves, SectionOptions, SectionScene};
 
-use crate::page::{Anchor, Heading, INK, Legend, Picture, PlotError, body_line, render, text_width, title_size};
 use bifdiag_dynamics::section::SectionCondition;
+use bifdiag_page::{Anchor, Heading, INK, Legend, Picture, PlotError, body_line, render, text_width, title_size};
 use colors::Coloring;
 pub(crate) use colors::{paint_scale, shade, unknown};
 use layout::Layout;

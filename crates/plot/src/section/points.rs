@@ -7,7 +7,7 @@ use plotters::style::RGBColor;
 use super::colors::Coloring;
 use super::layout::SheetPanel;
 use super::scene::{SectionOptions, SectionScene};
-use crate::page::{Canvas, Ink, PAPER, Path, PlotError, Point, Rect, png, to_units};
+use bifdiag_page::{Canvas, Ink, PAPER, Path, PlotError, Point, Rect, png, to_units};
 
 /// Diameters of points in pixels.
 const SMALLEST: f64 = 0.8;

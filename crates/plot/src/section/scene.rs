@@ -1,7 +1,7 @@
 //! What a picture of sections shows.
 
-use crate::page::{Theme, Width};
 use bifdiag_dynamics::section::{OrbitSection, Portrait};
+use bifdiag_page::{Theme, Width};
 
 /// A number for each orbit, by which it is coloured.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::view::{SphereView, Vector};
-use crate::page::{Path, Point};
+use bifdiag_page::{Path, Point};
 
 /// Steps from the middle to the rim, and round it. The second is even, so that the rims of both views share their nodes.
 pub(super) const RINGS: usize = 90;

@@ -2,7 +2,7 @@
 
 use super::scene::SphereScene;
 use super::view::{SphereView, Vector, turned};
-use crate::page::{
+use bifdiag_page::{
     Anchor, Canvas, FAINT_INK, INK, Ink, Labelled, PAPER, POLE, POLE_MINUS, Point, Rect, Taken, distance, letter,
     meets, rgb, round_point, text_width,
 };

@@ -10,7 +10,7 @@ mod view;
 
 pub use scene::SphereScene;
 
-use crate::page::{
+use bifdiag_page::{
     Anchor, Canvas, FAINT_INK, HEIGHT, Ink, Path, Picture, PlotError, Point, Rect, Taken, Theme, Width, number, render,
     text_width, to_units,
 };

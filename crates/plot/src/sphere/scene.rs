@@ -1,6 +1,6 @@
 //! What a picture of U on the Poisson sphere shows, and its title.
 
-use crate::page::{Anchor, Canvas, INK, Rect, lines, text_width};
+use bifdiag_page::{Anchor, Canvas, INK, Rect, lines, text_width};
 use bifdiag_schema::{ComponentDocument, RelativeEquilibriumDocument};
 
 const TITLE_SIZE: f64 = 14.0;

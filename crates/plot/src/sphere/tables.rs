@@ -6,7 +6,9 @@ use plotters::style::RGBColor;
 
 use super::marks::{self, SphereMark};
 use super::scene::SphereScene;
-use crate::page::{Canvas, INK, Ink, Legend, Symbol, Table, letter, rgb, rgbs, section_type, short_number, short_time};
+use bifdiag_page::{
+    Canvas, INK, Ink, Legend, Symbol, Table, letter, rgb, rgbs, section_type, short_number, short_time,
+};
 
 /// Ground where U > h.
 pub(super) const FORBIDDEN: RGBColor = rgb(0xd9_d9_d9);
@@ -143,8 +145,8 @@ fn kind(point: &RelativeEquilibriumDocument) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::page::Theme;
-    use crate::page::sight::assert_apart;
+    use bifdiag_page::Theme;
+    use bifdiag_page::sight::assert_apart;
 
     #[test]
     fn energies_have_the_digits_that_tell_them_apart() {

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use bifdiag_dynamics::field::{cross, dot};
 
-use crate::page::Point;
+use bifdiag_page::Point;
 
 pub(super) type Vector = [f64; 3];
 

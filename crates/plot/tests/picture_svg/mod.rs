@@ -13,8 +13,8 @@ pub fn tree(picture: &Picture) -> Tree {
     static FONTS: OnceLock<Arc<Database>> = OnceLock::new();
     let fontdb = Arc::clone(FONTS.get_or_init(|| {
         let mut database = Database::new();
-        database.load_font_data(include_bytes!("../../fonts/DejaVuSans.ttf").to_vec());
-        database.load_font_data(include_bytes!("../../fonts/Math.otf").to_vec());
+        database.load_font_data(include_bytes!("../../../page/fonts/DejaVuSans.ttf").to_vec());
+        database.load_font_data(include_bytes!("../../../page/fonts/Math.otf").to_vec());
         Arc::new(database)
     }));
     let options = Options { dpi: PIXELS_PER_INCH, fontdb, ..Options::default() };

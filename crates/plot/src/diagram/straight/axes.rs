@@ -5,7 +5,7 @@ use super::super::axes::AXIS_SIZE;
 use super::super::labels::{H, L};
 use super::super::plan::LEFT;
 use super::plane::Straight;
-use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, Point, TICK_SIZE, number, short_number, text_width};
+use bifdiag_page::{Anchor, Canvas, FAINT_INK, INK, Ink, Point, TICK_SIZE, number, short_number, text_width};
 
 /// Length of a tick.
 const TICK: f64 = 4.0;

@@ -3,7 +3,7 @@
 use super::super::scene::Scene;
 use super::plane::Straight;
 use super::strata::energies;
-use crate::page::PlotError;
+use bifdiag_page::PlotError;
 
 /// What lies over one momentum.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use super::super::scene::Scene;
 use super::plane::Straight;
 use super::shares::Shares;
 use super::strata::slabs;
-use crate::page::{PlotError, Rect, pixel};
+use bifdiag_page::{PlotError, Rect, pixel};
 
 /// Steps at most, and the most by which one step enlarges a share.
 const STEPS: usize = 60;
@@ -136,8 +136,8 @@ mod tests {
     use crate::diagram::plan::Plan;
     use crate::diagram::scene::{Curves, DiagramOptions, Scene, windows};
     use crate::diagram::straight::plane::{BELOW_ALL, Straight};
-    use crate::page::{Point, Rect, Width};
     use bifdiag_documents::DocumentOptions;
+    use bifdiag_page::{Point, Rect, Width};
     use support::bodies::{STRATA, random_body};
     use support::random::SplitMix64;
 

@@ -3,7 +3,7 @@
 use super::super::scene::{Cell, Scene, coincidences};
 use super::shares::Shares;
 use super::strata::{Slab, SlabSlice};
-use crate::page::{Areas, Point, Rect, pixel};
+use bifdiag_page::{Areas, Point, Rect, pixel};
 use bifdiag_schema::{AtlasDocument, EventDocument};
 
 /// Pixels below the lowest curve, where no motion is.

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use super::super::scene::{Cell, Scene, coincidences};
 use super::super::trace::trace;
 use super::super::windows::l_range;
-use crate::page::PlotError;
+use bifdiag_page::PlotError;
 use bifdiag_schema::EventDocument;
 
 /// Momenta at which a slab is sampled, closer to each other near its ends.

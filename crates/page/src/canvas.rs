@@ -94,13 +94,13 @@ fn set(part: &Part, size: f64) -> String {
 }
 
 /// A colour as SVG writes it.
-pub(crate) fn hex(RGBColor(red, green, blue): RGBColor) -> String {
+pub fn hex(RGBColor(red, green, blue): RGBColor) -> String {
     format!("#{red:02X}{green:02X}{blue:02X}")
 }
 
 impl Canvas {
     /// Draws with plotters.
-    pub(crate) fn plotters(
+    pub fn plotters(
         &self,
         draw: impl FnOnce(&DrawingArea<&Self, Shift>) -> Result<(), DrawingAreaErrorKind<Infallible>>,
     ) {
@@ -141,7 +141,7 @@ impl Canvas {
     }
 
     /// The attributes of an area in stripes of several colours; of one colour, without stripes.
-    pub(crate) fn fill_striped(&self, colors: &[RGBColor]) -> String {
+    pub fn fill_striped(&self, colors: &[RGBColor]) -> String {
         if let [color] = colors {
             return self.fill(*color);
         }
@@ -149,7 +149,7 @@ impl Canvas {
     }
 
     /// The attributes of an area outside the drawn set: paper with thin lines.
-    pub(crate) fn fill_hatched(&self) -> String {
+    pub fn fill_hatched(&self) -> String {
         self.pattern_of(&HATCH, HATCH_LINE)
     }
 
@@ -211,14 +211,14 @@ impl Canvas {
     }
 
     /// A path with these attributes, unless it is empty.
-    pub(crate) fn draw(&self, path: &Path, attributes: &str) {
+    pub fn draw(&self, path: &Path, attributes: &str) {
         if !path.data().is_empty() {
             self.element(&format!("<path d=\"{}\" {attributes}/>", path.data()));
         }
     }
 
     /// A path with these attributes and a tooltip.
-    pub(crate) fn draw_titled(&self, path: &Path, attributes: &str, title: &str) {
+    pub fn draw_titled(&self, path: &Path, attributes: &str, title: &str) {
         if !path.data().is_empty() {
             let (data, title) = (path.data(), escaped(title));
             self.element(&format!("<path d=\"{data}\" {attributes}><title>{title}</title></path>"));
@@ -226,14 +226,14 @@ impl Canvas {
     }
 
     /// A polyline in a pattern of dashes.
-    pub(crate) fn dashed(&self, points: &[Point], pattern: &[Dash], width: f64) {
+    pub fn dashed(&self, points: &[Point], pattern: &[Dash], width: f64) {
         let mut path = Path::default();
         path.line(points, false);
         self.draw_dashed(&path, pattern, width);
     }
 
     /// A path in a pattern of dashes, which restarts with each of its lines.
-    pub(crate) fn draw_dashed(&self, path: &Path, pattern: &[Dash], width: f64) {
+    pub fn draw_dashed(&self, path: &Path, pattern: &[Dash], width: f64) {
         for color in colors(pattern) {
             let dashes = match &intervals(pattern, color)[..] {
                 // Solid.
@@ -306,12 +306,12 @@ impl Canvas {
     }
 
     /// plotters' style of text of `size` pixels.
-    pub(crate) fn text_style(&self, size: f64, color: RGBColor) -> TextStyle<'static> {
+    pub fn text_style(&self, size: f64, color: RGBColor) -> TextStyle<'static> {
         (FAMILY, size * UNITS).into_font().color(&self.color(color))
     }
 
     /// plotters' style of a line.
-    pub(crate) fn style(&self, ink: Ink) -> ShapeStyle {
+    pub fn style(&self, ink: Ink) -> ShapeStyle {
         Color::stroke_width(&self.color(ink.color), length_units(ink.width))
     }
 }

@@ -9,7 +9,7 @@ use super::geometry::{Point, UNITS, to_units};
 
 /// Path data of polylines.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Path {
+pub struct Path {
     data: String,
     last: [i32; 2],
 }
@@ -70,10 +70,10 @@ impl Path {
 }
 
 /// A length in pixels with its colour, or empty.
-pub(crate) type Dash = (Option<RGBColor>, f64);
+pub type Dash = (Option<RGBColor>, f64);
 
 /// The colours of a pattern, each once.
-pub(crate) fn colors(pattern: &[Dash]) -> Vec<RGBColor> {
+pub fn colors(pattern: &[Dash]) -> Vec<RGBColor> {
     let mut colors: Vec<RGBColor> = Vec::new();
     for color in pattern.iter().filter_map(|(color, _)| *color) {
         if !colors.contains(&color) {
@@ -85,7 +85,7 @@ pub(crate) fn colors(pattern: &[Dash]) -> Vec<RGBColor> {
 
 /// Where in the pattern a colour begins, and from there the alternating lengths of dashes and gaps, in canvas units;
 /// the beginning alone for a colour that is always drawn.
-pub(crate) fn intervals(pattern: &[Dash], color: RGBColor) -> Vec<f64> {
+pub fn intervals(pattern: &[Dash], color: RGBColor) -> Vec<f64> {
     let is_own = |dash: &Dash| dash.0 == Some(color);
     let Some(first) = pattern.iter().position(is_own) else { return Vec::new() };
     let offset: f64 = pattern[..first].iter().map(|dash| dash.1).sum();

@@ -4,14 +4,14 @@ use super::geometry::{Point, Rect, distance, meets};
 
 /// Boxes of texts, marks and small frames, lines that nothing may cover, and leaders from texts to what they name.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Taken {
+pub struct Taken {
     boxes: Vec<Rect>,
     lines: Vec<[Point; 2]>,
     leaders: Vec<[Point; 2]>,
 }
 
 /// A text that needs a place with a leader.
-pub(crate) struct Labelled<'a> {
+pub struct Labelled<'a> {
     /// Where the leader may end, in or on what the text names.
     pub tips: &'a [Point],
     /// The shortest and the longest leader.
@@ -22,46 +22,46 @@ pub(crate) struct Labelled<'a> {
 
 impl Taken {
     /// Keeps everything else away from a box.
-    pub(crate) fn take_box(&mut self, rect: Rect) {
+    pub fn take_box(&mut self, rect: Rect) {
         self.boxes.push(rect);
     }
 
     /// Keeps boxes away from a line.
-    pub(crate) fn take_line(&mut self, line: [Point; 2]) {
+    pub fn take_line(&mut self, line: [Point; 2]) {
         self.lines.push(line);
     }
 
     /// Keeps boxes away from the sides of a frame, but not from its inside.
-    pub(crate) fn take_outline(&mut self, rect: &Rect) {
+    pub fn take_outline(&mut self, rect: &Rect) {
         let [a, b, c, d] = rect.corners();
         self.lines.extend([[a, b], [b, c], [c, d], [d, a]]);
     }
 
     /// Keeps boxes and other leaders away from a leader.
-    pub(crate) fn take_leader(&mut self, leader: [Point; 2]) {
+    pub fn take_leader(&mut self, leader: [Point; 2]) {
         self.leaders.push(leader);
     }
 
     /// True for a box that meets nothing.
-    pub(crate) fn admits_box(&self, rect: &Rect) -> bool {
+    pub fn admits_box(&self, rect: &Rect) -> bool {
         !self.boxes.iter().any(|other| rect.overlaps(other))
             && !self.lines.iter().chain(&self.leaders).any(|[from, to]| meets(*from, *to, rect))
     }
 
     /// True for a leader that meets no box and comes near no other leader; lines it may cross.
-    pub(crate) fn admits_leader(&self, leader: [Point; 2]) -> bool {
+    pub fn admits_leader(&self, leader: [Point; 2]) -> bool {
         !self.boxes.iter().any(|rect| meets(leader[0], leader[1], rect))
             && !self.leaders.iter().any(|other| near(leader, *other))
     }
 
     /// True for a point inside a box.
-    pub(crate) fn holds(&self, point: Point) -> bool {
+    pub fn holds(&self, point: Point) -> bool {
         self.boxes.iter().any(|rect| rect.contains(point))
     }
 
     /// The best of some places for a box, by cost, and the best leader from it to a tip, whose cost is its length and what
     /// it crosses. Both are taken.
-    pub(crate) fn place_with_leader(
+    pub fn place_with_leader(
         &mut self,
         labelled: &Labelled<'_>,
         places: impl Iterator<Item = (f64, Rect)>,
@@ -102,7 +102,7 @@ impl Taken {
     }
 
     /// The place of least cost where a box meets nothing, which is taken.
-    pub(crate) fn place(&mut self, places: impl Iterator<Item = (f64, Rect)>, clearance: f64) -> Option<Rect> {
+    pub fn place(&mut self, places: impl Iterator<Item = (f64, Rect)>, clearance: f64) -> Option<Rect> {
         let mut sorted: Vec<(f64, Rect)> = places.collect();
         sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
         let (_, rect) = sorted.into_iter().find(|(_, rect)| self.admits_box(&rect.grown(clearance)))?;
@@ -112,7 +112,7 @@ impl Taken {
 
     /// The place of least cost, overlapping something only if every place does; it is then occupied. The places are not
     /// empty.
-    pub(crate) fn place_anyhow(&mut self, places: impl Iterator<Item = (f64, Rect)>, clearance: f64) -> Option<Rect> {
+    pub fn place_anyhow(&mut self, places: impl Iterator<Item = (f64, Rect)>, clearance: f64) -> Option<Rect> {
         /// More than the cost of any single place.
         const MET: f64 = 1000.0;
         let cost = |(cost, rect): &(f64, Rect)| cost + if self.admits_box(&rect.grown(clearance)) { 0.0 } else { MET };
@@ -127,7 +127,7 @@ const DIRECTIONS: [Point; 8] =
     [[1.0, 0.0], [-1.0, 0.0], [0.0, -1.0], [0.0, 1.0], [0.8, -0.8], [0.8, 0.8], [-0.8, -0.8], [-0.8, 0.8]];
 
 /// Boxes round a point at some distances, the best first: on the right where `outward` is 1, on the left where it is −1.
-pub(crate) fn round_point(at: Point, size: [f64; 2], distances: &[f64], outward: f64) -> impl Iterator<Item = Rect> {
+pub fn round_point(at: Point, size: [f64; 2], distances: &[f64], outward: f64) -> impl Iterator<Item = Rect> {
     let [width, height] = size;
     distances.iter().flat_map(move |away| {
         DIRECTIONS.map(|[x, y]| {
@@ -138,7 +138,7 @@ pub(crate) fn round_point(at: Point, size: [f64; 2], distances: &[f64], outward:
 }
 
 /// Boxes of this size all over an area, this many pixels apart.
-pub(crate) fn all_over(area: Rect, [width, height]: [f64; 2], step: f64) -> impl Iterator<Item = Rect> {
+pub fn all_over(area: Rect, [width, height]: [f64; 2], step: f64) -> impl Iterator<Item = Rect> {
     let steps = move |length: f64| (0..).map(move |k| f64::from(k) * step).take_while(move |at| *at <= length);
     steps(area.height - height)
         .flat_map(move |y| steps(area.width - width).map(move |x| [x, y]))

@@ -9,7 +9,7 @@ pub const INK: RGBColor = rgb(0x22_22_22);
 /// Less important text.
 pub const FAINT_INK: RGBColor = rgb(0x59_59_59);
 /// The ground of the page and of labels.
-pub(crate) const PAPER: RGBColor = rgb(0xff_ff_ff);
+pub const PAPER: RGBColor = rgb(0xff_ff_ff);
 /// The pole +r̂.
 pub const POLE: RGBColor = rgb(0xdc_72_26);
 /// The pole −r̂.
@@ -67,12 +67,12 @@ pub enum Theme {
 
 impl Theme {
     /// The colour of an area in the light theme as this theme shows it.
-    pub(crate) fn ground(self, color: RGBColor) -> RGBColor {
+    pub fn ground(self, color: RGBColor) -> RGBColor {
         self.shown(color, PALE)
     }
 
     /// The colour of a line, of a text or of paper in the light theme as this theme shows it.
-    pub(crate) fn color(self, color: RGBColor) -> RGBColor {
+    pub fn color(self, color: RGBColor) -> RGBColor {
         self.shown(color, LINES)
     }
 

@@ -22,7 +22,7 @@ const SWATCH: f64 = 12.0;
 type DrawMark = dyn Fn(&Canvas, Point);
 
 /// What a text explains.
-pub(crate) enum Symbol {
+pub enum Symbol {
     /// A text without a symbol.
     None,
     /// An area in one colour, or in stripes of several.
@@ -37,11 +37,12 @@ pub(crate) enum Symbol {
 
 impl Symbol {
     /// A solid line.
-    pub(crate) fn solid(ink: Ink) -> Self {
+    pub fn solid(ink: Ink) -> Self {
         Self::Line(vec![(Some(ink.color), 1.0)], ink.width)
     }
 
-    pub(crate) fn width(&self) -> f64 {
+    /// The room that it takes before its text, in pixels.
+    pub fn width(&self) -> f64 {
         match self {
             Self::None => 0.0,
             Self::Swatch(_) => 15.0,
@@ -52,7 +53,7 @@ impl Symbol {
     }
 
     /// Draws the symbol from the middle of its left side.
-    pub(crate) fn draw(&self, canvas: &Canvas, [x, y]: Point) {
+    pub fn draw(&self, canvas: &Canvas, [x, y]: Point) {
         let width = self.width();
         match self {
             Self::None => {}
@@ -76,7 +77,7 @@ impl Symbol {
 }
 
 /// Texts with their symbols.
-pub(crate) struct Legend {
+pub struct Legend {
     /// Symbols with the lines of their texts.
     entries: Vec<(Symbol, Vec<String>)>,
     rows: Rows,
@@ -85,7 +86,7 @@ pub(crate) struct Legend {
 
 impl Legend {
     /// Entries in rows of `width` pixels; a text that is longer is broken into lines.
-    pub(crate) fn new(entries: Vec<(Symbol, String)>, width: f64) -> Self {
+    pub fn new(entries: Vec<(Symbol, String)>, width: f64) -> Self {
         let before = |symbol: &Symbol| text_at(symbol);
         let widest_entry = entries.iter().map(|(symbol, text)| before(symbol) + text_width(text, SIZE));
         let widest_entry = widest_entry.fold(0.0, f64::max);
@@ -102,21 +103,22 @@ impl Legend {
     }
 
     /// Width of the widest entry in one line.
-    pub(crate) fn widest(&self) -> f64 {
+    pub fn widest(&self) -> f64 {
         self.widest
     }
 
-    pub(crate) fn height(&self) -> f64 {
+    /// Of all rows, in pixels.
+    pub fn height(&self) -> f64 {
         self.rows.height
     }
 
     /// Symbols with their texts.
-    pub(crate) fn entries(&self) -> impl Iterator<Item = (&Symbol, String)> {
+    pub fn entries(&self) -> impl Iterator<Item = (&Symbol, String)> {
         self.entries.iter().map(|(symbol, texts)| (symbol, texts.join(" ")))
     }
 
     /// Draws the legend with its top left corner at `at`.
-    pub(crate) fn draw(&self, canvas: &Canvas, at: Point) {
+    pub fn draw(&self, canvas: &Canvas, at: Point) {
         for ((symbol, texts), corner) in self.entries.iter().zip(&self.rows.corners) {
             let [x, middle] = [at[0] + corner[0], at[1] + corner[1] + ROW / 2.0];
             symbol.draw(canvas, [x, middle]);

@@ -22,7 +22,7 @@ pub fn superscript(text: impl Display) -> String {
 }
 
 /// The digits of a text as subscripts.
-pub(crate) fn subscript(text: &str) -> String {
+pub fn subscript(text: &str) -> String {
     digits(text, SUBSCRIPTS)
 }
 
@@ -37,7 +37,7 @@ pub fn section_type(signature: &str) -> String {
 }
 
 /// A number as its `Display` gives it, with a true minus sign.
-pub(crate) fn number(x: impl Display) -> String {
+pub fn number(x: impl Display) -> String {
     x.to_string().replace('-', "−")
 }
 
@@ -80,12 +80,12 @@ fn shortened(text: &str, digits: usize) -> String {
 }
 
 /// A time in a table.
-pub(crate) fn short_time(value: f64) -> String {
+pub fn short_time(value: f64) -> String {
     if value.is_finite() { short_number(value, 4) } else { "∞".to_owned() }
 }
 
 /// A number with at most this many significant digits.
-pub(crate) fn short_number(value: f64, digits: usize) -> String {
+pub fn short_number(value: f64, digits: usize) -> String {
     // Rust prints exponents of ten beyond these as many zeros.
     const PLAIN: std::ops::Range<i32> = -4..6;
     let text = format!("{value:.*e}", digits.saturating_sub(1));
@@ -101,7 +101,7 @@ pub(crate) fn short_number(value: f64, digits: usize) -> String {
 }
 
 /// A positive number with two significant digits.
-pub(crate) fn short(value: f64) -> String {
+pub fn short(value: f64) -> String {
     let text = format!("{value:.1e}");
     match text.split_once('e').map(|(digits, exponent)| (digits, exponent.parse::<i32>())) {
         Some((_, Ok(exponent))) if (-1..4).contains(&exponent) => {

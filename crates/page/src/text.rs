@@ -12,26 +12,26 @@ use super::error::PlotError;
 use super::formula::{Part, parts, stacked};
 
 /// Family name of the font of texts.
-pub(crate) const FAMILY: &str = "DejaVu Sans";
+pub const FAMILY: &str = "DejaVu Sans";
 /// Family name of the font of formulas.
-pub(crate) const FORMULAS: &str = "Bifdiag Math";
+pub const FORMULAS: &str = "Bifdiag Math";
 
-const BYTES: &[u8] = include_bytes!("../../fonts/DejaVuSans.ttf");
+const BYTES: &[u8] = include_bytes!("../fonts/DejaVuSans.ttf");
 /// The font of formulas, small enough to be embedded in a picture.
-pub(crate) const FORMULA_BYTES: &[u8] = include_bytes!("../../fonts/Math.otf");
+pub const FORMULA_BYTES: &[u8] = include_bytes!("../fonts/Math.otf");
 
 /// From ascent to descent, in font sizes, of both: this is the size by which plotters measures text.
 const EXTENT: f64 = 1.164_32;
 
 /// A browser draws with its own fonts: there, pictures are only laid out.
 #[cfg(target_arch = "wasm32")]
-pub(crate) fn register() -> Result<(), PlotError> {
+pub fn register() -> Result<(), PlotError> {
     Err(PlotError::Font)
 }
 
 /// Makes the fonts known to plotters; safe to call again.
 #[cfg(not(target_arch = "wasm32"))]
-pub(crate) fn register() -> Result<(), PlotError> {
+pub fn register() -> Result<(), PlotError> {
     static REGISTERED: OnceLock<bool> = OnceLock::new();
     let fonts = [(FAMILY, BYTES), (FORMULAS, FORMULA_BYTES)];
     let register = || fonts.into_iter().all(|(name, bytes)| register_font(name, FontStyle::Normal, bytes).is_ok());
@@ -40,7 +40,7 @@ pub(crate) fn register() -> Result<(), PlotError> {
 }
 
 /// A font database that holds the built-in fonts and nothing of the machine.
-pub(crate) fn database() -> Arc<Database> {
+pub fn database() -> Arc<Database> {
     static DATABASE: OnceLock<Arc<Database>> = OnceLock::new();
     Arc::clone(DATABASE.get_or_init(|| {
         let mut database = Database::new();
@@ -66,26 +66,26 @@ pub fn text_width(text: &str, size: f64) -> f64 {
 }
 
 /// Width of a text in one font.
-pub(crate) fn width_in(family: &str, text: &str, size: f64) -> f64 {
+pub fn width_in(family: &str, text: &str, size: f64) -> f64 {
     // Measured at a hundredfold size, since plotters rounds to whole pixels.
     let font = (family, size * EXTENT * 100.0).into_font();
     font.box_size(text).map_or(0.0, |(width, _)| f64::from(width) / 100.0)
 }
 
 /// Width of the widest of some texts.
-pub(crate) fn widest<'a>(texts: impl IntoIterator<Item = &'a String>, size: f64) -> f64 {
+pub fn widest<'a>(texts: impl IntoIterator<Item = &'a String>, size: f64) -> f64 {
     texts.into_iter().map(|text| text_width(text, size)).fold(0.0, f64::max)
 }
 
 /// The font size of a title: smaller than usual where it would be wider than `width`, but not below the smallest letters.
-pub(crate) fn title_size(title: &str, usual: f64, width: f64) -> f64 {
+pub fn title_size(title: &str, usual: f64, width: f64) -> f64 {
     const SMALLEST: f64 = 11.0;
     let own = text_width(title, usual);
     if own <= width { usual } else { (usual * width / own).max(SMALLEST) }
 }
 
 /// A text in lines of at most `width` pixels, broken between words.
-pub(crate) fn lines(text: &str, size: f64, width: f64) -> Vec<String> {
+pub fn lines(text: &str, size: f64, width: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split(' ') {
         match lines.last_mut() {

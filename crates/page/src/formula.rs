@@ -11,14 +11,14 @@ const MARKS: &str = "′\u{302}";
 
 /// A part of a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Part {
+pub struct Part {
     pub text: String,
     /// Symbols with their exponents and indices.
     pub is_formula: bool,
 }
 
 /// The letters that connect a mark with its description: a, b, … without those of quantities such as h, then aa, ab, …
-pub(crate) fn letter(index: usize) -> String {
+pub fn letter(index: usize) -> String {
     const LETTERS: &[u8] = b"abcdefgijmopqsuvw";
     let own = char::from(LETTERS[index % LETTERS.len()]);
     match index / LETTERS.len() {
@@ -28,17 +28,17 @@ pub(crate) fn letter(index: usize) -> String {
 }
 
 /// True for an exponent's character.
-pub(crate) fn is_raised(c: char) -> bool {
+pub fn is_raised(c: char) -> bool {
     RAISED.contains(c)
 }
 
 /// True for an index's character.
-pub(crate) fn is_lowered(c: char) -> bool {
+pub fn is_lowered(c: char) -> bool {
     LOWERED.contains(c)
 }
 
 /// Where an exponent ends above which an index begins: one is above the other.
-pub(crate) fn stacked(formula: &str) -> Option<[&str; 3]> {
+pub fn stacked(formula: &str) -> Option<[&str; 3]> {
     let raised = formula.find(is_raised)?;
     let lowered = raised + formula[raised..].find(|c| !is_raised(c))?;
     let is_stack = formula[lowered..].starts_with(is_lowered);
@@ -46,7 +46,7 @@ pub(crate) fn stacked(formula: &str) -> Option<[&str; 3]> {
 }
 
 /// The parts of a text, formulas and what is between them.
-pub(crate) fn parts(text: &str) -> Vec<Part> {
+pub fn parts(text: &str) -> Vec<Part> {
     let mut parts: Vec<Part> = Vec::new();
     let mut add = |text: String, is_formula: bool| match parts.last_mut() {
         // Each symbol with scripts is a part of its own, so that there is one stack in each at most.
@@ -143,7 +143,7 @@ mod tests {
 
     #[test]
     fn the_font_has_every_symbol() {
-        use crate::page::text::{FORMULAS, register, width_in};
+        use crate::text::{FORMULAS, register, width_in};
         register().unwrap();
         let width = |c: char| width_in(FORMULAS, &c.to_string(), 10.0);
         let missing = width('!');

@@ -10,7 +10,7 @@ type Corner = [i32; 2];
 
 /// The points that an odd number of polygons encloses. Polygons meet, if at all, along sides on which the coordinate `fixed`
 /// does not change; of these the path has as few as that needs.
-pub(crate) fn union(polygons: impl IntoIterator<Item = Vec<Point>>, fixed: usize) -> Path {
+pub fn union(polygons: impl IntoIterator<Item = Vec<Point>>, fixed: usize) -> Path {
     let mut path = Path::default();
     for line in outlines(polygons, fixed) {
         path.line(&line, true);
@@ -19,7 +19,7 @@ pub(crate) fn union(polygons: impl IntoIterator<Item = Vec<Point>>, fixed: usize
 }
 
 /// The same as closed lines.
-pub(crate) fn outlines(polygons: impl IntoIterator<Item = Vec<Point>>, fixed: usize) -> Vec<Vec<Point>> {
+pub fn outlines(polygons: impl IntoIterator<Item = Vec<Point>>, fixed: usize) -> Vec<Vec<Point>> {
     let polygons: Vec<Vec<Point>> = polygons.into_iter().collect();
     let mut sides: Vec<[Corner; 2]> = Vec::new();
     // The ends of the sides along each line on which polygons may meet.

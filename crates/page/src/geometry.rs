@@ -2,19 +2,19 @@
 //! print.
 
 /// Canvas units in a pixel.
-pub(crate) const UNITS: f64 = 10.0;
+pub const UNITS: f64 = 10.0;
 
 /// Millimetres in print of a pixel: the smallest letters have 11 pixels, 6 pt.
-pub(crate) const MILLIMETRES: f64 = 178.0 / 924.0;
+pub const MILLIMETRES: f64 = 178.0 / 924.0;
 
 /// Points in print of a pixel.
-pub(crate) const POINTS: f32 = 0.546_07;
+pub const POINTS: f32 = 0.546_07;
 
 /// Pixels in an inch of print.
-pub(crate) const PIXELS_PER_INCH: f64 = 25.4 / MILLIMETRES;
+pub const PIXELS_PER_INCH: f64 = 25.4 / MILLIMETRES;
 
 /// The greatest height of a picture, 230 mm in print: what a page or a column leaves beside a caption.
-pub(crate) const HEIGHT: f64 = 1193.0;
+pub const HEIGHT: f64 = 1193.0;
 
 /// The width of a picture in print, in millimetres: its smallest letters have 6 pt there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,18 +60,18 @@ impl Width {
     }
 
     /// The width in pixels at which the smallest letters, 11 pixels, are 6 pt in print.
-    pub(crate) fn pixels(self) -> f64 {
+    pub fn pixels(self) -> f64 {
         // Hundredths, so that lengths of figures are short numbers.
         (self.0 / MILLIMETRES * 100.0).round() / 100.0
     }
 
     /// How much wider than the journal's page, or its column, for which sizes are given.
-    pub(crate) fn scale(self) -> f64 {
+    pub fn scale(self) -> f64 {
         self.pixels() / if self.is_column() { Self::COLUMN } else { Self::PAGE }.pixels()
     }
 
     /// The greatest height of a diagram, in pixels.
-    pub(crate) fn height(self) -> f64 {
+    pub fn height(self) -> f64 {
         if self.is_column() { Self::SLENDER * self.pixels() } else { HEIGHT * self.scale().max(1.0) }
     }
 }
@@ -80,19 +80,19 @@ impl Width {
 pub type Point = [f64; 2];
 
 /// Canvas units of a pixel coordinate.
-pub(crate) fn to_units(pixels: f64) -> i32 {
+pub fn to_units(pixels: f64) -> i32 {
     #[expect(clippy::cast_possible_truncation, reason = "clamped; a NaN becomes 0")]
     let units = (pixels * UNITS).round().clamp(-1e6, 1e6) as i32;
     units
 }
 
 /// The pixel coordinate of canvas units.
-pub(crate) fn to_pixels(units: i32) -> f64 {
+pub fn to_pixels(units: i32) -> f64 {
     f64::from(units) / UNITS
 }
 
 /// Canvas units of a length in pixels.
-pub(crate) fn length_units(pixels: f64) -> u32 {
+pub fn length_units(pixels: f64) -> u32 {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the range of i32")]
     let units = (pixels * UNITS).round().clamp(0.0, f64::from(i32::MAX)) as u32;
     units
@@ -181,16 +181,18 @@ impl Rect {
 }
 
 /// True for a range that is neither empty nor infinite.
-pub(crate) fn is_proper([from, to]: [f64; 2]) -> bool {
+pub fn is_proper([from, to]: [f64; 2]) -> bool {
     from < to && (to - from).is_finite()
 }
 
-pub(crate) fn distance(a: Point, b: Point) -> f64 {
+/// The Euclidean distance of two points.
+pub fn distance(a: Point, b: Point) -> f64 {
     let (dx, dy) = (a[0] - b[0], a[1] - b[1]);
     (dx * dx + dy * dy).sqrt()
 }
 
-pub(crate) fn between(a: Point, b: Point, t: f64) -> Point {
+/// a + t (b − a).
+pub fn between(a: Point, b: Point, t: f64) -> Point {
     [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t]
 }
 
@@ -212,12 +214,12 @@ fn clip_segment(a: Point, b: Point, rect: &Rect) -> Option<[f64; 2]> {
 }
 
 /// Whether a segment meets a rectangle.
-pub(crate) fn meets(a: Point, b: Point, rect: &Rect) -> bool {
+pub fn meets(a: Point, b: Point, rect: &Rect) -> bool {
     clip_segment(a, b, rect).is_some()
 }
 
 /// The parts of a polyline inside `rect`.
-pub(crate) fn clip_polyline(points: &[Point], rect: &Rect) -> Vec<Vec<Point>> {
+pub fn clip_polyline(points: &[Point], rect: &Rect) -> Vec<Vec<Point>> {
     let mut parts: Vec<Vec<Point>> = Vec::new();
     let mut open = false;
     for pair in points.windows(2) {
@@ -236,7 +238,7 @@ pub(crate) fn clip_polyline(points: &[Point], rect: &Rect) -> Vec<Vec<Point>> {
 }
 
 /// The part of a polygon inside `rect` (Sutherland and Hodgman).
-pub(crate) fn clip_polygon(points: &[Point], rect: &Rect) -> Vec<Point> {
+pub fn clip_polygon(points: &[Point], rect: &Rect) -> Vec<Point> {
     let mut polygon = points.to_vec();
     for side in 0..4 {
         let mut clipped = Vec::with_capacity(polygon.len() + 4);

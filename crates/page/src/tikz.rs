@@ -18,14 +18,14 @@ const PREAMBLE: &str = "\\usepackage{tikz}\n\\usetikzlibrary{patterns.meta}\n";
 const FIT: &str = r"\def\bifdiagfit#1#2{\setbox8\hbox{#2}\ifdim\wd8>#1\relax\resizebox{#1}{!}{\box8}\else\box8\fi}%";
 
 /// A document of its own.
-pub(crate) fn document(tree: &Tree, title: &str) -> Result<String, PlotError> {
+pub fn document(tree: &Tree, title: &str) -> Result<String, PlotError> {
     let picture = picture(tree, title)?;
     let class = "\\documentclass[border=0pt]{standalone}\n";
     Ok(format!("{class}{PREAMBLE}\\begin{{document}}\n{picture}\\end{{document}}\n"))
 }
 
 /// The picture, as large as in print; lengths are in points of a PDF, y runs downwards as in the SVG. Its colours are its own.
-pub(crate) fn picture(tree: &Tree, title: &str) -> Result<String, PlotError> {
+pub fn picture(tree: &Tree, title: &str) -> Result<String, PlotError> {
     let mut writer = Writer::default();
     writer.group(tree.root(), 1)?;
     let mut out = String::new();
@@ -218,7 +218,7 @@ fn collect_stripes(group: &Group, stripes: &mut Vec<(Color, [f32; 2])>) {
 }
 
 /// A text for LaTeX: mathematics in dollars, and nothing that has a meaning of its own there.
-pub(crate) fn tex(text: &str) -> String {
+pub fn tex(text: &str) -> String {
     // Neighbouring formulas are one.
     parts(text).iter().map(part).collect::<String>().replace("$$", "")
 }
@@ -311,7 +311,7 @@ mod tests {
     use resvg::usvg::{Options, Tree};
 
     use super::{picture, tex};
-    use crate::page::text::{database, text_width};
+    use crate::text::{database, text_width};
 
     #[test]
     fn a_text_is_no_wider_than_the_place_it_was_given() -> Result<(), Box<dyn std::error::Error>> {

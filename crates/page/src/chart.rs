@@ -7,7 +7,7 @@ use super::geometry::{Point, Rect};
 use super::path::Dash;
 
 /// Font size of the names of quantities and of other text around a chart.
-pub(crate) const CHART_TEXT: f64 = 12.0;
+pub const CHART_TEXT: f64 = 12.0;
 /// Room of the labels of ticks below a chart and on its left.
 const LABELS: [f64; 2] = [24.0, 52.0];
 /// Wanted distance of ticks in pixels.
@@ -16,7 +16,8 @@ const APART: [f64; 2] = [66.0, 42.0];
 const NAME_AT: f64 = 16.0;
 
 /// Two quantities and where they are on the page.
-pub(crate) struct Chart {
+pub struct Chart {
+    /// The frame.
     pub rect: Rect,
     ranges: [[f64; 2]; 2],
     ticks: [Ticks; 2],
@@ -26,7 +27,7 @@ pub(crate) struct Chart {
 
 impl Chart {
     /// What is to the right and what is upwards, with the ranges that are shown.
-    pub(crate) fn new(rect: Rect, names: [&str; 2], ranges: [[f64; 2]; 2]) -> Self {
+    pub fn new(rect: Rect, names: [&str; 2], ranges: [[f64; 2]; 2]) -> Self {
         let counts = [rect.width / APART[0], rect.height / APART[1]];
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few dozen at most")]
         let of = |k: usize| ticks(names[k], ranges[k][0], ranges[k][1], counts[k] as usize);
@@ -34,29 +35,29 @@ impl Chart {
     }
 
     /// The same with room above the frame.
-    pub(crate) fn with_room_above(self, above: f64) -> Self {
+    pub fn with_room_above(self, above: f64) -> Self {
         Self { above, ..self }
     }
 
     /// Where a pair of values is.
-    pub(crate) fn at(&self, [x, y]: Point) -> Point {
+    pub fn at(&self, [x, y]: Point) -> Point {
         let share = |k: usize, value: f64| (value - self.ranges[k][0]) / (self.ranges[k][1] - self.ranges[k][0]);
         [self.rect.x + self.rect.width * share(0, x), self.rect.bottom() - self.rect.height * share(1, y)]
     }
 
     /// The largest value upwards.
-    pub(crate) fn top(&self) -> f64 {
+    pub fn top(&self) -> f64 {
         self.ranges[1][1]
     }
 
     /// A line through pairs of values.
-    pub(crate) fn line(&self, canvas: &Canvas, points: &[Point], pattern: &[Dash], width: f64) {
+    pub fn line(&self, canvas: &Canvas, points: &[Point], pattern: &[Dash], width: f64) {
         let points: Vec<Point> = points.iter().map(|point| self.at(*point)).collect();
         canvas.dashed(&points, pattern, width);
     }
 
     /// The axes, their names and the frame.
-    pub(crate) fn draw(&self, canvas: &Canvas) {
+    pub fn draw(&self, canvas: &Canvas) {
         let [x, y] = [0, 1].map(|k| Axis { range: self.ranges[k], ticks: &self.ticks[k] });
         draw_axes(canvas, &self.rect, LABELS, [x, y]);
         let [below, left] = self.ticks.each_ref().map(|ticks| ticks.quantity.as_str());

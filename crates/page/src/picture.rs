@@ -15,7 +15,7 @@ use super::{text, tikz};
 const PIXELS_MAX: f64 = 30_000.0;
 
 /// The class of formulas in texts.
-pub(crate) const FORMULA_CLASS: &str = "bifdiag-math";
+pub const FORMULA_CLASS: &str = "bifdiag-math";
 
 /// How an SVG shows formulas, with the letters themselves; programs that read no fonts out of pictures take others like them.
 fn style() -> String {
@@ -53,7 +53,7 @@ pub struct Heading {
 }
 
 /// A text as XML writes it.
-pub(crate) fn escaped(text: impl Display) -> String {
+pub fn escaped(text: impl Display) -> String {
     text.to_string().replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
@@ -78,7 +78,7 @@ impl Picture {
     }
 
     /// A document of SVG elements, with its size in pixels and its heading.
-    pub(crate) fn new(elements: &str, size: [f64; 2], heading: &Heading) -> Self {
+    pub fn new(elements: &str, size: [f64; 2], heading: &Heading) -> Self {
         let [width, height] = size.map(|side| (side * MILLIMETRES * 100.0).round() / 100.0);
         let [units_wide, units_high] = size.map(|side| (side * UNITS).round());
         let title = escaped(&heading.title);
@@ -169,7 +169,7 @@ impl Picture {
 
 /// An image of `samples`, row by row: three bytes a pixel, or with `palette` (its colours, three bytes each, the first
 /// transparent) one; with the dots per inch of print if known.
-pub(crate) fn png(
+pub fn png(
     [width, height]: [u32; 2],
     palette: Option<Vec<u8>>,
     samples: &[u8],

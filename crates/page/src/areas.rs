@@ -7,15 +7,17 @@ use super::geometry::{Point, Rect};
 use super::places::Taken;
 
 /// A pixel of no area.
-pub(crate) const NOTHING: i32 = -1;
+pub const NOTHING: i32 = -1;
 
 /// Points of an area to which a leader may go: the least depth relative to the deepest, and their number.
 const DEEP: f64 = 0.55;
 const TIPS: usize = 40;
 
 /// Pixels, row by row from the top.
-pub(crate) struct Areas {
+pub struct Areas {
+    /// In pixels.
     pub width: usize,
+    /// In pixels.
     pub height: usize,
     /// Top left corner on the page.
     origin: Point,
@@ -27,14 +29,14 @@ pub(crate) struct Areas {
 
 /// The whole number below a value, from 0 to a limit.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 0 ..= limit")]
-pub(crate) fn pixel(value: f64, limit: usize) -> usize {
+pub fn pixel(value: f64, limit: usize) -> usize {
     value.clamp(0.0, limit as f64) as usize
 }
 
 impl Areas {
     /// The areas of the pixels of a rectangle, its size rounded to whole pixels. `fill` is given width and height, and sets
     /// the areas.
-    pub(crate) fn new(rect: &Rect, fill: impl FnOnce([usize; 2], &mut [i32])) -> Self {
+    pub fn new(rect: &Rect, fill: impl FnOnce([usize; 2], &mut [i32])) -> Self {
         let [width, height] = [rect.width, rect.height].map(|side| pixel(side.round(), 10_000));
         let mut of = vec![NOTHING; width * height];
         fill([width, height], &mut of);
@@ -76,7 +78,7 @@ impl Areas {
     }
 
     /// The deepest pixel of each of `count` areas and its depth; `None` for those without a pixel.
-    pub(crate) fn deepest(&self, count: usize) -> Vec<Option<(Point, f64)>> {
+    pub fn deepest(&self, count: usize) -> Vec<Option<(Point, f64)>> {
         let mut best: Vec<Option<(usize, f64)>> = vec![None; count];
         for (at, (area, &depth)) in self.of.iter().zip(&self.depth).enumerate() {
             let Some(best) = usize::try_from(*area).ok().and_then(|area| best.get_mut(area)) else { continue };
@@ -88,17 +90,17 @@ impl Areas {
     }
 
     /// Depth of each of `count` areas, 0 for those without a pixel.
-    pub(crate) fn depths(&self, count: usize) -> Vec<f64> {
+    pub fn depths(&self, count: usize) -> Vec<f64> {
         self.deepest(count).into_iter().map(|deepest| deepest.map_or(0.0, |(_, depth)| depth)).collect()
     }
 
     /// Position on the page of a pixel's middle.
-    pub(crate) fn position(&self, at: usize) -> Point {
+    pub fn position(&self, at: usize) -> Point {
         [self.origin[0] + (at % self.width) as f64 + 0.5, self.origin[1] + (at / self.width) as f64 + 0.5]
     }
 
     /// Columns and rows of the pixels of a rectangle on the page.
-    pub(crate) fn span(&self, rect: &Rect) -> [Range<usize>; 2] {
+    pub fn span(&self, rect: &Rect) -> [Range<usize>; 2] {
         let range = |from: f64, to: f64, limit: usize| pixel(from.floor(), limit)..pixel(to.ceil(), limit);
         [
             range(rect.x - self.origin[0], rect.right() - self.origin[0], self.width),
@@ -107,7 +109,7 @@ impl Areas {
     }
 
     /// Index of the pixel at a position on the page.
-    pub(crate) fn index(&self, at: Point) -> Option<usize> {
+    pub fn index(&self, at: Point) -> Option<usize> {
         let (x, y) = ((at[0] - self.origin[0]).floor(), (at[1] - self.origin[1]).floor());
         let inside = x >= 0.0 && y >= 0.0 && x < self.width as f64 && y < self.height as f64;
         inside.then(|| pixel(y, self.height) * self.width + pixel(x, self.width))
@@ -115,7 +117,7 @@ impl Areas {
 
     /// The place deepest inside an area where a box with some free space round it meets nothing that is taken. `others`
     /// counts the pixels that are not of the area.
-    pub(crate) fn inside(
+    pub fn inside(
         &self,
         area: usize,
         others: &Sums,
@@ -145,7 +147,7 @@ impl Areas {
     }
 
     /// Deep points of an area that no box hides, spread over it.
-    pub(crate) fn tips(&self, area: usize, taken: &Taken) -> Vec<Point> {
+    pub fn tips(&self, area: usize, taken: &Taken) -> Vec<Point> {
         let Ok(own) = i32::try_from(area) else { return Vec::new() };
         let pixels = || (0..self.of.len()).filter(|at| self.of[*at] == own);
         let deepest = pixels().map(|at| self.depth[at]).fold(0.0, f64::max);
@@ -157,14 +159,14 @@ impl Areas {
 }
 
 /// Numbers of pixels in rectangles.
-pub(crate) struct Sums {
+pub struct Sums {
     width: usize,
     sums: Vec<u32>,
 }
 
 impl Sums {
     /// Counts the pixels for which `counts` holds, given their indices.
-    pub(crate) fn new(areas: &Areas, counts: impl Fn(usize) -> bool) -> Self {
+    pub fn new(areas: &Areas, counts: impl Fn(usize) -> bool) -> Self {
         let width = areas.width + 1;
         let mut sums = vec![0; width * (areas.height + 1)];
         for y in 0..areas.height {
@@ -178,7 +180,7 @@ impl Sums {
     }
 
     /// The number in a rectangle on the page.
-    pub(crate) fn count(&self, areas: &Areas, rect: &Rect) -> f64 {
+    pub fn count(&self, areas: &Areas, rect: &Rect) -> f64 {
         let [columns, rows] = areas.span(rect);
         let at = |x: usize, y: usize| f64::from(self.sums[y * self.width + x]);
         at(columns.end, rows.end) - at(columns.start, rows.end) - at(columns.end, rows.start)

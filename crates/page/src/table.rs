@@ -18,7 +18,7 @@ const GAP: [f64; 2] = [14.0, 5.0];
 const APART: f64 = 4.0;
 
 /// Rows of texts, each with a symbol before it.
-pub(crate) struct Table {
+pub struct Table {
     /// Nothing where no column has a name.
     heading: Row,
     rows: Vec<(Symbol, Row)>,
@@ -33,12 +33,12 @@ struct Row(Vec<Vec<(f64, String)>>);
 
 impl Table {
     /// A table in `room` pixels. Columns that do not fit are placed below the first.
-    pub(crate) fn new(heading: Vec<String>, rows: Vec<(Symbol, Vec<String>)>, room: f64) -> Self {
+    pub fn new(heading: Vec<String>, rows: Vec<(Symbol, Vec<String>)>, room: f64) -> Self {
         Self::with(heading, rows, room, 0)
     }
 
     /// A table without heading, as narrow and low as it can be read.
-    pub(crate) fn dense(rows: Vec<(Symbol, Vec<String>)>) -> Self {
+    pub fn dense(rows: Vec<(Symbol, Vec<String>)>) -> Self {
         Self::with(Vec::new(), rows, f64::INFINITY, 1)
     }
 
@@ -73,26 +73,27 @@ impl Table {
     }
 
     /// The same with a last line.
-    pub(crate) fn with_note(self, note: &str) -> Self {
+    pub fn with_note(self, note: &str) -> Self {
         Self { rest: Some(note.to_owned()), ..self }
     }
 
-    pub(crate) fn width(&self) -> f64 {
+    /// Of all columns, in pixels.
+    pub fn width(&self) -> f64 {
         self.width
     }
 
     /// Number of rows.
-    pub(crate) fn len(&self) -> usize {
+    pub fn len(&self) -> usize {
         self.rows.len()
     }
 
     /// The height of a row of one line.
-    pub(crate) fn line(&self) -> f64 {
+    pub fn line(&self) -> f64 {
         self.line
     }
 
     /// Nothing where there are no rows.
-    pub(crate) fn height(&self) -> f64 {
+    pub fn height(&self) -> f64 {
         if self.rows.is_empty() {
             return 0.0;
         }
@@ -101,7 +102,7 @@ impl Table {
     }
 
     /// Draws the table with its top left corner at `at`.
-    pub(crate) fn draw(&self, canvas: &Canvas, at: Point) {
+    pub fn draw(&self, canvas: &Canvas, at: Point) {
         if self.rows.is_empty() {
             return;
         }
@@ -114,7 +115,7 @@ impl Table {
     }
 
     /// Draws some rows from `at` down to the position that is returned.
-    pub(crate) fn draw_rows(&self, canvas: &Canvas, rows: Range<usize>, [x, mut y]: Point) -> f64 {
+    pub fn draw_rows(&self, canvas: &Canvas, rows: Range<usize>, [x, mut y]: Point) -> f64 {
         for (symbol, row) in &self.rows[rows] {
             symbol.draw(canvas, [x, y + 0.5 * self.line]);
             row.draw(canvas, [x, y], self.line, INK);

@@ -11,11 +11,13 @@ use super::geometry::{Rect, to_units};
 use super::notation::{number, superscript};
 
 /// Font size of tick labels.
-pub(crate) const TICK_SIZE: f64 = 11.0;
+pub const TICK_SIZE: f64 = 11.0;
 
 /// A linear axis of plotters with given ticks.
-pub(crate) struct Axis<'a> {
+pub struct Axis<'a> {
+    /// The first and the last value.
     pub range: [f64; 2],
+    /// Where ticks stand, with their labels.
     pub ticks: &'a Ticks,
 }
 
@@ -48,7 +50,7 @@ impl ValueFormatter<f64> for Axis<'_> {
 }
 
 /// Draws axes below and on the left of `rect`, where their labels may take this many pixels, and a frame round it.
-pub(crate) fn draw_axes(canvas: &Canvas, rect: &Rect, [below, left]: [f64; 2], [x, y]: [Axis<'_>; 2]) {
+pub fn draw_axes(canvas: &Canvas, rect: &Rect, [below, left]: [f64; 2], [x, y]: [Axis<'_>; 2]) {
     let frame = Ink { color: INK, width: 0.9 };
     canvas.plotters(|area| {
         let area = area.clone().shrink(
@@ -70,7 +72,7 @@ const LABEL_MAX: usize = 6;
 
 /// The tick marks of one axis.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Ticks {
+pub struct Ticks {
     /// Positions.
     pub values: Vec<f64>,
     /// What is printed there.
@@ -91,7 +93,7 @@ fn decimal_value(count: i64, e: i32) -> f64 {
 }
 
 /// The ticks of `symbol` on [from, to]: as many as possible up to `count`, 1, 2 or 5 times a power of ten apart.
-pub(crate) fn ticks(symbol: &str, from: f64, to: f64, count: usize) -> Ticks {
+pub fn ticks(symbol: &str, from: f64, to: f64, count: usize) -> Ticks {
     let none = Ticks { values: Vec::new(), labels: Vec::new(), quantity: symbol.to_owned() };
     let least = (to - from) / count.max(1) as f64;
     if !(least > 0.0 && least.is_finite()) {
