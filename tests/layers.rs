@@ -43,7 +43,7 @@ const ORDER: [(&str, &str); 16] = [
     ("crates/verify/src", "refused numbers equilibria order topology stability document"),
     (
         "crates/page/src",
-        "perception sight error geometry formula color places path text picture areas union notation tikz canvas legend axes caption table chart",
+        "perception sight error geometry formula color places path text notation tikz picture areas union canvas legend axes caption table chart",
     ),
     ("crates/plot/src", "animation steady campbell periods diagram map section chaos sphere part"),
     (
