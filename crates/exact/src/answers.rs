@@ -59,7 +59,9 @@ pub(crate) fn complete(atlas: Atlas) -> Result<Atlas, AnswerError> {
 }
 
 pub(crate) fn is_decided(atlas: &Atlas) -> bool {
-    atlas.arrangement().undecided.is_empty() && atlas.regions().iter().all(|region| region.components.is_ok())
+    atlas.arrangement().undecided.is_empty()
+        && atlas.regions().iter().all(|region| region.components.is_ok())
+        && atlas.is_maximum_certain()
 }
 
 /// The type of U, E and P at one point. At [`Accuracy::Exact`] the answer is never

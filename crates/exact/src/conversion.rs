@@ -56,8 +56,8 @@ impl CertifiedAtlas {
         let proved = &self.arrangement;
         let events = proved.transitions.iter().flatten().flat_map(|&number| {
             let event = &proved.events[number];
-            let x = middle(event);
-            let (h, h_error) = (0.5 * (event.h[0] + event.h[1]), event.h[1] - event.h[0]);
+            let x = event.x_middle();
+            let (h, h_error) = (event.h_middle(), event.h[1] - event.h[0]);
             // x, its root and the product with a unit are rounded.
             let x_error = (double(&event.x[1]) - double(&event.x[0])).max(4.0 * f64::EPSILON * x);
             event.sources.iter().map(move |source| arrangement::Event {
@@ -73,7 +73,7 @@ impl CertifiedAtlas {
 
     fn converted_slabs(&self, map: &Table<CurveId, CurveId>) -> Table<SlabId, arrangement::Slab> {
         let proved = &self.arrangement;
-        let x = |transition| proved.transitions.get(transition).map(|group| middle(&proved.events[group[0]]));
+        let x = |transition| proved.transitions.get(transition).map(|group| proved.events[group[0]].x_middle());
         let slabs = proved.slabs.pairs().map(|(number, slab)| arrangement::Slab {
             x: [
                 TransitionId::at_start(number).and_then(x).unwrap_or(0.0),
@@ -148,11 +148,6 @@ fn double(x: &RBig) -> f64 {
     x.to_f64().value()
 }
 
-/// x of an event.
-fn middle(event: &Event) -> f64 {
-    0.5 * (double(&event.x[0]) + double(&event.x[1]))
-}
-
 /// What an event does, in the standard program's terms.
 fn change(curves: &Curves, event: &Event, source: &EventSource, map: &Table<CurveId, CurveId>) -> Change {
     match source {
@@ -166,12 +161,17 @@ fn change(curves: &Curves, event: &Event, source: &EventSource, map: &Table<Curv
             let (through, pair) = (fork.through.map(|c| map[c]), map[fork.pair]);
             if fork.opens { Change::Open { through, pair } } else { Change::Close { through, pair } }
         }
-        EventSource::Crossing(pair) => Change::Swap(pair.map(|c| map[c])),
+        EventSource::Crossing(pair) => swap(pair.map(|c| map[c])),
         EventSource::Pole(_) => {
             let line = event.curves.iter().copied().find(|&c| curves.list[c].pole.is_some());
             let other = event.curves.iter().copied().find(|&c| Some(c) != line && curves.list[c].pole.is_none());
             let fallback = event.curves[0];
-            Change::Swap([map[other.unwrap_or(fallback)], map[line.unwrap_or(fallback)]])
+            swap([map[other.unwrap_or(fallback)], map[line.unwrap_or(fallback)]])
         }
     }
+}
+
+/// A crossing names its curves in their order.
+fn swap([one, other]: [CurveId; 2]) -> Change {
+    Change::Swap([one.min(other), one.max(other)])
 }

@@ -7,7 +7,7 @@ mod places;
 mod region;
 mod way;
 
-use crate::arrangement::{Arrangement, RegionId};
+use crate::arrangement::{Arrangement, RegionId, SlabId};
 use crate::topology::Component;
 use crate::topology::merge::MergeError;
 use bifdiag_body::Body;
@@ -58,12 +58,31 @@ impl Atlas {
     /// The largest number of relative equilibria at one l; a critical circle or sphere counts once.
     #[must_use]
     pub fn critical_points_max(&self) -> usize {
-        let count = |c: CurveId| match self.arrangement.set.curves[c].orbit {
+        self.largest_count(|_| true)
+    }
+
+    /// False where that number is reached only between events that lie within their errors of each other: if they are at one l,
+    /// it is never reached.
+    #[must_use]
+    pub fn is_maximum_certain(&self) -> bool {
+        let events = &self.arrangement.events;
+        let is_wide = |slab: SlabId| {
+            let ends = slab.event_at_start().and_then(|from| events.get(from)).zip(events.get(slab.event_at_end()));
+            let Some((from, to)) = ends else { return true };
+            to.x - from.x > from.x_error + to.x_error
+        };
+        self.largest_count(is_wide) == self.critical_points_max()
+    }
+
+    /// The largest number of relative equilibria over those slabs.
+    fn largest_count(&self, counts: impl Fn(SlabId) -> bool) -> usize {
+        let points = |c: CurveId| match self.arrangement.set.curves[c].orbit {
             Orbit::Pair(_) => 2,
             Orbit::Pole(_) => 0,
             _ => 1,
         };
-        self.arrangement.slabs.iter().map(|slab| slab.order.iter().map(|&c| count(c)).sum()).max().unwrap_or(0)
+        let slabs = self.arrangement.slabs.pairs().filter(|(slab, _)| counts(*slab));
+        slabs.map(|(_, slab)| slab.order.iter().map(|&c| points(c)).sum()).max().unwrap_or(0)
     }
 
     /// l of x = l²/2, in the body's units.

@@ -63,7 +63,13 @@ pub(super) fn transitions(events: &Table<EventId, Event>) -> Result<Table<Transi
         }
         reach = Some(reach.take().map_or_else(|| event.x[1].clone(), |limit| limit.max(event.x[1].clone())));
     }
-    for group in &groups {
+    for group in &mut groups {
+        // As they are listed: by rising x in doubles, then by h.
+        let place = |event: EventId| [events[event].x_middle(), events[event].h_middle()];
+        group.sort_by(|&p, &q| {
+            let ([x, h], [other_x, other_h]) = (place(p), place(q));
+            x.total_cmp(&other_x).then(h.total_cmp(&other_h))
+        });
         for (k, &p) in group.iter().enumerate() {
             for &q in &group[k + 1..] {
                 if events[p].curves.iter().any(|c| events[q].curves.contains(c)) {

@@ -35,6 +35,19 @@ pub(crate) struct Event {
     pub h: [f64; 2],
 }
 
+impl Event {
+    /// x, rounded.
+    pub fn x_middle(&self) -> f64 {
+        let [from, to] = self.x.each_ref().map(|x| x.to_f64().value());
+        0.5 * (from + to)
+    }
+
+    /// h, rounded.
+    pub fn h_middle(&self) -> f64 {
+        0.5 * (self.h[0] + self.h[1])
+    }
+}
+
 /// Ends of curves through which another curve is proved to pass.
 pub(super) fn known_meetings(curves: &Curves, events: &[Event]) -> Vec<Passage> {
     let mut known = Vec::new();
