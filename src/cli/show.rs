@@ -1,14 +1,14 @@
 //! `bifdiag show`: a region, a curve or an event of a body in words.
 
 use bifdiag_diagram::arrangement::RegionId;
-use bifdiag_documents::{DocumentOptions, Drawn, words};
+use bifdiag_documents::{DocumentOptions, Drawn, Subject, words};
 use bifdiag_exact::Accuracy;
 use bifdiag_schema::{
     AtlasDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument, EventKind, Reason, RegionDocument,
 };
 use clap::Args;
 
-use super::atlas::{STRAY, strays};
+use super::atlas::{STRAY, inner_sample, strays};
 use super::explain::explanation;
 use super::failure::{Failure, failed};
 use super::input::{BodyArguments, head, values};
@@ -57,7 +57,7 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
     let event = id.strip_prefix('E').and_then(|number| number.parse::<usize>().ok()?.checked_sub(1));
     if let Some(region) = document.regions.iter().find(|region| region.id == id) {
         let width = region.id.parse().ok().and_then(|id: RegionId| atlas.h_widths()[id]);
-        show_region(&mut report, &document, region, width);
+        show_region(&mut report, &subject, &document, region, width);
         if strays(&subject, &document).contains(&region.id) {
             report.line("");
             report.line(STRAY);
@@ -77,7 +77,7 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
         let found = if is_surface(&id) { regions_with(&document, &id) } else { Vec::new() };
         if !found.is_empty() {
             report.line("");
-            show_surface(&mut report, &found, &id);
+            show_surface(&mut report, &subject, &found, &id);
         }
     } else if id == "L=0" && subject.body.is_euler() {
         // Without weight every curve begins at h = l = 0.
@@ -85,7 +85,7 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
         report.line("l=0: at rest every orientation is an equilibrium, and h = 0");
         report.line(format!("at h = l = 0 the forbidden region and {} meet", regions.join(", ")));
     } else if is_surface(&id) {
-        show_surface(&mut report, &regions_with(&document, &id), &id);
+        show_surface(&mut report, &subject, &regions_with(&document, &id), &id);
     } else {
         return Err(unknown(&arguments.id, &document));
     }
@@ -136,7 +136,7 @@ fn regions_with<'a>(document: &'a AtlasDocument, name: &str) -> Vec<&'a RegionDo
 }
 
 /// These regions in words.
-fn show_surface(report: &mut Report, found: &[&RegionDocument], name: &str) {
+fn show_surface(report: &mut Report, subject: &Subject, found: &[&RegionDocument], name: &str) {
     // As the program writes it, whatever was typed.
     let name = if is_type(name) { name.to_ascii_lowercase() } else { name.to_ascii_uppercase().replace('X', "x") };
     report.line(match found.len() {
@@ -151,11 +151,8 @@ fn show_surface(report: &mut Report, found: &[&RegionDocument], name: &str) {
         report.line("");
         let what = if region.signature.is_some() { "sections" } else { "U =" };
         report.line(format!("region {}, {what} {}", region.id, region.shown()));
-        report.line(format!(
-            "  sample: h = {}, l = {}",
-            significant(region.sample.h, DIGITS),
-            significant(region.sample.l, DIGITS)
-        ));
+        let [h, l] = inner_sample(subject, &region.sample, DIGITS);
+        report.line(format!("  sample: h = {h}, l = {l}"));
         for line in region.components.iter().flat_map(words::component) {
             report.line(line);
         }
@@ -182,7 +179,13 @@ fn range([from, to]: [Option<f64>; 2]) -> String {
     to.map_or_else(|| format!("l > {from}"), |to| format!("{from} < l < {}", significant(to, DIGITS)))
 }
 
-fn show_region(report: &mut Report, document: &AtlasDocument, region: &RegionDocument, width: Option<f64>) {
+fn show_region(
+    report: &mut Report,
+    subject: &Subject,
+    document: &AtlasDocument,
+    region: &RegionDocument,
+    width: Option<f64>,
+) {
     let signature = region.signature.as_ref().map_or_else(String::new, |signature| format!(", sections {signature}"));
     report.line(format!("region {}{signature}", region.id));
     let width = width.map_or_else(
@@ -190,14 +193,9 @@ fn show_region(report: &mut Report, document: &AtlasDocument, region: &RegionDoc
         |width| format!("at most {} wide in h", significant(width, DIGITS)),
     );
     report.line(format!("  {}, {width}", range(region.l_range)));
-    let sample = &region.sample;
-    report.line(format!(
-        "  sample: h = {}, l = {} ({} in h to {})",
-        significant(sample.h, DIGITS),
-        significant(sample.l, DIGITS),
-        significant(sample.margin.h, 3),
-        sample.margin.nearest
-    ));
+    let margin = &region.sample.margin;
+    let [h, l] = inner_sample(subject, &region.sample, DIGITS);
+    report.line(format!("  sample: h = {h}, l = {l} ({} in h to {})", significant(margin.h, 3), margin.nearest));
     report.line("");
     for component in &region.components {
         for line in words::component(component) {

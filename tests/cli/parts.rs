@@ -236,7 +236,9 @@ fn an_axis_that_is_not_permanent_names_the_nearest() {
     let found = bifdiag(&format!("critical-spin {body} --axis 1,0.1,0.6 --json")).succeeds().json();
     assert_eq!((&found["permanent"], &found["changes"]), (&json!(false), &json!([])));
     assert!(found["nearest"]["angle_deg"].as_f64().unwrap() > 0.1);
-    bifdiag(&format!("critical-spin {body} --axis 1,0.1,0.6")).succeeds().printing("the nearest permanent axis is");
+    bifdiag(&format!("critical-spin {body} --axis 1,0.1,0.6"))
+        .succeeds()
+        .printing("the nearest axis of a steady rotation is");
 }
 
 /// Off the principal axes the steady rotation that moves with the spin is followed from its fold on, with the eigenvalues that

@@ -541,3 +541,58 @@ fn a_constant_potential_has_no_levels() {
     of this body",
     );
 }
+
+/// Where two pitchforks are at one l, the pair that begins and the pair that ends are never there together. The proof says the same
+/// as the answer without it, in the same order.
+#[test]
+fn relative_equilibria_at_one_l_are_counted_where_events_coincide() {
+    for (body, most) in [
+        ("--A 3,2,1 --r 0,1,0", 6),
+        ("--A 7,5,3 --r 0,1,0", 6),
+        ("--A 4,3,2 --r 0,1,0", 6),
+        ("--A 3,2,1.02 --r 0,1,0", 8),
+        ("--A 4,3,2 --r 1,0,0", 6),
+        ("--A 2,2,1 --r 1,0,0", 6),
+        ("--A 1,1,2 --r 0,0,1", 4),
+        ("--A 5,4,1 --r 0,1,0", 6),
+    ] {
+        let [found, proved] =
+            ["", " --certificate"].map(|how| bifdiag(&format!("{body} --no-plot --json{how}")).succeeds().json());
+        for document in [&found, &proved] {
+            assert_eq!(document["summary"]["critical_points_max"], most, "{body}");
+        }
+        let events = |document: &serde_json::Value| -> Vec<_> {
+            let all = document["events"].as_array().unwrap();
+            all.iter().map(|event| (event["kind"].clone(), event["curves"].clone())).collect()
+        };
+        assert_eq!(events(&found), events(&proved), "{body}");
+    }
+}
+
+/// What is said of a region by `show` lies in it, too.
+#[test]
+fn shown_samples_lie_in_their_regions() {
+    let body = "--A 1,1,1e-9 --r 0,0,1";
+    let text = bifdiag(&format!("show R3 {body}")).succeeds().stdout();
+    let sample = text.lines().find_map(|line| line.trim().strip_prefix("sample: ")).unwrap();
+    let (h, rest) = sample.strip_prefix("h = ").unwrap().split_once(", l = ").unwrap();
+    let l = rest.split(' ').next().unwrap();
+    let found = bifdiag(&format!("classify {body} --h={h} --l={l} --json")).succeeds().json();
+    assert_eq!(found["region"], "R3", "{sample}");
+}
+
+/// What an error is about stands in it.
+#[test]
+fn errors_name_what_is_wrong() {
+    let part = "--inertia 0.03,0.03,0.02,0,0,0 --com 0,0,0.1 --mass 1 --axis z";
+    bifdiag(&format!("critical-spin {part} --tolerance axis=1%,acros=2%"))
+        .refused()
+        .telling("\"acros\"")
+        .telling("across");
+    bifdiag("campbell --A 2,2,1 --r 0,0,1 --axis=w --to 60rpm").refused().telling("`w`").telling("x, y or z");
+    bifdiag("body --inertia 0.0001,0.0001,0.00005,0,0,0 --com 0,0,0.01 --mass 20")
+        .succeeds()
+        .printing("the least principal moment is negative");
+    let spins = bifdiag("critical-spin --A 2,2,2 --r 1,0,0 --axis z").succeeds();
+    assert!(spins.stdout().contains("the axis that was given is steady at no spin"), "{}", spins.stdout());
+}

@@ -315,7 +315,7 @@ fn families_are_the_axes_at_their_spins() {
 #[test]
 fn the_nearest_axis_of_a_symmetric_body_is_steady_at_a_spin() {
     let text = bifdiag("critical-spin --A 1,1,1.5 --r 0.3,0,0.5 --axis=0.2,1,0.1").succeeds();
-    text.printing("the nearest permanent axis is (0.894427, 0, 0.447214), 77.4");
+    text.printing("the nearest axis of a steady rotation is (0.894427, 0, 0.447214), 77.4");
 }
 
 /// ω² = 1/2 there, ½ · 2 · ½ − ½.

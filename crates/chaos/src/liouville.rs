@@ -101,7 +101,12 @@ impl EnergySurface {
         seed: u64,
         from: u64,
     ) -> Result<(Vec<State>, u64), SampleError> {
-        let partition = self.region.partition()?;
+        let partition = match self.region.partition() {
+            Ok(partition) => partition,
+            // A minimum may be degenerate, but every point belongs to the only component.
+            Err(_) if self.components == 1 => None,
+            Err(error) => return Err(error.into()),
+        };
         let Some(domain) = self.domains.get(component) else { return Err(SampleError::TooSmall { component }) };
         let domain = domain.get_or_init(|| self.domain(partition.as_ref(), component));
         let smallest = self.reduced.moments().iter().copied().fold(f64::INFINITY, f64::min);
@@ -150,12 +155,12 @@ impl EnergySurface {
         State { gamma, l: add(scale(self.l / dot(gamma, inertia_gamma), inertia_gamma), turning) }
     }
 
-    /// Where the places of a component are looked for: in the smallest cap about a minimum whose rim is proved to be
-    /// inaccessible, or on the whole sphere.
+    /// Where the places of a component are looked for: in the smallest cap about a minimum, or another point of the only
+    /// component, whose rim is proved to be inaccessible, or on the whole sphere.
     fn domain(&self, partition: Option<&Partition<'_>>, component: usize) -> Domain {
         let minimum = |component: usize| match partition {
             Some(partition) => partition.minimum_of(component).map(|gamma| partition.frame().vector_to_body(gamma)),
-            None => self.reduced.r_hat(),
+            None => self.reduced.r_hat().filter(|gamma| self.height(*gamma) >= 0.0),
         };
         let found = minimum(component).and_then(|center| {
             let mut radius = PI;

@@ -61,6 +61,19 @@ fn states_lie_on_their_surface_and_more_begin_with_the_same() {
     assert_ne!(states[..200], surface.states(0, 200, 4).unwrap());
 }
 
+/// At these l a minimum of U_l is degenerate, and no path leads down to it; there is one component all the same.
+#[test]
+fn a_degenerate_minimum_is_no_obstacle() {
+    for (a, r, h, l) in [([2.0, 2.0, 1.0], [0.0, 0.0, 1.0], 2.0, 1.0), ([3.0, 2.0, 1.0], [0.0, 1.0, 0.0], 3.0, 2.0)] {
+        let body = Body::from_f64(a, r).unwrap();
+        assert!(AccessibleRegion::new(&body, h, l).unwrap().partition().is_err());
+        let surface = EnergySurface::new(&body, h, l, 1).unwrap();
+        for state in surface.states(0, 200, 1).unwrap() {
+            assert!((surface.top().energy(&state) - h).abs() < 1e-12);
+        }
+    }
+}
+
 /// The flow keeps the distribution. That of places uniform in area, which is not invariant, it changes: the test would see it.
 #[test]
 fn the_flow_leaves_the_distribution_as_it_is() {

@@ -7,7 +7,6 @@
 
 use crate::arrangement::{Arrangement, Change, EventId, RegionId, SlabId};
 use bifdiag_equilibria::curves::CurveId;
-use bifdiag_numbers::table::Id;
 
 /// A stretch of a curve along which the neighbouring regions are the same, by falling x = l²/2.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,8 +47,9 @@ pub fn spin_down(arrangement: &Arrangement, from: CurveId, x: f64) -> Vec<(Stret
     // At its upper end the curve meets others: a minimum there continues as one of them, and they bound no region
     // there.
     let is_end = start.x[1] - x <= 4.0 * f64::EPSILON * start.x[1];
-    let end =
-        arrangement.events.iter().nth(slab.index()).filter(|event| is_end && event.change.curves().contains(&from));
+    let of_curve = |event: &EventId, curve: CurveId| arrangement.events[*event].change.curves().contains(&curve);
+    let end = arrangement.events_after(slab).find(|event| is_end && of_curve(event, from));
+    let end = end.map(|event| &arrangement.events[event]);
     if let Some(Change::Close { pair, .. }) = end.map(|event| event.change)
         && is_minimum(pair)
     {
@@ -66,16 +66,13 @@ pub fn spin_down(arrangement: &Arrangement, from: CurveId, x: f64) -> Vec<(Stret
         let regions = [place.checked_sub(1).map(|below| strip.region_above[below]), Some(strip.region_above[place])];
         let stretch = Stretch { curve, x: [upper, strip.x[0]], regions };
         let falls = if is_minimum(curve) {
-            let Some(number) = slab.index().checked_sub(1) else {
+            let Some(before) = slab.before() else {
                 way.push((stretch, Turn::Rest));
                 break;
             };
-            slab = SlabId::at(number);
-            let event = EventId::at(number);
+            slab = before;
+            let Some(event) = arrangement.events_after(before).find(|event| of_curve(event, curve)) else { continue };
             let change = arrangement.events[event].change;
-            if !change.curves().contains(&curve) {
-                continue;
-            }
             upper = stretch.x[1];
             let minimum = |curves: &[CurveId]| curves.iter().copied().find(|&curve| is_minimum(curve));
             let onto = match change {

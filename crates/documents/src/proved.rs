@@ -83,7 +83,11 @@ fn ending(asked: &ProofAsked, motion: &ProvedMotion, end: ProofEnd) -> String {
         format!("proved to t = {}", significant(to, 6))
     };
     if end == ProofEnd::Interrupted {
-        return format!("{proved}; then it was interrupted");
+        return match motion.samples.len() {
+            // Steps with fewer bits, which were not enough, count for nothing.
+            0 => format!("interrupted with {} bits, before the first time", motion.bits),
+            _ => format!("{proved}; then it was interrupted"),
+        };
     }
     let bits = motion.bits;
     match asked.digits {

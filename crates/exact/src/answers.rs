@@ -47,7 +47,16 @@ pub fn atlas(body: &Body, accuracy: Accuracy) -> Result<Atlas, AnswerError> {
         Err(error) => accuracy == Accuracy::Fast || matches!(error, FastError::Equilibria(_)),
     };
     count(Question::Atlas, if is_answer { Precision::Double } else { Precision::Further });
-    if is_answer { Ok(fast?) } else { complete(CertifiedAtlas::new(body)?.to_atlas()?) }
+    if !is_answer {
+        return complete(CertifiedAtlas::new(body)?.to_atlas()?);
+    }
+    let atlas = fast?;
+    if accuracy == Accuracy::Fast || atlas.is_maximum_certain() {
+        return Ok(atlas);
+    }
+    // Events that may be at one l: the proof has no slab between them if they are.
+    let proved = CertifiedAtlas::new(body)?.to_atlas()?;
+    Ok(atlas.with_critical_points_max(proved.critical_points_max()))
 }
 
 /// An atlas in which the components of every region are known.
@@ -59,9 +68,7 @@ pub(crate) fn complete(atlas: Atlas) -> Result<Atlas, AnswerError> {
 }
 
 pub(crate) fn is_decided(atlas: &Atlas) -> bool {
-    atlas.arrangement().undecided.is_empty()
-        && atlas.regions().iter().all(|region| region.components.is_ok())
-        && atlas.is_maximum_certain()
+    atlas.arrangement().undecided.is_empty() && atlas.regions().iter().all(|region| region.components.is_ok())
 }
 
 /// The type of U, E and P at one point. At [`Accuracy::Exact`] the answer is never

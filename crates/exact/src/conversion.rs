@@ -161,17 +161,15 @@ fn change(curves: &Curves, event: &Event, source: &EventSource, map: &Table<Curv
             let (through, pair) = (fork.through.map(|c| map[c]), map[fork.pair]);
             if fork.opens { Change::Open { through, pair } } else { Change::Close { through, pair } }
         }
-        EventSource::Crossing(pair) => swap(pair.map(|c| map[c])),
+        EventSource::Crossing(pair) => Change::Swap(pair.map(|c| map[c])),
         EventSource::Pole(_) => {
+            if let [first, second] = event.curves[..] {
+                return Change::Swap([map[first].min(map[second]), map[first].max(map[second])]);
+            }
             let line = event.curves.iter().copied().find(|&c| curves.list[c].pole.is_some());
             let other = event.curves.iter().copied().find(|&c| Some(c) != line && curves.list[c].pole.is_none());
             let fallback = event.curves[0];
-            swap([map[other.unwrap_or(fallback)], map[line.unwrap_or(fallback)]])
+            Change::Swap([map[other.unwrap_or(fallback)], map[line.unwrap_or(fallback)]])
         }
     }
-}
-
-/// A crossing names its curves in their order.
-fn swap([one, other]: [CurveId; 2]) -> Change {
-    Change::Swap([one.min(other), one.max(other)])
 }

@@ -4,6 +4,7 @@ use std::cell::RefCell;
 
 use bifdiag_body::{Body, Number, Preset};
 use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::spin_down::spin_down;
 use bifdiag_diagram::topology::Answer;
 use bifdiag_diagram::topology::{Component, signature};
 use bifdiag_exact::{CertifiedAtlas, classify_exactly};
@@ -123,4 +124,33 @@ fn points_are_proved_to_lie_in_their_regions() {
     // On the pitchfork of Kovalevskaya's body three regions meet.
     let critical = classify_exactly(&preset("kovalevskaya"), &number("2"), &number("2")).unwrap();
     assert!(matches!(&critical.answer, Answer::Critical(candidates) if candidates.len() == 3), "{critical:?}");
+}
+
+/// Between events that are proved to be at one l there is no slab: places beside them are found all the same, and ways past them
+/// go on.
+#[test]
+fn events_at_one_l_have_no_slab_between_them() {
+    for moments in [["3", "2", "1"], ["7", "5", "3"], ["4", "3", "2"]] {
+        let body = Body::parse(&moments, &["0", "1", "0"]).unwrap();
+        let proved = CertifiedAtlas::new(&body).unwrap().to_atlas().unwrap();
+        let fast = bifdiag_diagram::fast::atlas(&body).unwrap();
+        let (slabs, events) = (proved.arrangement().slabs.len(), proved.arrangement().events.len());
+        assert_eq!((slabs, fast.arrangement().slabs.len()), (events, events + 1), "{moments:?}");
+        let at = proved.momentum(proved.arrangement().events.iter().last().unwrap().x);
+        for l in [at, at.next_up(), at.next_down(), 1.001 * at, 0.999 * at, 3.0 * at] {
+            for k in -20..40 {
+                let h = 0.37 * f64::from(k);
+                let [found, expected] = [&proved, &fast].map(|atlas| atlas.locate(h, l).unwrap().place);
+                assert!(
+                    found == expected || (l / at - 1.0).abs() < 1e-15,
+                    "{moments:?} {h} {l}: {found:?} {expected:?}"
+                );
+            }
+        }
+        for curve in proved.arrangement().set.curves.ids() {
+            let x = proved.arrangement().set.curves[curve].x()[1].min(20.0);
+            let [found, expected] = [&proved, &fast].map(|atlas| spin_down(atlas.arrangement(), curve, x).len());
+            assert_eq!(found, expected, "{moments:?} {curve:?}");
+        }
+    }
 }

@@ -109,9 +109,9 @@ pub fn text(subject: &Subject, atlas: &Atlas, document: &AtlasDocument, written:
 /// The table of regions, with as many digits as fit.
 fn region_table(subject: &Subject, document: &AtlasDocument, strays: &[String]) -> String {
     let width = |region: &RegionDocument| document.h_width(&region.id);
-    let least_moment = subject.body.moments_f64().into_iter().fold(f64::INFINITY, f64::min);
     let sample = |region: &RegionDocument, digits| {
-        let sample = inner_sample(&region.sample, least_moment, digits);
+        let [h, l] = inner_sample(subject, &region.sample, digits);
+        let sample = format!("({h}, {l})");
         if strays.contains(&region.id) { format!("~{sample}") } else { sample }
     };
     table_of(&document.regions, &sample, &width)
@@ -134,17 +134,17 @@ fn short_sample(SampleDocument { h, l, .. }: &SampleDocument, digits: usize) -> 
     format!("({}, {})", significant(*h, digits), significant(*l, digits))
 }
 
-/// A sample with this many digits, or with as many as leave it in its region, however wide that makes its column: the slope of
-/// curves is l/J ≤ l/min A.
-fn inner_sample(sample: &SampleDocument, least_moment: f64, digits: usize) -> String {
-    let SampleDocument { h, l, margin } = sample;
+/// h and l of a sample with this many digits, or with as many as leave it in its region: the slope of curves is
+/// l/J ≤ l/min A.
+pub fn inner_sample(subject: &Subject, SampleDocument { h, l, margin }: &SampleDocument, digits: usize) -> [String; 2] {
+    let least_moment = subject.body.moments_f64().into_iter().fold(f64::INFINITY, f64::min);
     let written = |digits: usize| [h, l].map(|x| significant(*x, digits));
     let is_inside = |digits: &usize| {
         let [h_error, l_error] = [(h, 0), (l, 1)]
             .map(|(x, k)| written(*digits)[k].parse::<f64>().map_or(f64::INFINITY, |rounded| (rounded - x).abs()));
         h_error + l_error * (l.abs() + l_error) / least_moment < margin.h
     };
-    short_sample(sample, (digits..17).find(is_inside).unwrap_or(17))
+    written((digits..17).find(is_inside).unwrap_or(17))
 }
 
 fn region_rows(

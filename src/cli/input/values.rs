@@ -109,6 +109,11 @@ fn entries<T, const N: usize>(
 ) -> Result<[T; N], Failure> {
     let parts = parts(text);
     let mut numbers = Vec::with_capacity(N);
+    if parts.len() != N
+        && let Some(error) = parts.iter().find_map(|part| read(part).err())
+    {
+        return Err(Failure::input(format!("{error}; {right}")));
+    }
     if parts.len() == N {
         for (name, part) in names.iter().zip(&parts) {
             numbers.push(read(part).map_err(|error| Failure::input(format!("{name}: {error}")))?);

@@ -152,13 +152,16 @@ fn text(problem: &Problem<'_>, document: &ProvedMotionDocument, motion: &ProvedM
         motion_units(&problem.subject, &mut report);
         report.line("");
     }
-    report.line(format!(
-        "widest enclosure: {}, of gamma, omega, rotation and quaternion; {} bits, {}",
-        bound(document.widest, 2),
-        document.bits,
-        counted(document.steps, "step", "steps")
-    ));
-    report.line("The ends of each interval are in --json and --data; the table shows middles.");
+    // Where the proof began anew with more bits and no time was reached, there is nothing to say of these.
+    if !motion.samples.is_empty() {
+        report.line(format!(
+            "widest enclosure: {}, of gamma, omega, rotation and quaternion; {} bits, {}",
+            bound(document.widest, 2),
+            document.bits,
+            counted(document.steps, "step", "steps")
+        ));
+        report.line("The ends of each interval are in --json and --data; the table shows middles.");
+    }
     for note in &document.notes {
         report.line(note);
     }

@@ -29,7 +29,8 @@ pub fn axis(text: &str) -> Result<AxisArgument, Failure> {
         "-y" => "0,-1,0",
         "-z" => "0,0,-1",
         _ => text,
-    })?;
+    })
+    .map_err(|error| Failure::input(format!("{error}; or write x, y or z")))?;
     Ok(AxisArgument { direction: values::to_direction(given.rounded())?, given })
 }
 

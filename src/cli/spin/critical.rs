@@ -117,7 +117,8 @@ fn text(subject: &Subject, document: &CriticalSpinDocument, found: &AxisSpins) -
                 Some(spin) => format!(", at {} rpm only{end}", significant(spin.rpm, 6)),
                 None => String::new(),
             };
-            report.line(format!("the nearest permanent axis is ({x}, {y}, {z}), {angle}° away{spin}"));
+            let what = if nearest.spin.is_some() { "axis of a steady rotation" } else { "permanent axis" };
+            report.line(format!("the nearest {what} is ({x}, {y}, {z}), {angle}° away{spin}"));
             as_near(&mut report, subject, document, nearest);
         }
         None => {}
@@ -237,7 +238,7 @@ fn not_permanent(report: &mut Report, kind: &AxisKind) {
         AxisKind::Principal => report.line(
             "this axis is principal, but the centre of mass does not lie on it: rotation about it is steady at no spin",
         ),
-        AxisKind::Other(_) => report.line("rotation about this axis is steady at no spin"),
+        AxisKind::Other(_) => report.line("rotation about the axis that was given is steady at no spin"),
         AxisKind::Unknown => report.line("whether rotation about this axis is steady at some spin was not found"),
         AxisKind::AtOneSpin(_) | AxisKind::Permanent { .. } => {}
     }

@@ -43,7 +43,8 @@ pub fn tolerance(text: &str) -> Result<ToleranceArgument, Failure> {
     let mut all: [Number; 4] = std::array::from_fn(|_| zero.clone());
     for item in text.split(',') {
         let (name, value) = item.split_once('=').ok_or_else(wrong)?;
-        let (_, which) = NAMES.iter().find(|(known, _)| *known == name.trim()).ok_or_else(wrong)?;
+        let known = NAMES.iter().find(|(known, _)| *known == name.trim());
+        let (_, which) = known.ok_or_else(|| unknown(name.trim()))?;
         let value = relative(value)?;
         for (tolerance, _) in all.iter_mut().zip(which).filter(|(_, named)| **named) {
             *tolerance = value.clone();
@@ -64,6 +65,11 @@ fn relative(text: &str) -> Result<Number, Failure> {
     } else {
         Err(wrong())
     }
+}
+
+fn unknown(name: &str) -> Failure {
+    let names: Vec<&str> = NAMES.iter().map(|(name, _)| *name).collect();
+    Failure::input(format!("{name:?} is none of the names {}", names.join(", ")))
 }
 
 fn wrong() -> Failure {

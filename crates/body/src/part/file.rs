@@ -79,7 +79,7 @@ pub enum FileError {
     #[error("density and mass both say how heavy the mesh is; one of them is enough")]
     DensityAndMass,
     /// Something that the file says itself, or has not.
-    #[error("{option} does nothing with {kind}")]
+    #[error("{option} does nothing with {kind}; leave it out")]
     Useless {
         /// What was given.
         option: &'static str,

@@ -217,6 +217,9 @@ impl Inequality {
 impl fmt::Display for Inequality {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [a, b, c] = self.printed().map(|x| short(&x));
+        if self.moments[0] < RBig::ZERO {
+            return write!(f, "the least principal moment is negative: {a}");
+        }
         let missing = short(&rounded(&self.missing, DIGITS));
         write!(
             f,

@@ -17,28 +17,28 @@ ids! {
 }
 
 impl SlabId {
-    /// The slab that ends at an event.
+    /// The slab that ends at an event, where each event has two slabs of its own.
     #[must_use]
-    pub fn before(event: EventId) -> Self {
+    pub fn up_to(event: EventId) -> Self {
         Self(event.0)
     }
 
-    /// The slab that begins at an event.
+    /// The slab that begins at an event, where each event has two slabs of its own.
     #[must_use]
-    pub fn after(event: EventId) -> Self {
+    pub fn from(event: EventId) -> Self {
         Self(event.0 + 1)
     }
 
-    /// The event at which the slab begins; `None`: at l = 0.
+    /// The slab before it.
     #[must_use]
-    pub fn event_at_start(self) -> Option<EventId> {
-        self.0.checked_sub(1).map(EventId)
+    pub fn before(self) -> Option<Self> {
+        self.0.checked_sub(1).map(Self)
     }
 
-    /// The event at which the slab ends; no event has this number for the last slab.
+    /// The slab after it.
     #[must_use]
-    pub fn event_at_end(self) -> EventId {
-        EventId(self.0)
+    pub fn after(self) -> Self {
+        Self(self.0 + 1)
     }
 }
 

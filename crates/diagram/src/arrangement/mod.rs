@@ -93,6 +93,20 @@ impl Arrangement {
         }
     }
 
+    /// The events between a slab and the next one: one, but where several are proved to be at one l, without slabs between them.
+    pub fn events_after(&self, slab: SlabId) -> impl Iterator<Item = EventId> {
+        let numbers = if self.slabs.len() == self.events.len() + 1 {
+            slab.index()..slab.index() + 1
+        } else {
+            let from = |slab: usize| {
+                let x = self.slabs.as_slice().get(slab).map_or(f64::INFINITY, |slab| slab.x[1]);
+                self.events.as_slice().partition_point(|event| event.x < x)
+            };
+            from(slab.index())..from(slab.index() + 1)
+        };
+        numbers.map(EventId::at).filter(|event| self.events.get(*event).is_some())
+    }
+
     /// Enumerates all crossings, orders the events and glues the faces.
     #[must_use]
     pub fn new(set: CriticalSet) -> Self {

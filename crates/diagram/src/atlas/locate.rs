@@ -124,17 +124,19 @@ impl Atlas {
     /// The slab of x, and those beyond events within rounding of x: all events, or only those at which curves begin or
     /// end. (Curves that cross within rounding of x are both seen from either side.)
     pub(super) fn slabs_near(&self, number: SlabId, x: f64, crossings: bool) -> RangeInclusive<SlabId> {
-        let near = |event: &EventId| {
-            let Some(event) = self.arrangement.events.get(*event) else { return false };
+        let near = |event: EventId| {
+            let event = &self.arrangement.events[event];
             let counts = crossings || !matches!(event.change, Change::Swap(_));
             counts && (event.x - x).abs() <= 4.0 * event.x_error + 4.0 * X_ROUNDINGS * UNIT_ROUNDOFF * x
         };
         let (mut first, mut last) = (number, number);
-        while let Some(event) = first.event_at_start().filter(near) {
-            first = SlabId::before(event);
+        while let Some(before) = first.before()
+            && self.arrangement.events_after(before).any(near)
+        {
+            first = before;
         }
-        while near(&last.event_at_end()) {
-            last = SlabId::after(last.event_at_end());
+        while self.arrangement.events_after(last).any(near) {
+            last = last.after();
         }
         first..=last
     }

@@ -28,13 +28,15 @@ pub struct Atlas {
     body: Body,
     arrangement: Arrangement,
     regions: Table<RegionId, Region>,
+    /// Where the slabs do not tell it.
+    critical_points_max: Option<usize>,
 }
 
 impl Atlas {
     /// An atlas of parts.
     #[must_use]
     pub fn of_parts(body: Body, arrangement: Arrangement, regions: Table<RegionId, Region>) -> Self {
-        Self { body, arrangement, regions }
+        Self { body, arrangement, regions, critical_points_max: None }
     }
 
     /// The body.
@@ -58,7 +60,7 @@ impl Atlas {
     /// The largest number of relative equilibria at one l; a critical circle or sphere counts once.
     #[must_use]
     pub fn critical_points_max(&self) -> usize {
-        self.largest_count(|_| true)
+        self.critical_points_max.unwrap_or_else(|| self.largest_count(|_| true))
     }
 
     /// False where that number is reached only between events that lie within their errors of each other: if they are at one l,
@@ -67,11 +69,18 @@ impl Atlas {
     pub fn is_maximum_certain(&self) -> bool {
         let events = &self.arrangement.events;
         let is_wide = |slab: SlabId| {
-            let ends = slab.event_at_start().and_then(|from| events.get(from)).zip(events.get(slab.event_at_end()));
-            let Some((from, to)) = ends else { return true };
-            to.x - from.x > from.x_error + to.x_error
+            let [from, to] = [slab.before(), Some(slab)].map(|slab| {
+                slab.and_then(|slab| self.arrangement.events_after(slab).next()).map(|event| &events[event])
+            });
+            from.zip(to).is_none_or(|(from, to)| to.x - from.x > from.x_error + to.x_error)
         };
-        self.largest_count(is_wide) == self.critical_points_max()
+        self.critical_points_max.is_some() || self.largest_count(is_wide) == self.critical_points_max()
+    }
+
+    /// The same atlas with the largest number of relative equilibria that is proved.
+    #[must_use]
+    pub fn with_critical_points_max(self, most: usize) -> Self {
+        Self { critical_points_max: Some(most), ..self }
     }
 
     /// The largest number of relative equilibria over those slabs.

@@ -38,7 +38,8 @@ pub struct SpinRange {
     pub omega: [f64; 2],
     /// Types other than these two that some of the sampled parts have inside.
     pub between: Vec<SpinType>,
-    /// The single input that moves the last nominal change in the range most, and how far in Ω.
+    /// The input that moves what changes in the range most by itself, and how far in Ω; `None` where the nominal part changes
+    /// nowhere in it.
     pub most: Option<(&'static str, f64)>,
 }
 
@@ -59,20 +60,20 @@ pub fn spin_ranges(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> Vec<SpinR
         // A part that does not change inside has one type there.
         let unchanged =
             inside(low, high).into_iter().flat_map(|at| parts.iter().filter_map(move |part| part.type_at_spin(&at)));
-        let within = |change: &&SpinChange| range.omega[0] <= change.omega && change.omega <= range.omega[1];
+        let omega = range.omega;
+        let within = |change: &SpinChange| omega[0] <= change.omega && change.omega <= omega[1];
         let mut between: Vec<SpinType> = sampled
             .iter()
             .flatten()
-            .filter(within)
+            .filter(|change| within(change))
             .flat_map(|change| [change.from, change.to])
             .chain(unchanged)
             .collect();
         between.sort_by_key(|kind| *kind as u8);
         between.dedup();
         between.retain(|found| Some(*found) != range.from && Some(*found) != range.to);
-        let last = nominal.iter().rposition(|change| within(&change));
         range.between = between;
-        range.most = last.and_then(|k| most(&nominal, &sampled, k));
+        range.most = most(&nominal, &sampled, within);
     }
     // Where discriminant and stiffness vanish together the ends round.
     found.retain(|range| range.from != range.to || !range.between.is_empty() || range.from.is_none());
@@ -126,17 +127,31 @@ fn varied(rotation: &AxisRotation, steps: [i8; 4], tolerances: &[RBig; 4]) -> Ax
     varied
 }
 
-/// The single input that moves the nominal change of this number most, among parts with the same changes.
-fn most(nominal: &[SpinChange], sampled: &[Vec<SpinChange>], at: usize) -> Option<(&'static str, f64)> {
+/// The input that by itself moves the changes in a range most. Where a part has the changes of the nominal one, the last in the
+/// range counts; else, as where the tolerance of one moment parts two that are equal, the first or the last, whichever moves
+/// farther.
+fn most(
+    nominal: &[SpinChange],
+    sampled: &[Vec<SpinChange>],
+    within: impl Fn(&SpinChange) -> bool,
+) -> Option<(&'static str, f64)> {
     let types = |found: &[SpinChange]| found.iter().map(|c| [c.from, c.to]).collect::<Vec<_>>();
+    let ends = |found: &[SpinChange]| {
+        let inside: Vec<f64> = found.iter().filter(|change| within(change)).map(|change| change.omega).collect();
+        Some([*inside.first()?, *inside.last()?])
+    };
+    let last = nominal.iter().rposition(&within)?;
+    let from = ends(nominal)?;
     let mut most: Option<(&'static str, f64)> = None;
     for (number, found) in sampled.iter().enumerate() {
         let steps = steps(number);
         let [input] = (0..4).filter(|&k| steps[k] != 0).collect::<Vec<_>>()[..] else { continue };
-        if types(found) != types(nominal) {
-            continue;
-        }
-        let moved = (found[at].omega - nominal[at].omega).abs();
+        let moved = if types(found) == types(nominal) {
+            (found[last].omega - nominal[last].omega).abs()
+        } else {
+            let Some(to) = ends(found) else { continue };
+            (to[0] - from[0]).abs().max((to[1] - from[1]).abs())
+        };
         if moved > most.map_or(0.0, |(_, far)| far) {
             most = Some((INPUTS[input], moved));
         }
@@ -277,6 +292,19 @@ mod tests {
         let [least, most] = [(0.99, 1.01), (1.01, 0.99)].map(|(more, less): (f64, f64)| nominal * more / less);
         assert!(last.omega[0] <= least && least - last.omega[0] < 0.1 * (nominal - least), "{found:?}");
         assert!(last.omega[1] >= most && last.omega[1] - most < 0.1 * (most - nominal), "{found:?}");
+    }
+
+    /// Of a symmetric part the ends of the minimum come apart when one of the equal moments is larger: 95.493 rpm becomes 94.092.
+    #[test]
+    fn one_of_two_equal_moments_can_matter_most() {
+        let body = Body::parse(&["0.04", "0.04", "0.02"], &["0", "0", "1"]).unwrap();
+        let rotation = AxisRotation::new(&body, BodyAxis::ALL[2], Sign::Positive).unwrap();
+        let tolerances = [RBig::ZERO, percent(1), RBig::ZERO, RBig::ZERO];
+        let found = spin_ranges(&rotation, &tolerances);
+        let ends = |a: f64| (1.0 / (a - 0.02)).sqrt();
+        let (input, moved) = found.last().unwrap().most.unwrap();
+        assert_eq!(input, INPUTS[1]);
+        assert!((moved - (ends(0.0396) - ends(0.04))).abs() < 1e-12, "{found:?}");
     }
 
     /// Every change of random parts of the box lies in a range, and between the ranges their types are those that are reported.

@@ -1,5 +1,7 @@
 //! Events in proved order, where their order matters.
 
+use std::ops::Range;
+
 use dashu_ratio::RBig;
 
 use super::event::{Event, EventSource, Undecided, crossing_event};
@@ -9,7 +11,7 @@ use crate::pair::{PairProof, Proof};
 use crate::point::{Evaluator, Evaluators};
 use bifdiag_diagram::arrangement::EventId;
 use bifdiag_numbers::enclosure::Enclosure;
-use bifdiag_numbers::table::Table;
+use bifdiag_numbers::table::{Id, Table};
 
 /// Narrows the boxes of crossings that overlap other events of their curves, with as many bits as it takes; which bits.
 pub(super) fn separate(events: &mut [Event], pairs: &mut [PairProof], evaluators: &Evaluators<'_>) -> usize {
@@ -52,24 +54,33 @@ fn narrow<E: Enclosure>(evaluator: &Evaluator<'_, E>, open: &[usize], events: &m
     }
 }
 
-/// Groups of events whose x cannot be separated; each group must consist of events on different curves.
-pub(super) fn transitions(events: &Table<EventId, Event>) -> Result<Table<TransitionId, Vec<EventId>>, Vec<Undecided>> {
-    let mut groups: Vec<Vec<EventId>> = Vec::new();
+/// The events by rising x, and groups of those whose x cannot be separated; each group must consist of events on different
+/// curves. In a group they stand as they are listed: by rising x in doubles, then by h.
+pub(super) fn transitions(
+    mut events: Vec<Event>,
+) -> Result<(Table<EventId, Event>, Table<TransitionId, Vec<EventId>>), Vec<Undecided>> {
+    events.sort_by(|p, q| p.x[0].cmp(&q.x[0]).then(p.x[1].cmp(&q.x[1])));
+    let mut ends: Vec<usize> = Vec::new();
     let mut reach: Option<RBig> = None;
-    for (number, event) in events.pairs() {
-        match (&reach, groups.last_mut()) {
-            (Some(limit), Some(group)) if event.x[0] <= *limit => group.push(number),
-            _ => groups.push(vec![number]),
+    for (number, event) in events.iter().enumerate() {
+        if reach.as_ref().is_some_and(|limit| event.x[0] > *limit) {
+            ends.push(number);
         }
         reach = Some(reach.take().map_or_else(|| event.x[1].clone(), |limit| limit.max(event.x[1].clone())));
     }
-    for group in &mut groups {
-        // As they are listed: by rising x in doubles, then by h.
-        let place = |event: EventId| [events[event].x_middle(), events[event].h_middle()];
-        group.sort_by(|&p, &q| {
+    let starts = std::iter::once(0).chain(ends.iter().copied());
+    let ranges: Vec<Range<usize>> = starts.zip(ends.iter().copied().chain([events.len()])).map(|(a, b)| a..b).collect();
+    for range in &ranges {
+        let place = |event: &Event| [event.x_middle(), event.h_middle()];
+        events[range.clone()].sort_by(|p, q| {
             let ([x, h], [other_x, other_h]) = (place(p), place(q));
             x.total_cmp(&other_x).then(h.total_cmp(&other_h))
         });
+    }
+    let events = Table::from(events);
+    let groups: Vec<Vec<EventId>> =
+        ranges.into_iter().filter(|range| !range.is_empty()).map(|range| range.map(EventId::at).collect()).collect();
+    for group in &groups {
         for (k, &p) in group.iter().enumerate() {
             for &q in &group[k + 1..] {
                 if events[p].curves.iter().any(|c| events[q].curves.contains(c)) {
@@ -83,5 +94,5 @@ pub(super) fn transitions(events: &Table<EventId, Event>) -> Result<Table<Transi
             }
         }
     }
-    Ok(groups.into())
+    Ok((events, groups.into()))
 }

@@ -45,9 +45,7 @@ pub(crate) fn arrange(model: Model, curves: &Curves, points: u32) -> Result<Arra
     let (mut pairs, crossings) = pairs(plain.wide(), &stages)?;
     events.extend(crossings);
     let bits = stages.used.get().max(separate(&mut events, &mut pairs, &plain));
-    events.sort_by(|p, q| p.x[0].cmp(&q.x[0]).then(p.x[1].cmp(&q.x[1])));
-    let events = Table::from(events);
-    let transitions = transitions(&events)?;
+    let (events, transitions) = transitions(events)?;
     let stages = Stages::new(&model, curves, &[], points);
     let mut slabs = slabs(curves, &events, &transitions, &stages)?;
     let bits = bits.max(stages.used.get());

@@ -135,7 +135,7 @@ impl Listed<'_> {
         let (kind, curves) = match self.source.end() {
             Some(End::Cusp(cusp)) => (EventKind::Cusp, pieces.at_cusp(cusp)),
             Some(End::Pitchfork(fork)) => (EventKind::Pitchfork, pieces.at_fork(fork)),
-            _ => (EventKind::Crossing, together.to_vec()),
+            _ => (EventKind::Crossing, in_order(together)),
         };
         if self.document.kind != kind {
             return Err("it is of another kind");
@@ -154,4 +154,11 @@ impl Listed<'_> {
         };
         if right { Ok(()) } else { Err("it names other curves") }
     }
+}
+
+/// Two curves that cross, in the order of the list of curves.
+fn in_order(together: &[usize]) -> Vec<usize> {
+    let mut curves = together.to_vec();
+    curves.sort_unstable();
+    curves
 }
