@@ -78,6 +78,7 @@ impl Picture {
     }
 
     /// A document of SVG elements, with its size in pixels and its heading.
+    #[must_use] 
     pub fn new(elements: &str, size: [f64; 2], heading: &Heading) -> Self {
         let [width, height] = size.map(|side| (side * MILLIMETRES * 100.0).round() / 100.0);
         let [units_wide, units_high] = size.map(|side| (side * UNITS).round());
@@ -169,6 +170,9 @@ impl Picture {
 
 /// An image of `samples`, row by row: three bytes a pixel, or with `palette` (its colours, three bytes each, the first
 /// transparent) one; with the dots per inch of print if known.
+///
+/// # Errors
+/// [`PlotError`] when the bytes cannot be encoded.
 pub fn png(
     [width, height]: [u32; 2],
     palette: Option<Vec<u8>>,

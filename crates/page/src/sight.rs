@@ -54,12 +54,16 @@ fn cie(color: RGBColor) -> [f64; 3] {
 }
 
 /// The distance of two colours in CIE L*a*b* (ΔE of 1976) as a reader sees them.
+#[must_use] 
 pub fn apart(sight: Sight, one: RGBColor, other: RGBColor) -> f64 {
     let (p, q) = (cie(seen(sight, one)), cie(seen(sight, other)));
     (0..3).map(|k| (p[k] - q[k]) * (p[k] - q[k])).sum::<f64>().sqrt()
 }
 
-/// The least distance of the colours for any reader.
+/// The colours are at least this far apart for every reader.
+///
+/// # Panics
+/// If two of them are nearer for one reader.
 pub fn assert_apart(colors: &[RGBColor], least: f64) {
     for sight in SIGHTS {
         for (place, one) in colors.iter().enumerate() {

@@ -124,8 +124,8 @@ impl MapLegend {
 
     /// The number of rows of a table in each column below the map.
     fn rows(&self, table: &Table) -> usize {
-        let columns = pixel((self.room + BETWEEN) / (table.width() + BETWEEN), table.len()).max(1);
-        table.len().div_ceil(columns)
+        let columns = pixel((self.room + BETWEEN) / (table.width() + BETWEEN), table.row_count()).max(1);
+        table.row_count().div_ceil(columns)
     }
 
     /// Width of the contents beside the map.
@@ -143,8 +143,8 @@ impl MapLegend {
         self.beside.draw(canvas, beside);
         for table in &self.below {
             let rows = self.rows(table);
-            for column in 0..table.len().div_ceil(rows.max(1)) {
-                let own = column * rows..((column + 1) * rows).min(table.len());
+            for column in 0..table.row_count().div_ceil(rows.max(1)) {
+                let own = column * rows..((column + 1) * rows).min(table.row_count());
                 table.draw_rows(canvas, own, [x + column as f64 * (table.width() + BETWEEN), y]);
             }
             y += rows as f64 * table.line();
