@@ -29,7 +29,7 @@ pub struct Areas {
 
 /// The whole number below a value, from 0 to a limit.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 0 ..= limit")]
-#[must_use] 
+#[must_use]
 pub fn pixel(value: f64, limit: usize) -> usize {
     value.clamp(0.0, limit as f64) as usize
 }
@@ -79,7 +79,7 @@ impl Areas {
     }
 
     /// The deepest pixel of each of `count` areas and its depth; `None` for those without a pixel.
-    #[must_use] 
+    #[must_use]
     pub fn deepest(&self, count: usize) -> Vec<Option<(Point, f64)>> {
         let mut best: Vec<Option<(usize, f64)>> = vec![None; count];
         for (at, (area, &depth)) in self.of.iter().zip(&self.depth).enumerate() {
@@ -92,19 +92,19 @@ impl Areas {
     }
 
     /// Depth of each of `count` areas, 0 for those without a pixel.
-    #[must_use] 
+    #[must_use]
     pub fn depths(&self, count: usize) -> Vec<f64> {
         self.deepest(count).into_iter().map(|deepest| deepest.map_or(0.0, |(_, depth)| depth)).collect()
     }
 
     /// Position on the page of a pixel's middle.
-    #[must_use] 
+    #[must_use]
     pub fn position(&self, at: usize) -> Point {
         [self.origin[0] + (at % self.width) as f64 + 0.5, self.origin[1] + (at / self.width) as f64 + 0.5]
     }
 
     /// Columns and rows of the pixels of a rectangle on the page.
-    #[must_use] 
+    #[must_use]
     pub fn span(&self, rect: &Rect) -> [Range<usize>; 2] {
         let range = |from: f64, to: f64, limit: usize| pixel(from.floor(), limit)..pixel(to.ceil(), limit);
         [
@@ -114,7 +114,7 @@ impl Areas {
     }
 
     /// Index of the pixel at a position on the page.
-    #[must_use] 
+    #[must_use]
     pub fn index(&self, at: Point) -> Option<usize> {
         let (x, y) = ((at[0] - self.origin[0]).floor(), (at[1] - self.origin[1]).floor());
         let inside = x >= 0.0 && y >= 0.0 && x < self.width as f64 && y < self.height as f64;
@@ -123,7 +123,7 @@ impl Areas {
 
     /// The place deepest inside an area where a box with some free space round it meets nothing that is taken. `others`
     /// counts the pixels that are not of the area.
-    #[must_use] 
+    #[must_use]
     pub fn inside(
         &self,
         area: usize,
@@ -187,7 +187,7 @@ impl Sums {
     }
 
     /// The number in a rectangle on the page.
-    #[must_use] 
+    #[must_use]
     pub fn count(&self, areas: &Areas, rect: &Rect) -> f64 {
         let [columns, rows] = areas.span(rect);
         let at = |x: usize, y: usize| f64::from(self.sums[y * self.width + x]);

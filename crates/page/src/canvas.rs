@@ -94,7 +94,7 @@ fn set(part: &Part, size: f64) -> String {
 }
 
 /// A colour as SVG writes it.
-#[must_use] 
+#[must_use]
 pub fn hex(RGBColor(red, green, blue): RGBColor) -> String {
     format!("#{red:02X}{green:02X}{blue:02X}")
 }

@@ -61,7 +61,7 @@ const NAMES: [(&str, RGBColor); 25] = [
 ];
 
 /// The name of the nearest colour that has one.
-#[must_use] 
+#[must_use]
 pub fn color_name(color: RGBColor) -> &'static str {
     let own = lab(color);
     let distance = |color: RGBColor| {
@@ -86,7 +86,7 @@ fn names(colors: impl IntoIterator<Item = RGBColor>) -> String {
 
 impl Caption {
     /// An empty one of a picture in a theme.
-    #[must_use] 
+    #[must_use]
     pub fn new(theme: Theme) -> Self {
         Self { theme, ..Self::default() }
     }

@@ -27,7 +27,7 @@ pub struct Chart {
 
 impl Chart {
     /// What is to the right and what is upwards, with the ranges that are shown.
-    #[must_use] 
+    #[must_use]
     pub fn new(rect: Rect, names: [&str; 2], ranges: [[f64; 2]; 2]) -> Self {
         let counts = [rect.width / APART[0], rect.height / APART[1]];
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few dozen at most")]
@@ -36,20 +36,20 @@ impl Chart {
     }
 
     /// The same with room above the frame.
-    #[must_use] 
+    #[must_use]
     pub fn with_room_above(self, above: f64) -> Self {
         Self { above, ..self }
     }
 
     /// Where a pair of values is.
-    #[must_use] 
+    #[must_use]
     pub fn at(&self, [x, y]: Point) -> Point {
         let share = |k: usize, value: f64| (value - self.ranges[k][0]) / (self.ranges[k][1] - self.ranges[k][0]);
         [self.rect.x + self.rect.width * share(0, x), self.rect.bottom() - self.rect.height * share(1, y)]
     }
 
     /// The largest value upwards.
-    #[must_use] 
+    #[must_use]
     pub fn top(&self) -> f64 {
         self.ranges[1][1]
     }

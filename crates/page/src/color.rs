@@ -67,13 +67,13 @@ pub enum Theme {
 
 impl Theme {
     /// The colour of an area in the light theme as this theme shows it.
-    #[must_use] 
+    #[must_use]
     pub fn ground(self, color: RGBColor) -> RGBColor {
         self.shown(color, PALE)
     }
 
     /// The colour of a line, of a text or of paper in the light theme as this theme shows it.
-    #[must_use] 
+    #[must_use]
     pub fn color(self, color: RGBColor) -> RGBColor {
         self.shown(color, LINES)
     }

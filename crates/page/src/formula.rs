@@ -18,7 +18,7 @@ pub struct Part {
 }
 
 /// The letters that connect a mark with its description: a, b, … without those of quantities such as h, then aa, ab, …
-#[must_use] 
+#[must_use]
 pub fn letter(index: usize) -> String {
     const LETTERS: &[u8] = b"abcdefgijmopqsuvw";
     let own = char::from(LETTERS[index % LETTERS.len()]);

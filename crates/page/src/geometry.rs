@@ -60,20 +60,20 @@ impl Width {
     }
 
     /// The width in pixels at which the smallest letters, 11 pixels, are 6 pt in print.
-    #[must_use] 
+    #[must_use]
     pub fn pixels(self) -> f64 {
         // Hundredths, so that lengths of figures are short numbers.
         (self.0 / MILLIMETRES * 100.0).round() / 100.0
     }
 
     /// How much wider than the journal's page, or its column, for which sizes are given.
-    #[must_use] 
+    #[must_use]
     pub fn scale(self) -> f64 {
         self.pixels() / if self.is_column() { Self::COLUMN } else { Self::PAGE }.pixels()
     }
 
     /// The greatest height of a diagram, in pixels.
-    #[must_use] 
+    #[must_use]
     pub fn height(self) -> f64 {
         if self.is_column() { Self::SLENDER * self.pixels() } else { HEIGHT * self.scale().max(1.0) }
     }
@@ -83,7 +83,7 @@ impl Width {
 pub type Point = [f64; 2];
 
 /// Canvas units of a pixel coordinate.
-#[must_use] 
+#[must_use]
 pub fn to_units(pixels: f64) -> i32 {
     #[expect(clippy::cast_possible_truncation, reason = "clamped; a NaN becomes 0")]
     let units = (pixels * UNITS).round().clamp(-1e6, 1e6) as i32;
@@ -185,20 +185,20 @@ impl Rect {
 }
 
 /// True for a range that is neither empty nor infinite.
-#[must_use] 
+#[must_use]
 pub fn is_proper([from, to]: [f64; 2]) -> bool {
     from < to && (to - from).is_finite()
 }
 
 /// The Euclidean distance of two points.
-#[must_use] 
+#[must_use]
 pub fn distance(a: Point, b: Point) -> f64 {
     let (dx, dy) = (a[0] - b[0], a[1] - b[1]);
     (dx * dx + dy * dy).sqrt()
 }
 
 /// a + t (b − a).
-#[must_use] 
+#[must_use]
 pub fn between(a: Point, b: Point, t: f64) -> Point {
     [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t]
 }
@@ -221,13 +221,13 @@ fn clip_segment(a: Point, b: Point, rect: &Rect) -> Option<[f64; 2]> {
 }
 
 /// Whether a segment meets a rectangle.
-#[must_use] 
+#[must_use]
 pub fn meets(a: Point, b: Point, rect: &Rect) -> bool {
     clip_segment(a, b, rect).is_some()
 }
 
 /// The parts of a polyline inside `rect`.
-#[must_use] 
+#[must_use]
 pub fn clip_polyline(points: &[Point], rect: &Rect) -> Vec<Vec<Point>> {
     let mut parts: Vec<Vec<Point>> = Vec::new();
     let mut open = false;
@@ -247,7 +247,7 @@ pub fn clip_polyline(points: &[Point], rect: &Rect) -> Vec<Vec<Point>> {
 }
 
 /// The part of a polygon inside `rect` (Sutherland and Hodgman).
-#[must_use] 
+#[must_use]
 pub fn clip_polygon(points: &[Point], rect: &Rect) -> Vec<Point> {
     let mut polygon = points.to_vec();
     for side in 0..4 {

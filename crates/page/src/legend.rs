@@ -37,13 +37,13 @@ pub enum Symbol {
 
 impl Symbol {
     /// A solid line.
-    #[must_use] 
+    #[must_use]
     pub fn solid(ink: Ink) -> Self {
         Self::Line(vec![(Some(ink.color), 1.0)], ink.width)
     }
 
     /// The room that it takes before its text, in pixels.
-    #[must_use] 
+    #[must_use]
     pub fn width(&self) -> f64 {
         match self {
             Self::None => 0.0,
@@ -105,13 +105,13 @@ impl Legend {
     }
 
     /// Width of the widest entry in one line.
-    #[must_use] 
+    #[must_use]
     pub fn widest(&self) -> f64 {
         self.widest
     }
 
     /// Of all rows, in pixels.
-    #[must_use] 
+    #[must_use]
     pub fn height(&self) -> f64 {
         self.rows.height
     }

@@ -80,13 +80,13 @@ fn shortened(text: &str, digits: usize) -> String {
 }
 
 /// A time in a table.
-#[must_use] 
+#[must_use]
 pub fn short_time(value: f64) -> String {
     if value.is_finite() { short_number(value, 4) } else { "∞".to_owned() }
 }
 
 /// A number with at most this many significant digits.
-#[must_use] 
+#[must_use]
 pub fn short_number(value: f64, digits: usize) -> String {
     // Rust prints exponents of ten beyond these as many zeros.
     const PLAIN: std::ops::Range<i32> = -4..6;
@@ -103,7 +103,7 @@ pub fn short_number(value: f64, digits: usize) -> String {
 }
 
 /// A positive number with two significant digits.
-#[must_use] 
+#[must_use]
 pub fn short(value: f64) -> String {
     let text = format!("{value:.1e}");
     match text.split_once('e').map(|(digits, exponent)| (digits, exponent.parse::<i32>())) {

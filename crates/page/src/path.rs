@@ -64,7 +64,7 @@ impl Path {
     }
 
     /// The path as SVG writes it; empty if nothing is drawn.
-    #[must_use] 
+    #[must_use]
     pub fn data(&self) -> &str {
         &self.data
     }

@@ -77,7 +77,7 @@ pub fn rgb_of(Lab { lightness, a, b }: Lab) -> RGBColor {
 }
 
 /// The contrast of two colours, from 1 to 21 (WCAG 2).
-#[must_use] 
+#[must_use]
 pub fn contrast(one: RGBColor, other: RGBColor) -> f64 {
     let luminance = |color| times([[0.2126, 0.7152, 0.0722]; 3], linear(color))[0];
     let (p, q) = (luminance(one), luminance(other));

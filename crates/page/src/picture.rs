@@ -78,7 +78,7 @@ impl Picture {
     }
 
     /// A document of SVG elements, with its size in pixels and its heading.
-    #[must_use] 
+    #[must_use]
     pub fn new(elements: &str, size: [f64; 2], heading: &Heading) -> Self {
         let [width, height] = size.map(|side| (side * MILLIMETRES * 100.0).round() / 100.0);
         let [units_wide, units_high] = size.map(|side| (side * UNITS).round());

@@ -43,21 +43,21 @@ impl Taken {
     }
 
     /// True for a box that meets nothing.
-    #[must_use] 
+    #[must_use]
     pub fn admits_box(&self, rect: &Rect) -> bool {
         !self.boxes.iter().any(|other| rect.overlaps(other))
             && !self.lines.iter().chain(&self.leaders).any(|[from, to]| meets(*from, *to, rect))
     }
 
     /// True for a leader that meets no box and comes near no other leader; lines it may cross.
-    #[must_use] 
+    #[must_use]
     pub fn admits_leader(&self, leader: [Point; 2]) -> bool {
         !self.boxes.iter().any(|rect| meets(leader[0], leader[1], rect))
             && !self.leaders.iter().any(|other| near(leader, *other))
     }
 
     /// True for a point inside a box.
-    #[must_use] 
+    #[must_use]
     pub fn holds(&self, point: Point) -> bool {
         self.boxes.iter().any(|rect| rect.contains(point))
     }

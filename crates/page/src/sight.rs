@@ -54,7 +54,7 @@ fn cie(color: RGBColor) -> [f64; 3] {
 }
 
 /// The distance of two colours in CIE L*a*b* (ΔE of 1976) as a reader sees them.
-#[must_use] 
+#[must_use]
 pub fn apart(sight: Sight, one: RGBColor, other: RGBColor) -> f64 {
     let (p, q) = (cie(seen(sight, one)), cie(seen(sight, other)));
     (0..3).map(|k| (p[k] - q[k]) * (p[k] - q[k])).sum::<f64>().sqrt()

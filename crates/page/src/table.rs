@@ -33,13 +33,13 @@ struct Row(Vec<Vec<(f64, String)>>);
 
 impl Table {
     /// A table in `room` pixels. Columns that do not fit are placed below the first.
-    #[must_use] 
+    #[must_use]
     pub fn new(heading: Vec<String>, rows: Vec<(Symbol, Vec<String>)>, room: f64) -> Self {
         Self::with(heading, rows, room, 0)
     }
 
     /// A table without heading, as narrow and low as it can be read.
-    #[must_use] 
+    #[must_use]
     pub fn dense(rows: Vec<(Symbol, Vec<String>)>) -> Self {
         Self::with(Vec::new(), rows, f64::INFINITY, 1)
     }
@@ -75,31 +75,31 @@ impl Table {
     }
 
     /// The same with a last line.
-    #[must_use] 
+    #[must_use]
     pub fn with_note(self, note: &str) -> Self {
         Self { rest: Some(note.to_owned()), ..self }
     }
 
     /// Of all columns, in pixels.
-    #[must_use] 
+    #[must_use]
     pub fn width(&self) -> f64 {
         self.width
     }
 
     /// Number of rows.
-    #[must_use] 
+    #[must_use]
     pub fn row_count(&self) -> usize {
         self.rows.len()
     }
 
     /// The height of a row of one line.
-    #[must_use] 
+    #[must_use]
     pub fn line(&self) -> f64 {
         self.line
     }
 
     /// Nothing where there are no rows.
-    #[must_use] 
+    #[must_use]
     pub fn height(&self) -> f64 {
         if self.rows.is_empty() {
             return 0.0;

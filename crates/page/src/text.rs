@@ -78,7 +78,7 @@ pub fn widest<'a>(texts: impl IntoIterator<Item = &'a String>, size: f64) -> f64
 }
 
 /// The font size of a title: smaller than usual where it would be wider than `width`, but not below the smallest letters.
-#[must_use] 
+#[must_use]
 pub fn title_size(title: &str, usual: f64, width: f64) -> f64 {
     const SMALLEST: f64 = 11.0;
     let own = text_width(title, usual);
@@ -86,7 +86,7 @@ pub fn title_size(title: &str, usual: f64, width: f64) -> f64 {
 }
 
 /// A text in lines of at most `width` pixels, broken between words.
-#[must_use] 
+#[must_use]
 pub fn lines(text: &str, size: f64, width: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split(' ') {

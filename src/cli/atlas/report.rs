@@ -262,7 +262,7 @@ mod tests {
             region("R3", &[component(3, poles(true, false)), component(1, poles(false, true))], [-1e-7 / 3.0, 0.1]),
             region("R4", &[component(2, None)], [1.0, 2.0]),
         ];
-        let sample = |region: &RegionDocument, digits| inner_sample(&region.sample, 1.0, digits);
+        let sample = |region: &RegionDocument, digits| short_sample(&region.sample, digits);
         let text = table_of(&regions, &sample, &|region| Some(region.sample.h / 7.0));
         assert!(text.lines().all(|line| line.chars().count() <= TABLE_WIDTH), "{text}");
         for name in ["S2+S2+S2+S2+", "(S1xS2)#(S1xS2)", "M3", "RP3"] {

@@ -54,11 +54,12 @@ fn narrow<E: Enclosure>(evaluator: &Evaluator<'_, E>, open: &[usize], events: &m
     }
 }
 
+/// Numbers of the events between two slabs.
+pub(super) type Transitions = Table<TransitionId, Vec<EventId>>;
+
 /// The events by rising x, and groups of those whose x cannot be separated; each group must consist of events on different
 /// curves. In a group they stand as they are listed: by rising x in doubles, then by h.
-pub(super) fn transitions(
-    mut events: Vec<Event>,
-) -> Result<(Table<EventId, Event>, Table<TransitionId, Vec<EventId>>), Vec<Undecided>> {
+pub(super) fn transitions(mut events: Vec<Event>) -> Result<(Table<EventId, Event>, Transitions), Vec<Undecided>> {
     events.sort_by(|p, q| p.x[0].cmp(&q.x[0]).then(p.x[1].cmp(&q.x[1])));
     let mut ends: Vec<usize> = Vec::new();
     let mut reach: Option<RBig> = None;

@@ -130,7 +130,7 @@ impl MapLegend {
 
     /// Width of the contents beside the map.
     pub(super) fn width_beside(&self) -> f64 {
-        if self.beside.len() > 0 { self.beside.width() } else { 0.0 }
+        if self.beside.row_count() > 0 { self.beside.width() } else { 0.0 }
     }
 
     /// Height of the contents below it.
