@@ -189,7 +189,7 @@ mod tests {
         assert_eq!(Rows::open(&out, &identity(9), false).unwrap().count(), 3);
         let refused = Rows::open(&out, &identity(8), false).err().unwrap();
         assert_eq!(refused.exit(), Exit::WrongInput);
-        assert!(refused.to_string().contains("another scan"));
+        assert!(refused.to_string().contains("another unfinished scan"));
         assert_eq!(Rows::open(&out, &identity(8), true).unwrap().count(), 0);
     }
 }
