@@ -1,4 +1,5 @@
 /** A canvas as sharp as the screen, and pictures of it as files. */
+import { inTurn } from "./turns";
 
 export interface Size {
   width: number;
@@ -35,6 +36,13 @@ export class Sheet {
     this.asked = true;
     requestAnimationFrame(() => this.now());
   }
+
+  /** Paints with one of the next frames. */
+  askInTurn(): void {
+    if (!this.asked && !(this.stale = !this.seen)) inTurn(this.turn);
+  }
+
+  private readonly turn = (): void => this.now();
 
   /** Paints at once. */
   now(): void {

@@ -3,6 +3,7 @@ import presets from "virtual:presets";
 import type { Flags, Triple } from "../bindings/documents";
 import { make, panel } from "../draw/dom";
 import { mark, numberField } from "../draw/field";
+import { inTurn } from "../draw/turns";
 import { rounded, valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
 import { octant } from "./octant";
@@ -88,7 +89,7 @@ export function bodyPanel(session: Session): HTMLElement {
     sliders.forEach(({ show }) => show());
     choice.value = presets.find((preset) => preset.A.join() === A.join() && preset.r.join() === r.join())?.name ?? "";
   };
-  session.on(["body"], show);
+  session.on(["body"], () => (session.dragging === "body" ? inTurn(show) : show()));
   // What is a number and yet no moment of inertia.
   session.on(["message"], () => moments.forEach((input) => mark(input, session.message !== "" && !(valueOf(input.value) > 0))));
   session.on(["atlas"], () => (notes.textContent = session.atlas ? remarks(session.atlas.body) : ""));

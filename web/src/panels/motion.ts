@@ -74,7 +74,7 @@ export function motionPanel(session: Session, clock: Clock): { element: HTMLElem
     } else angles.textContent = "";
     sheet.ask();
   });
-  session.on(["theme", "body"], () => sheet.ask());
+  session.on(["theme", "body"], () => (session.dragging === "body" ? sheet.askInTurn() : sheet.ask()));
   const bar = make("div", { className: "bar" }, play, slider, speed, angles);
   const element = panel(texts.motion.title, texts.motion.help, make("div", { className: "stage" }, canvas), bar);
   return { element, sheet };

@@ -1,6 +1,7 @@
 /** The point (h, l): exact texts, and what is known of it in words. */
 import { make, panel } from "../draw/dom";
 import { numberField } from "../draw/field";
+import { inTurn } from "../draw/turns";
 import { shown, surface } from "../state/numbers";
 import type { Session } from "../state/session";
 import { inWords, listed } from "../state/words";
@@ -50,7 +51,7 @@ export function pointPanel(session: Session): HTMLElement {
     if (known.exact && state.point) told.textContent = known.region ? texts.point.told(known.region, listed(known.components?.map(({ section }) => section) ?? []), listed(known.components?.map(({ accessible_region }) => accessible_region) ?? [])) : texts.point.status[known.status];
   };
   const mark = () => [...parts.children].forEach((line, i) => line.classList.toggle("lit", session.hover.component === i));
-  session.on(["point", "body"], show);
+  session.on(["point", "body"], () => (session.dragging === "body" ? inTurn(show) : show()));
   session.on(["point", "hover"], mark);
   return panel(
     texts.point.title,

@@ -2,6 +2,7 @@
 import type { Region } from "../bindings/documents";
 import { make, panel } from "../draw/dom";
 import { css, ink, tint } from "../draw/theme";
+import { inTurn } from "../draw/turns";
 import { listed } from "../state/words";
 import { typeOf } from "../state/names";
 import { steadyTable } from "./steady";
@@ -67,7 +68,7 @@ export function regionsPanel(session: Session): HTMLElement {
     const lit = session.hover.region ?? session.known.region ?? "";
     for (const element of body.rows) element.classList.toggle("lit", element.dataset.region === lit);
   };
-  session.on(["drawing", "atlas"], show);
+  session.on(["drawing", "atlas"], () => (session.dragging === "body" ? inTurn(show) : show()));
   session.on(["theme"], () => ((shownDocument = undefined), show()));
   session.on(["hover", "point"], mark);
   return panel(texts.regions.title, texts.regions.help, make("div", { className: "scroll" }, make("table", {}, make("thead", {}, head), body), steadyTable(session)), caption);

@@ -54,7 +54,7 @@ export function spherePanel(session: Session): { element: HTMLElement; sheet: Sh
   canvas.addEventListener("pointerleave", () => session.pointAt({}));
   session.on(["body"], () => labels.forget());
   session.on(["section"], () => labels.learn());
-  session.on(["point", "body", "hover", "theme", "section"], () => sheet.ask());
+  session.on(["point", "body", "hover", "theme", "section"], () => (session.dragging === "body" ? sheet.askInTurn() : sheet.ask()));
   session.on(["motion"], () => sheet.ask());
   const element = panel(texts.sphere.title, texts.sphere.help, make("div", { className: "stage" }, canvas));
   return { element, sheet };
