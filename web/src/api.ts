@@ -34,7 +34,7 @@ export function api(session: Session): void {
     },
     window: () => session.drawn?.window ?? null,
     suited: () => session.drawn?.document.drawing.view.main ?? null,
-    shadow: () => session.shadow !== null,
+    shadow: () => session.picture.shadow !== null,
     place: (h, l) => session.drawn?.chart.place(h, l) ?? null,
     chaos: () => ({ cells: session.chaos.summary?.level.cells ?? 0, running: session.chaos.running, at: (...place) => session.chaos.at(...place) }),
     straight: () => {

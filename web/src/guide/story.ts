@@ -23,14 +23,14 @@ export function story(session: Session): { card: HTMLElement; play: HTMLElement 
     run++;
     card.hidden = true;
     lit(null);
-    session.quiet = false;
+    session.address.quiet = false;
     if (session.dragging) session.release();
-    else session.settled();
+    else session.address.write();
   };
   const play = async () => {
     const own = ++run;
     card.hidden = false;
-    session.quiet = true;
+    session.address.quiet = true;
     const [{ STORY }, { story: words }] = await Promise.all([import("./scenes"), guideTexts()]);
     for (const [i, scene] of STORY.entries()) {
       if (own !== run) return;

@@ -27,6 +27,7 @@ export function beside(session: Session): { tool: HTMLButtonElement; element: HT
   const show = () => {
     const { state, drawn } = session;
     const other = state.embed === null ? state.beside : null;
+    tool.hidden = state.embed !== null;
     tool.setAttribute("aria-pressed", String(other !== null));
     element.hidden = other === null;
     if (other === null) {

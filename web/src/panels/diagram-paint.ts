@@ -5,7 +5,7 @@ import { valueOf } from "../state/numbers";
 import type { Drawn, Shadow } from "../state/known";
 import type { Session } from "../state/session";
 import type { State } from "../state/state";
-import type { Chart, Line } from "../state/chart";
+import type { Chart, Line, Spot } from "../state/chart";
 import { boxesOf, nameOf, typeOf } from "../state/names";
 import { places, type Place } from "../state/places";
 import { StraightChart } from "../state/straight";
@@ -31,11 +31,11 @@ export function paintDiagram(pen: Pen, size: Size, session: Session): void {
   pen.clip();
   pen.translate(area.x, area.y);
   if (chart instanceof StraightChart) paintLevels(pen, chart, colors);
-  if (session.shadow?.straight === chart instanceof StraightChart) paintShadow(pen, chart, session.shadow!, colors);
+  if (session.picture.shadow?.straight === chart instanceof StraightChart) paintShadow(pen, chart, session.picture.shadow!, colors);
   if (session.state.chaos) paintHalo(pen, drawn, colors);
   paintCurves(pen, drawn, colors, session.hover.curve);
   paintEvents(pen, drawn, colors);
-  paintNames(pen, drawn, colors, session.state.chaos, session.dragging === "body");
+  paintNames(pen, drawn, colors, session, session.dragging === "body");
   paintPoint(pen, chart, session, colors);
   pen.restore();
   if (chart instanceof StraightChart) paintStraightAxes(pen, area, chart, colors);
@@ -186,18 +186,25 @@ function paintEvents(pen: Pen, { document, chart }: Drawn, colors: Ink): void {
   }
 }
 
+/** Pixels from the middle of the point to a name. */
+const ROUND = 9;
+
 /** Where names stand, as long as the same is drawn. */
 const standing = new WeakMap<Chart, Map<number, Place>>();
 
-function paintNames(pen: Pen, { document, chart }: Drawn, colors: Ink, ground: boolean, moving: boolean): void {
+function paintNames(pen: Pen, { document, chart }: Drawn, colors: Ink, { state }: Session, moving: boolean): void {
+  const spot = spotOf(chart, state);
+  const ground = state.chaos;
   const found = standing.get(chart) ?? places(chart, document.regions.map(boxesOf), moving);
   standing.set(chart, found);
   pen.textAlign = "center";
   pen.font = "12px system-ui, sans-serif";
-  for (const [number, { x, y, box }] of found) {
+  for (const [number, place] of found) {
     const region = document.regions[number];
+    const { box } = place;
     if (!region || box < 0) continue;
     const [id, type] = nameOf(region);
+    const { x, y } = beside(place, boxesOf(region)[box]!, spot, chart, number);
     if (ground) {
       const wide = Math.max(...(box === 0 ? [id, type] : [box === 1 ? `${id} ${type}` : id]).map((text) => pen.measureText(text).width)) + 6;
       const high = box === 0 ? 31 : 16;
@@ -214,8 +221,20 @@ function paintNames(pen: Pen, { document, chart }: Drawn, colors: Ink, ground: b
   }
 }
 
+/** The place of a name, or one beside it in the same region where the point would cover it. */
+function beside({ x, y }: Place, [width, height]: [number, number], spot: Spot | null, { regions, width: columns, height: lines }: Chart, number: number): { x: number; y: number } {
+  const [far, high] = [width / 2 + ROUND, height / 2 + ROUND];
+  if (!spot || Math.abs(spot[0] - x) > far || Math.abs(spot[1] - y) > high) return { x, y };
+  const inside = (at: number, line: number) => at >= 0 && at < columns && line >= 0 && line < lines && regions[Math.floor(line) * columns + Math.floor(at)] === number;
+  const around: Spot[] = [[x, spot[1] - high], [x, spot[1] + high], [spot[0] - far, y], [spot[0] + far, y]];
+  const free = around.find(([px, py]) => [-1, 0, 1].every((i) => [-1, 0, 1].every((j) => inside(px + (i * width) / 2, py + (j * height) / 2))));
+  return free ? { x: free[0], y: free[1] } : { x, y };
+}
+
+const spotOf = (chart: Chart, { point }: State): Spot | null => point && chart.place(valueOf(point.h), Math.abs(valueOf(point.l)));
+
 function paintPoint(pen: Pen, chart: Chart, { state }: Session, colors: Ink): void {
-  const spot = state.point && chart.place(valueOf(state.point.h), Math.abs(valueOf(state.point.l)));
+  const spot = spotOf(chart, state);
   if (!spot) return;
   pen.strokeStyle = colors.paper;
   pen.fillStyle = colors.accent;

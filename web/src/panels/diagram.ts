@@ -82,13 +82,13 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
   session.on(["hover", "theme", "shadow", "chaos"], () => sheet.ask());
   // What is learnt of a point is told elsewhere.
   session.on(["point"], () => session.state.point !== painted && sheet.ask());
-  const resized = () => (session.resolution = frame());
+  const resized = () => (session.picture.resolution = frame());
   new ResizeObserver(() => {
     resized();
     void session.redraw();
   }).observe(canvas);
-  const pin = tool(texts.diagram.keep, texts.diagram.keepHelp, () => session.pin());
-  session.on(["shadow"], () => pin.setAttribute("aria-pressed", String(session.pinned)));
+  const pin = tool(texts.diagram.keep, texts.diagram.keepHelp, () => session.picture.pin());
+  session.on(["shadow"], () => pin.setAttribute("aria-pressed", String(session.picture.pinned)));
   const twin = beside(session);
   const straight = tool(texts.diagram.straight, texts.diagram.straightHelp, () => session.straighten(!session.state.straight));
   straight.dataset.testid = "straight";
@@ -107,9 +107,9 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
     ...zooms,
   );
   session.on(["theme"], () => {
-    const { width, height } = session.resolution;
+    const { width, height } = session.picture.resolution;
     resized();
-    if (session.drawn && (width !== session.resolution.width || height !== session.resolution.height)) void session.redraw();
+    if (session.drawn && (width !== session.picture.resolution.width || height !== session.picture.resolution.height)) void session.redraw();
     straight.setAttribute("aria-pressed", String(session.state.straight));
     for (const zoom of zooms) zoom.disabled = session.state.straight;
   });

@@ -110,7 +110,7 @@ function paint(pen: Pen, size: Size, session: Session, turn: Turn, labels: Label
     const [x, y, z] = apply(turn, v);
     return { at: [size.width / 2 + radius * x, size.height / 2 - radius * y], front: z >= 0 };
   };
-  paintBoundary(pen, session, place, colors);
+  if (session.dragging !== "body") paintBoundary(pen, session, place, colors);
   paintMarks(pen, size, session, place, colors);
   if (!point) {
     pen.fillStyle = colors.text;
@@ -162,14 +162,16 @@ function paintMarks(pen: Pen, { width }: Size, session: Session, place: Placed, 
     pen.fillText(text, fits ? x + 6 : x - 6, y - 4);
     pen.globalAlpha = 1;
   };
+  // While a hand changes the body they are those of another one, and so is the edge of U.
+  const critical = session.dragging === "body" ? [] : session.critical;
   const r = session.state.r.map(valueOf) as Vec;
   const kind = (index: number, multiplicity: number) => (multiplicity > 1 ? texts.sphere.degenerate : texts.sphere.kinds[index]!);
   const poles = Math.hypot(...r) > 0 ? ([["+r̂", unit(r)], ["−r̂", unit(r.map((x) => -x) as Vec)]] as [string, Vec][]) : [];
   for (const [name, pole] of poles) {
-    const rest = session.critical.find(({ gamma, multiplicity }) => typeof multiplicity === "number" && Math.hypot(...gamma.map((x, i) => x - pole[i]!)) < 0.03);
+    const rest = critical.find(({ gamma, multiplicity }) => typeof multiplicity === "number" && Math.hypot(...gamma.map((x, i) => x - pole[i]!)) < 0.03);
     mark(pole, rest ? `${name}, ${kind(rest.index, Number(rest.multiplicity))}` : name, "cross");
   }
-  for (const { gamma, index, multiplicity, branch } of session.critical) {
+  for (const { gamma, index, multiplicity, branch } of critical) {
     if (branch !== null && branch === session.hover.curve) ring(pen, place(gamma), colors);
     const atPole = poles.some(([, pole]) => Math.hypot(...gamma.map((x, i) => x - pole[i]!)) < 0.03);
     if (typeof multiplicity === "number") mark(gamma, atPole ? "" : kind(index, multiplicity), "dot");

@@ -57,7 +57,8 @@ export function takePanel(session: Session, sheets: Sheets): HTMLElement {
     if (session.dragging) return;
     link.href = location.href;
     link.textContent = texts.take.link;
-    shell.textContent = commandLines(session.state);
+    // Lines are broken between options, not behind their hyphens.
+    shell.replaceChildren(...commandLines(session.state).split(/(\s+)/).map((part) => (part.trim() ? make("span", {}, part) : part)));
     python.textContent = pythonLines(session.state);
   };
   session.on(["body", "point", "atlas", "theme", "address"], refresh);

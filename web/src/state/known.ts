@@ -1,4 +1,5 @@
 /** What was computed of the state. */
+import type { Place } from "../bindings/calls";
 import type { Atlas, Classification, Component, Window } from "../bindings/documents";
 import type { PlaneChart } from "./chart";
 import type { StraightChart } from "./straight";
@@ -32,3 +33,16 @@ export interface Shadow {
 }
 
 export const NOTHING: Known = { status: "open", region: null, signature: "", components: null, margin: null, exact: false };
+
+/** At a place of a fast document. */
+export function knownAt({ regions }: Atlas, { region: number, distance, nearest }: Place): Known {
+  const region = regions[number];
+  return {
+    status: region ? "regular" : number === -1 ? "forbidden" : "undecided",
+    region: region?.id ?? null,
+    signature: region?.signature ?? "",
+    components: number === -1 ? [] : (region?.components ?? null),
+    margin: { h: distance, nearest },
+    exact: false,
+  };
+}

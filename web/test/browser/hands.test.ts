@@ -77,6 +77,15 @@ test("a phone: targets are 44 pixels high, buttons as wide, and the bar leads to
   await page.close();
 });
 
+test("a phone: the bar shows one panel as the present one, also where two meet", async () => {
+  const page = await open(POINT, phone(PHONES[0]!));
+  await page.locator("[data-panel=motion]").evaluate((panel) => scrollBy({ top: panel.getBoundingClientRect().top - 0.425 * innerHeight, behavior: "instant" }));
+  await expect.poll(() => page.locator(".stack-bar [aria-pressed=true]").allTextContents()).toEqual(["U"]);
+  await page.locator("[data-panel=motion]").evaluate((panel) => scrollBy({ top: panel.getBoundingClientRect().top - 0.3 * innerHeight, behavior: "instant" }));
+  await expect.poll(() => page.locator(".stack-bar [aria-pressed=true]").allTextContents()).toEqual(["Motion"]);
+  await page.close();
+});
+
 test("the first view moves by itself, and its story ends at a touch", async () => {
   const page = await open("");
   expect(await data(page, "point-region", "region")).toBe("R5");
@@ -134,6 +143,25 @@ test("axes hold while the body is dragged, ease to the new view, and the old cur
   expect(await axes()).not.toEqual(before);
   expect(await axes()).toEqual(await page.evaluate(() => window.bifdiag.suited()));
   await expect.poll(() => page.evaluate(() => window.bifdiag.shadow())).toBe(false);
+  await page.close();
+});
+
+test("while the body is dragged U has no edge and no marks of the body before", async () => {
+  const page = await open(POINT);
+  const black = () => page.getByTestId("sphere").evaluate((element) => {
+    const { width, height } = element as HTMLCanvasElement;
+    return new Uint32Array((element as HTMLCanvasElement).getContext("2d")!.getImageData(0, 0, width, height).data.buffer).filter((pixel) => pixel === 0xff1d1610).length;
+  });
+  const before = await black();
+  expect(before).toBeGreaterThan(100);
+  const [x, y] = await middle(page, "octant");
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 4, y - 6);
+  await expect.poll(black).toBeLessThan(before / 3);
+  await page.mouse.up();
+  await ready(page);
+  await expect.poll(black).toBeGreaterThan(100);
   await page.close();
 });
 

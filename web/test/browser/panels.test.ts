@@ -147,6 +147,32 @@ test("a click into the diagram chooses a point; the address holds it and gives i
   await again.close();
 });
 
+test("the name of a region stands beside the point, not under it", async () => {
+  for (const [hash, id] of [["body=kovalevskaya", "R2"], ["A=2,1.1,1&r=0.94868,0,0.61623&h=3.8&l=3.25&view=straight", "R5"]] as const) {
+    const page = await open(hash, { viewport: { width: 390, height: 844 } });
+    expect(await data(page, "point-region", "region")).toBe(id);
+    const [h, l] = await Promise.all(["input-h", "input-l"].map((field) => page.getByTestId(field).inputValue().then(Number)));
+    const [x, y] = (await page.evaluate(([h, l]) => window.bifdiag.place(h!, l!), [h, l]))!;
+    const [file] = await Promise.all([page.waitForEvent("download"), page.getByTestId("export-svg").click()]);
+    const svg = await readFile((await file.path())!, "utf8");
+    const name = new RegExp(`<text[^>]*>${id}</text>`).exec(svg)![0];
+    const [tx, ty] = ["x", "y"].map((axis) => Number(new RegExp(` ${axis}="([^"]*)"`).exec(name)![1]));
+    // Eight pixels of letters and six of the point.
+    expect(Math.abs(tx! - x) > 14 || Math.abs(ty! - 4 - y) > 12, `${hash}: ${name} at ${x}, ${y}`).toBe(true);
+    await page.close();
+  }
+});
+
+test("lines to copy are broken between their options, and copied whole", async () => {
+  const page = await open(POINT);
+  const shell = page.getByTestId("command-line");
+  expect(await shell.textContent()).toContain("bifdiag classify --A=2,1.1,1 --r=0.94868,0,0.61623 --h=3.8 --l=3.25\nbifdiag section --A=2,1.1,1");
+  const heights = await shell.locator("span").evaluateAll((words) => words.map((word) => word.getBoundingClientRect().height));
+  expect(heights.length).toBeGreaterThan(10);
+  expect(new Set(heights).size).toBe(1);
+  await page.close();
+});
+
 test("dragging the point over a curve tells the surgery", async () => {
   const page = await open("A=2,1.1,1&r=0.94868,0,0.61623&h=3.2&l=2.4&view=1.8,3.8,2,3.1");
   const box = (await page.getByTestId("diagram").boundingBox())!;
@@ -333,7 +359,9 @@ test("one panel alone for lecture pages", async () => {
   for (const name of ["diagram", "section", "motion"]) {
     const page = await open(`${POINT}&embed=${name}`, { viewport: { width: 600, height: 420 } });
     for (const id of ["diagram", "sphere", "section", "motion"]) expect(await page.getByTestId(id).isVisible(), `${id} in ${name}`).toBe(id === name);
-    expect(await page.getByTestId("stack-bar").isVisible(), name).toBe(false);
+    for (const id of ["stack-bar", "beside"]) expect(await page.getByTestId(id).isVisible(), name).toBe(false);
+    // All of it is inside the frame.
+    if (name === "section") expect((await page.getByTestId("crossing-count").boundingBox())!.y).toBeLessThan(400);
     expect(await colors(page, name)).toBeGreaterThan(20);
     await page.close();
   }
