@@ -36,7 +36,7 @@ impl Faces {
     ) -> Result<Self, InconsistentOrder> {
         let mut cells = Cells::new(orders.iter().map(Vec::len));
         for (event, change) in changes.pairs() {
-            let slabs = [SlabId::up_to(event), SlabId::from(event)];
+            let slabs = [SlabId::ending_at(event), SlabId::starting_at(event)];
             let [left, right] = slabs.map(|slab| &orders[slab]);
             let gluing = glue_event(left, right, change).ok_or(InconsistentOrder { event })?;
             cells.glue(slabs, gluing.continued);

@@ -19,13 +19,13 @@ ids! {
 impl SlabId {
     /// The slab that ends at an event, where each event has two slabs of its own.
     #[must_use]
-    pub fn up_to(event: EventId) -> Self {
+    pub fn ending_at(event: EventId) -> Self {
         Self(event.0)
     }
 
     /// The slab that begins at an event, where each event has two slabs of its own.
     #[must_use]
-    pub fn from(event: EventId) -> Self {
+    pub fn starting_at(event: EventId) -> Self {
         Self(event.0 + 1)
     }
 

@@ -133,7 +133,7 @@ impl<'a> Builder<'a> {
         }
         let starts: Vec<usize> = first.order.iter().filter_map(|&c| running[c]).map(|p| 2 * p.edge).collect();
         for (number, event) in self.arrangement.events.pairs() {
-            self.pass(event, &slabs[SlabId::up_to(number)], &slabs[SlabId::from(number)], &mut running)?;
+            self.pass(event, &slabs[SlabId::ending_at(number)], &slabs[SlabId::starting_at(number)], &mut running)?;
         }
         let mut ends = Vec::with_capacity(last.order.len());
         for &curve in &last.order {

@@ -1,7 +1,5 @@
 //! Events in proved order, where their order matters.
 
-use std::ops::Range;
-
 use dashu_ratio::RBig;
 
 use super::event::{Event, EventSource, Undecided, crossing_event};
@@ -61,39 +59,32 @@ pub(super) type Transitions = Table<TransitionId, Vec<EventId>>;
 /// curves. In a group they stand as they are listed: by rising x in doubles, then by h.
 pub(super) fn transitions(mut events: Vec<Event>) -> Result<(Table<EventId, Event>, Transitions), Vec<Undecided>> {
     events.sort_by(|p, q| p.x[0].cmp(&q.x[0]).then(p.x[1].cmp(&q.x[1])));
-    let mut ends: Vec<usize> = Vec::new();
+    let mut groups: Vec<Vec<Event>> = Vec::new();
     let mut reach: Option<RBig> = None;
-    for (number, event) in events.iter().enumerate() {
-        if reach.as_ref().is_some_and(|limit| event.x[0] > *limit) {
-            ends.push(number);
+    for event in events {
+        let end = event.x[1].clone();
+        match (&reach, groups.last_mut()) {
+            (Some(limit), Some(group)) if event.x[0] <= *limit => group.push(event),
+            _ => groups.push(vec![event]),
         }
-        reach = Some(reach.take().map_or_else(|| event.x[1].clone(), |limit| limit.max(event.x[1].clone())));
+        reach = Some(reach.take().map_or_else(|| end.clone(), |limit| limit.max(end.clone())));
     }
-    let starts = std::iter::once(0).chain(ends.iter().copied());
-    let ranges: Vec<Range<usize>> = starts.zip(ends.iter().copied().chain([events.len()])).map(|(a, b)| a..b).collect();
-    for range in &ranges {
-        let place = |event: &Event| [event.x_middle(), event.h_middle()];
-        events[range.clone()].sort_by(|p, q| {
-            let ([x, h], [other_x, other_h]) = (place(p), place(q));
-            x.total_cmp(&other_x).then(h.total_cmp(&other_h))
-        });
-    }
-    let events = Table::from(events);
-    let groups: Vec<Vec<EventId>> =
-        ranges.into_iter().filter(|range| !range.is_empty()).map(|range| range.map(EventId::at).collect()).collect();
-    for group in &groups {
-        for (k, &p) in group.iter().enumerate() {
-            for &q in &group[k + 1..] {
-                if events[p].curves.iter().any(|c| events[q].curves.contains(c)) {
-                    let mut curves = events[p].curves.clone();
-                    curves.extend(&events[q].curves);
+    for group in &mut groups {
+        group.sort_by(|p, q| p.x_middle().total_cmp(&q.x_middle()).then_with(|| p.h_middle().total_cmp(&q.h_middle())));
+        for (k, p) in group.iter().enumerate() {
+            for q in &group[k + 1..] {
+                if p.curves.iter().any(|c| q.curves.contains(c)) {
+                    let mut curves = p.curves.clone();
+                    curves.extend(&q.curves);
                     curves.sort_unstable();
                     curves.dedup();
-                    let x = [events[p].x[0].to_f64().value(), events[q].x[1].to_f64().value()];
+                    let x = [p.x[0].to_f64().value(), q.x[1].to_f64().value()];
                     return Err(vec![Undecided::Events { curves, x }]);
                 }
             }
         }
     }
-    Ok((events, groups.into()))
+    let mut numbers = (0..).map(EventId::at);
+    let transitions = groups.iter().map(|group| numbers.by_ref().take(group.len()).collect()).collect();
+    Ok((groups.into_iter().flatten().collect(), transitions))
 }

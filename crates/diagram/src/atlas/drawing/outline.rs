@@ -80,7 +80,7 @@ impl Atlas {
 
     /// Notes which cells continue across an event that the window shows.
     fn join(&self, event: EventId, columns: &mut Columns) {
-        let (before, after) = (SlabId::up_to(event), SlabId::from(event));
+        let (before, after) = (SlabId::ending_at(event), SlabId::starting_at(event));
         if [before, after].iter().any(|slab| columns.chains[slab.index()].is_empty()) {
             return;
         }
