@@ -132,7 +132,7 @@ def test_finished_scans_are_not_overwritten(tmp_path):
     assert out.read_bytes() == written[0]
     assert bifdiag.scan(bodies=(A + 1, r), out=out, overwrite=True)["rows"] == 5 and out.read_bytes() != written[0]
     (tmp_path / "notes.csv").write_text("mine")
-    with pytest.raises(bifdiag.InputError, match="no finished scan"):
+    with pytest.raises(bifdiag.InputError, match="is not a finished scan"):
         bifdiag.scan(bodies=(A, r), out=tmp_path / "notes.csv")
     assert (tmp_path / "notes.csv").read_text() == "mine"
 
