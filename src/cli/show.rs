@@ -278,7 +278,7 @@ fn isolated(report: &mut Report, document: &AtlasDocument, curve: &CurveDocument
     }
     let by_arnold = curve.stability.iter().any(|span| span.nonlinear.why == Reason::Arnold);
     if by_arnold && document.verdict_changes.is_none() {
-        report.line("  Arnold's theorem: except at isolated l, which were not found");
+        report.line("  Arnold's theorem: except at isolated l; not all of them were found, and none is listed");
     }
 }
 

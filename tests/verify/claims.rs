@@ -152,6 +152,9 @@ fn verdicts_of_special_bodies_are_confirmed() {
         [["0.80", "2.17", "2.47"], ["0.22", "0.74", "0.30"]],
         [["2", "2", "1"], ["1", "0", "0"]],
         [["2", "2", "1"], ["0.3", "0", "0.4"]],
+        // A pair has its cusp at its pitchfork, on an axis and off it.
+        [["1", "0.75", "1.75"], ["1", "0", "0"]],
+        [["12", "15", "22"], ["3", "0", "14"]],
     ] {
         let document = document(&body(given));
         let changes = document.verdict_changes.as_ref().unwrap();

@@ -113,6 +113,12 @@ fn beside_special_bodies_every_zero_is_known() {
         // ω₁ = 2ω₂ for l → ∞.
         (["2", "2", "1"], ["1", "0", "0"]),
         (["2", "2", "1"], ["0.3", "0", "0.4"]),
+        // The pair over a passive moment has its cusp at its pitchfork, on an axis where 4a_i = 3a_k.
+        (["1", "0.75", "1.75"], ["1", "0", "0"]),
+        (["1", "0.75", "0.8"], ["1", "0", "0"]),
+        (["1", "1", "0.75"], ["1", "0", "0"]),
+        (["5", "3.75", "3"], ["4", "3", "0"]),
+        (["12", "15", "22"], ["3", "0", "14"]),
     ];
     for (moments, center) in near {
         let body = Body::parse(&moments, &center).unwrap();

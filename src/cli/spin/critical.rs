@@ -173,7 +173,7 @@ fn stretches(report: &mut Report, document: &CriticalSpinDocument) {
     report.line(format!("\n{}", table.text().trim_end()));
     let by_arnold = || document.stretches.iter().filter(|stretch| stretch.nonlinear.why == Reason::Arnold);
     if by_arnold().any(|stretch| stretch.isolated.is_none()) {
-        report.line("by Arnold's theorem: except at isolated spins, which were not found");
+        report.line("by Arnold's theorem: except at isolated spins; not all of them were found, and none is listed");
     } else if by_arnold().next().is_some() {
         let named = |stretch: &SpinStretchDocument| format!("{} up", stretch.up.word());
         let isolated =

@@ -139,9 +139,15 @@ impl Determinant {
 /// Zeros of the polynomial that are not zeros of the determinant: pitchforks, double moments, and the resonance 1:2 at
 /// a moment.
 fn known_zeros(spaces: &Spaces, branch: Branch, resonance: &Polynomial) -> Vec<RBig> {
+    // The pair has its cusp at the pitchfork.
+    let is_cusp = |base: usize| {
+        let (r, p) = spaces.sums(base);
+        &spaces.list[base].a * p + RBig::from(3) * r == RBig::ZERO
+    };
     if let Branch::Over(base) = branch {
         let limit = vec![RBig::ZERO; resonance.order_at(&RBig::ZERO)];
-        return [vec![RBig::ONE / spaces.sums(base).1], limit].concat();
+        let times = if is_cusp(base) { 3 } else { 1 };
+        return [vec![RBig::ONE / spaces.sums(base).1; times], limit].concat();
     }
     let is_axis = is_axis(spaces, branch);
     let mut known = Vec::new();
@@ -149,7 +155,7 @@ fn known_zeros(spaces: &Spaces, branch: Branch, resonance: &Polynomial) -> Vec<R
         let times = match (spaces.active.contains(&k), is_axis) {
             (true, true) => space.axes.len() - 1,
             (true, false) => 2 * (space.axes.len() - 1) + resonance.order_at(&space.a),
-            (false, is_axis) => usize::from(!is_axis),
+            (false, is_axis) => usize::from(!is_axis) + usize::from(is_cusp(k)),
         };
         known.extend(std::iter::repeat_n(space.a.clone(), times));
     }

@@ -104,6 +104,17 @@ impl ExactBody {
         Constants::exact(&self.moments, &self.squares, precision)
     }
 
+    /// The pair over a passive moment has its cusp where it leaves the generic family: a_i P̂ + 3R̂ = 0 (Proposition 4.7 of
+    /// docs/mathematics.md).
+    #[must_use]
+    pub fn has_cusp_at_pitchfork(&self, i: Axis) -> bool {
+        let term = |&k: &Axis| {
+            let gap = &self.a[i] - &self.a[k];
+            RBig::from(&self.rho[k] * (&self.a[i] + IBig::from(3) * &gap)) / RBig::from(&gap * &gap)
+        };
+        self.active.iter().map(term).fold(RBig::ZERO, |sum, term| sum + term) == RBig::ZERO
+    }
+
     /// True when A⁻¹ across r is a multiple of 1, so that both pairs of eigenvalues at rest agree:
     /// (Σ(1 − r̂_i²)/A_i)² = 4J_r/det A.
     #[must_use]

@@ -164,8 +164,8 @@ impl FamilyChart {
     }
 
     /// Its zeros, with their multiplicity, that are not zeros of the determinant: pitchforks, double moments, and the
-    /// resonance 1:2 at a moment (l = ∞). On an axis pitchforks are poles of the determinant, and the resonance is not
-    /// one of them.
+    /// resonance 1:2 at a moment (l = ∞). On an axis pitchforks are poles of the determinant unless a cusp is there, and the
+    /// resonance is not one of them.
     pub fn zeros_of_degeneracy(&self, body: &ExactBody) -> Vec<RBig> {
         let is_axis = body.active.len() == 1 && matches!(self.family, Family::Generic(_));
         let is_double = |k: Axis| body.group.iter().filter(|group| **group == body.group[k.index()]).count() > 1;
@@ -176,14 +176,21 @@ impl FamilyChart {
             vec![t; double + resonant(resonance)]
         };
         let [_, resonance, _] = &self.resonances;
-        let pitchforks = self.pitchforks.iter().map(|(_, t)| t.clone()).filter(|_| !is_axis);
+        let at_pitchfork = |(k, t): &(Axis, RBig)| {
+            let times = usize::from(!is_axis) + usize::from(body.has_cusp_at_pitchfork(*k));
+            vec![t.clone(); times]
+        };
+        let pitchforks = self.pitchforks.iter().flat_map(at_pitchfork);
         let ends = match &self.coordinate {
             Coordinate::Left(axis) | Coordinate::Right(axis) => at(*axis, RBig::ZERO, resonance),
             Coordinate::Inner(left, right) => {
                 let turned = resonance.composed(&RBig::ONE, &RBig::from(-1));
                 [at(*left, RBig::ZERO, resonance), at(*right, RBig::ONE, &turned)].concat()
             }
-            Coordinate::Over { .. } => [vec![RBig::ONE], vec![RBig::ZERO; resonant(resonance)]].concat(),
+            Coordinate::Over { axis, .. } => {
+                let times = if body.has_cusp_at_pitchfork(*axis) { 3 } else { 1 };
+                [vec![RBig::ONE; times], vec![RBig::ZERO; resonant(resonance)]].concat()
+            }
         };
         pitchforks.chain(ends).collect()
     }
