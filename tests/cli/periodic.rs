@@ -67,6 +67,16 @@ fn families_are_drawn_and_reported() {
     assert!(picture.contains(" = (2, 1.1, 1)") && picture.contains(" = 1.5") && picture.contains("equilibrium"));
 }
 
+/// The two equilibria of a mirror pair have the same h, l and frequencies: titles say on which side each lies.
+#[test]
+fn titles_tell_families_of_a_mirror_pair_apart() {
+    let text = bifdiag("periodic family --body paper --l 3.1 --members 3").succeeds().stdout();
+    let titles: Vec<&str> = text.lines().filter(|line| line.starts_with("from ")).collect();
+    let different: std::collections::BTreeSet<&str> = titles.iter().copied().collect();
+    assert_eq!((titles.len(), different.len()), (10, 10), "{titles:?}");
+    assert_eq!(["γ2 > 0", "γ2 < 0"].map(|side| titles.iter().filter(|title| title.contains(side)).count()), [1, 1]);
+}
+
 /// Every family that `periodic family` follows is in the list, orbit by orbit, and filters leave out what they say.
 #[test]
 fn a_list_holds_all_families_and_filters_their_orbits() {

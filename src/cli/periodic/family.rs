@@ -140,8 +140,9 @@ fn text(subject: &Subject, document: &PeriodicFamiliesDocument, written: &[PathB
     for family in &document.families {
         report.line("");
         let curve = family.curve.as_deref().unwrap_or("no curve");
+        let side = side(family, &document.families);
         report.line(format!(
-            "from {curve} at h = {}, l = {}, frequency {}: {}, {}",
+            "from {curve}{side} at h = {}, l = {}, frequency {}: {}, {}",
             significant(family.h, DIGITS),
             significant(family.l, DIGITS),
             significant(family.frequency, DIGITS),
@@ -171,6 +172,19 @@ fn text(subject: &Subject, document: &PeriodicFamiliesDocument, written: &[PathB
     motion_units(subject, &mut report);
     report.written(written);
     report.text()
+}
+
+/// Of a mirror pair, on which side of the plane between the two the equilibrium of a family lies: they have the same h and l.
+fn side(family: &PeriodicFamilyDocument, all: &[PeriodicFamilyDocument]) -> String {
+    let is_image = |other: &&PeriodicFamilyDocument, k: usize| {
+        other.curve == family.curve
+            && (0..3).all(|i| other.gamma[i] == if i == k { -family.gamma[i] } else { family.gamma[i] })
+    };
+    let axis = (0..3).find(|&k| family.gamma[k] != 0.0 && all.iter().any(|other| is_image(&other, k)));
+    axis.map_or_else(String::new, |k| {
+        let sign = if family.gamma[k] > 0.0 { '>' } else { '<' };
+        format!(" (γ{} {sign} 0)", k + 1)
+    })
 }
 
 /// Rows of the text between two events.
