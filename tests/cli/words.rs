@@ -145,9 +145,76 @@ fn every_word_of_documents_and_tables_is_explained() {
     assert!(words.contains("signature") && words.contains("small motions"));
     words.remove("");
     words.retain(|word| !PLAIN.contains(&word.as_str()));
-    let explained = |word: &str| Command::new(PROGRAM).args(["explain", "--", word]).output().unwrap().status.success();
-    let missing: Vec<&String> = words.iter().filter(|word| !explained(word)).collect();
+    let missing: Vec<&String> = words.iter().filter(|word| !is_explained(word)).collect();
     assert!(missing.is_empty(), "docs/glossary.md explains none of {missing:?}");
+}
+
+/// Cells of tables that everybody understands.
+const PLAIN_CELLS: [&str; 6] = ["inf", "no", "rest", "same", "twice", "yes"];
+
+/// The parts of a cell of a table: without numbers, and of a list its entries.
+fn phrases(cell: &str) -> Vec<String> {
+    let is_number = |word: &str| !word.chars().any(|c| c.is_alphabetic() && !"ei".contains(c));
+    let words = |part: &str| part.split(' ').filter(|word| !is_number(word)).map(str::to_owned).collect::<Vec<_>>();
+    if cell.starts_with(['R', 'E', 'k', 'M']) {
+        return words(cell);
+    }
+    let named = cell.contains("axis") || cell.contains("axes") || cell.contains("direction");
+    let parts = if named { vec![cell] } else { cell.split(", ").collect() };
+    parts.into_iter().map(|part| if named { part.to_owned() } else { words(part).join(" ") }).collect()
+}
+
+/// What stands in the cells of tables is explained in full, as it is printed.
+#[test]
+fn every_phrase_of_tables_is_explained() {
+    let bodies = [
+        "--body paper",
+        "--body lagrange",
+        "--body euler",
+        "--body isotropic",
+        "--body katok:7",
+        "--A 1,0.75,1.75 --r 1,0,0",
+        "--A 1,1,2 --r 0.3,0.4,0.5",
+        "--A 1,1,1 --r 0,0,0",
+        "--A 1,2,2 --r 0,0,0",
+    ];
+    let mut lines = vec![
+        "classes".to_owned(),
+        "show R5 --body paper".to_owned(),
+        "critical-spin --body lagrange --axis z".to_owned(),
+        "critical-spin --A 1,0.75,1.75 --r 1,0,0 --axis x".to_owned(),
+        "chaos --body paper --h 5.3 --l 3.25 --error 0.5".to_owned(),
+        "orbit --body paper --gamma 0.6,0,0.8 --omega 1,0.3,1 --times 0:5:3".to_owned(),
+    ];
+    lines.extend(bodies.iter().flat_map(|body| [format!("critical --l 2 {body}"), format!("critical-spin {body}")]));
+    lines.extend(["L-.1", "L+.1", "S2.1"].map(|curve| format!("show {curve} --A 1,0.75,1.75 --r 1,0,0")));
+    let mut found = BTreeSet::new();
+    for line in lines {
+        let text = bifdiag(&line).succeeds().stdout();
+        let cells = text.lines().map(|row| row.trim().split("  ").map(str::trim).filter(|cell| !cell.is_empty()));
+        let rows = cells.map(Iterator::collect::<Vec<_>>).filter(|row| row.len() > 1);
+        found.extend(rows.flatten().flat_map(phrases));
+    }
+    found.remove("");
+    found.retain(|phrase| !PLAIN.contains(&phrase.as_str()) && !PLAIN_CELLS.contains(&phrase.as_str()));
+    for phrase in ["pair over axis 1", "from +r̂", "between axes 1 and 2 and axis 3", "by an integral"] {
+        assert!(found.contains(phrase), "{phrase}: {found:?}");
+    }
+    for reason in
+        ["stable (minimum of energy)", "stable (Arnold's theorem)", "unstable in 2 directions", "open (degenerate)"]
+    {
+        assert!(found.contains(reason), "{reason}: {found:?}");
+    }
+    let is_class = |phrase: &str| phrase.len() == 12 && phrase.bytes().all(|byte| byte.is_ascii_hexdigit());
+    found.retain(|phrase| !is_class(phrase));
+    // At single spins and momenta.
+    found.extend(["stable (a further integral)", "unstable (1:2 resonance)", "D4 = 0", "from −r̂"].map(str::to_owned));
+    let missing: Vec<&String> = found.iter().filter(|phrase| !is_explained(phrase)).collect();
+    assert!(missing.is_empty(), "docs/glossary.md explains none of {missing:?}");
+}
+
+fn is_explained(word: &str) -> bool {
+    Command::new(PROGRAM).args(["explain", "--", word]).output().unwrap().status.success()
 }
 
 #[test]

@@ -158,6 +158,7 @@ fn kind(word: &str) -> Option<&'static str> {
             _ => "sphere",
         },
     };
+    let in_directions = || upper.starts_with("UNSTABLE IN ") && upper.contains(" DIRECTION");
     let is_class = || word.len() == 12 && word.bytes().all(|byte| byte.is_ascii_hexdigit());
     match () {
         () if numbered("R") => Some("region"),
@@ -168,6 +169,11 @@ fn kind(word: &str) -> Option<&'static str> {
         () if between("#", "(S1XS2)") => Some("#k(S1xS2)"),
         () if upper.starts_with("KATOK:") => Some("Katok"),
         () if is_class() => Some("class"),
+        () if upper.starts_with("BETWEEN AX") => Some("between axis i and axis k"),
+        () if upper.starts_with("PAIR OVER AX") => Some("pair"),
+        () if upper.starts_with("CIRCLE OVER AX") => Some("circle"),
+        () if upper.starts_with("POLE LINE OF ") => Some("pole line"),
+        () if in_directions() => Some("lost"),
         () => match upper.parse() {
             Ok(CurveName::Piece { branch: name, .. }) => Some(branch(&name)),
             Ok(CurveName::Pole(_)) => Some("pole line"),
@@ -246,6 +252,10 @@ mod tests {
             ("P−", "pole line"),
             ("01036ac4a504", "class"),
             ("katok:6", "Katok"),
+            ("between axes 1 and 2 and axis 3", "from −r̂"),
+            ("pair over axis 1", "pair"),
+            ("circle over axes 1 and 2", "circle"),
+            ("unstable in 2 directions", "survives"),
         ] {
             assert_eq!(first_terms(word), [term], "{word}");
         }

@@ -75,6 +75,12 @@ fn explain(glossary: &Glossary, word: &str) -> Result<ExplanationDocument, Failu
     if found.is_empty() && word.contains('+') {
         found = signature(glossary, word);
     }
+    if found.is_empty()
+        && let Some((verdict, reason)) = word.strip_suffix(')').and_then(|word| word.split_once(" ("))
+    {
+        let parts = [verdict, reason].map(|part| glossary.find(part));
+        found = if parts.iter().any(Vec::is_empty) { Vec::new() } else { parts.concat() };
+    }
     if found.is_empty() {
         let near = match &glossary.nearest(word)[..] {
             [] => String::new(),
