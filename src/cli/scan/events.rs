@@ -124,7 +124,10 @@ fn add(report: &mut Report, document: &EventTracksDocument) {
     }
     report.line(table.text());
     report.line(format!("from, to: values of {parameter}"));
-    report.line("l: the smallest and the largest among the bodies examined");
+    report.line(
+        "l: the smallest and the largest among the bodies examined; at a border or special body, which is not, it may be \
+         infinite",
+    );
     report
         .line("borders are sought between neighbouring bodies of different classes; two within one step may be missed");
     for border in &document.borders {
