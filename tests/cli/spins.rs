@@ -68,6 +68,16 @@ fn a_free_body_rests_in_every_orientation() {
     turning.printing("rotation about every axis is steady");
 }
 
+/// |ω| = √2 is the threshold itself: of Lagrange's top Ω² = 4 A1 r/A3², beside a pitchfork Ω² = r/(A2 − A1).
+#[test]
+fn a_threshold_whose_square_is_rational_is_met_exactly() {
+    let at = |line: &str| bifdiag(&format!("state {line} --omega 1,1,0")).succeeds().stdout();
+    let sleeping = at("--A 2,2,1 --r 0,0,0.25 --vertical=0,0,1");
+    assert!(sleeping.contains("stable (a further integral): double-elliptic"), "{sleeping}");
+    let forked = at("--A 2,3,4 --r 2,0,0 --vertical=-1,0,0");
+    assert!(forked.contains("open (degenerate): zero"), "{forked}");
+}
+
 /// Which axis is meant, and at which spin and with which end up the nearest one turns steadily.
 #[test]
 fn another_axis_than_the_given_one_is_reported() {

@@ -52,13 +52,13 @@ pub struct RotationChange {
 }
 
 impl RotationChange {
-    /// How a spin Ω ≥ 0 compares with it: exactly if the type changes, otherwise equal within rounding.
+    /// How a spin compares with it, by its square: exactly if the type changes, otherwise equal within rounding.
     #[must_use]
-    pub fn place_of(&self, omega: &RBig) -> Ordering {
+    pub fn place_of(&self, squared: &RBig) -> Ordering {
         if let Some(change) = &self.stability {
-            return change.place_of(omega);
+            return change.place_of(squared);
         }
-        let apart = omega.to_f64().value() - self.omega;
+        let apart = squared.to_f64().value().sqrt() - self.omega;
         if apart.abs() <= self.error_bound { Ordering::Equal } else { apart.total_cmp(&0.0) }
     }
 }

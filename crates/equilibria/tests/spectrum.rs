@@ -178,7 +178,7 @@ fn permanent_rotations_are_judged_as_equilibria() {
                     rotation.multiplicity() == point.multiplicity,
                     is_one || point.multiplicity == Multiplicity::Points(1)
                 );
-                let (_, growth) = rotation.frequencies_and_growth(&omega);
+                let (_, growth) = rotation.frequencies_and_growth(&(&omega * &omega));
                 compared += 1;
                 assert!((why == Reason::Spectrum) == (growth > 0.0), "{place} {growth:e}");
             }

@@ -32,8 +32,10 @@ pub struct SpinQuestion {
     pub up: [f64; 3],
     /// The same, exact, of any length.
     pub exact_up: [RBig; 3],
-    /// Ω, exact.
+    /// Ω, to 60 digits at least.
     pub omega: RBig,
+    /// Ω², exact.
+    pub squared: RBig,
 }
 
 /// A steady rotation.
@@ -64,32 +66,32 @@ impl Steady {
     /// The steady rotation whose axis is nearest to that of the question.
     #[must_use]
     pub fn nearest(solver: &Solver, question: &SpinQuestion) -> Option<Self> {
-        let SpinQuestion { up, exact_up, omega } = question;
+        let SpinQuestion { up, exact_up, omega, .. } = question;
         let body = solver.body();
         if let AxisKind::Permanent { axis, .. } = AxisKind::of(body, *up) {
-            return Self::about(solver, omega, axis, 0.0);
+            return Self::about(solver, question, axis, 0.0);
         }
         let found = nearest_steady(body, omega, exact_up)?;
         let up = found.gamma.map(|x| 0.0 - x);
         match permanent_axis(body, up).filter(|axis| angle_between(axis.direction, up) <= SAME) {
-            Some(axis) => Self::about(solver, omega, axis, found.angle),
+            Some(axis) => Self::about(solver, question, axis, found.angle),
             None => Some(Self::beyond(solver, omega, found)),
         }
     }
 
     /// Rotation about an axis that is permanent at every spin, at an angle to that of the question: exact, along its curve.
-    fn about(solver: &Solver, omega: &RBig, axis: PermanentAxis, angle: f64) -> Option<Self> {
-        let body = solver.body();
+    fn about(solver: &Solver, question: &SpinQuestion, axis: PermanentAxis, angle: f64) -> Option<Self> {
+        let (body, SpinQuestion { omega, squared, .. }) = (solver.body(), question);
         // γ points down.
         let rotation = AxisRotation::about(body, axis, Sign::Negative)?;
-        let changes = changes_beside(&rotation_changes(&rotation, solver.atlas()), omega);
-        let Some(judged) = rotation.stability_at_spin(omega) else {
+        let changes = changes_beside(&rotation_changes(&rotation, solver.atlas()), squared);
+        let Some(judged) = rotation.stability_at(squared) else {
             let up = axis.direction.map(|x| RBig::try_from(x).unwrap_or_default());
             let found = SteadyRotation { angle, ..nearest_steady(body, omega, &up)? };
             return Some(Self { changes, ..Self::beyond(solver, omega, found) });
         };
-        let (frequencies, growth) = rotation.frequencies_and_growth(omega);
-        let (h, l) = rotation.point(omega);
+        let (frequencies, growth) = rotation.frequencies_and_growth(squared);
+        let (h, l) = rotation.point(omega, squared);
         Some(Self {
             axis: axis.direction,
             angle: meant(angle),
@@ -139,9 +141,9 @@ fn size(body: &Body, l: &Number, omega: &RBig) -> f64 {
     if size > 0.0 { size } else { 1.0 }
 }
 
-/// The changes at the next smaller spin than Ω, at Ω itself, and at the next larger one.
-fn changes_beside(changes: &[RotationChange], omega: &RBig) -> [Option<RotationChange>; 3] {
-    let at = |place: Ordering| changes.iter().filter(move |change| change.place_of(omega) == place);
+/// The changes at the next smaller spin than that with this square, at itself, and at the next larger one.
+fn changes_beside(changes: &[RotationChange], squared: &RBig) -> [Option<RotationChange>; 3] {
+    let at = |place: Ordering| changes.iter().filter(move |change| change.place_of(squared) == place);
     [at(Ordering::Greater).next_back(), at(Ordering::Equal).next(), at(Ordering::Less).next()].map(Option::<&_>::cloned)
 }
 

@@ -121,7 +121,10 @@ fn permanent(subject: &Subject, axis: PermanentAxis, kind: &AxisKind, largest: &
     });
     let nearest = bifdiag_documents::nearest_axis(subject, kind).filter(|nearest| nearest.angle_deg > REPORTED);
     let rows = rows(&rotation, largest, subject);
-    let pair = |spin: &Spin| rotation.frequencies_and_growth(&(spin.exact_rad_per_s() * subject.unit_of_time())).0;
+    let pair = |spin: &Spin| {
+        let omega = spin.exact_rad_per_s() * subject.unit_of_time();
+        rotation.frequencies_and_growth(&(&omega * &omega)).0
+    };
     Ok(Followed {
         crossings: crossings(&rows, largest, pair),
         rows,
@@ -250,7 +253,7 @@ fn rows(rotation: &AxisRotation, largest: &Spin, subject: &Subject) -> Vec<Row> 
     let row = |k: u32| {
         let spin = largest.part(k, STEPS);
         let omega = spin.exact_rad_per_s() * subject.unit_of_time();
-        let (frequencies, growth) = rotation.frequencies_and_growth(&omega);
+        let (frequencies, growth) = rotation.frequencies_and_growth(&(&omega * &omega));
         let judged = rotation.stability_at_spin(&omega);
         let known = judged.map_or(Steadiness::Open, |judged| known(judged.nonlinear.verdict, judged.friction.survives));
         let grows = judged.is_none_or(|judged| judged.kind.is_unstable());

@@ -109,13 +109,18 @@ impl<'a> State<'a> {
         }
     }
 
-    /// |ω| in rad/s, exact where it is rational.
-    fn spin(&self) -> RBig {
+    /// |ω| in rad/s, exact where it is rational, and its square, exact.
+    fn spin(&self) -> [RBig; 2] {
         match self.turning {
-            Turning::About { spin, .. } => spin.absolute().exact_rad_per_s(),
+            Turning::About { spin, .. } => {
+                let omega = spin.absolute().exact_rad_per_s();
+                let squared = &omega * &omega;
+                [omega, squared]
+            }
             Turning::Omega(omega) => {
                 let omega = omega.values();
-                Real::root_of(&symmetric::dot(&omega, &omega), DIGITS).lo
+                let squared = symmetric::dot(&omega, &omega);
+                [Real::root_of(&squared, DIGITS).lo, squared]
             }
         }
     }
@@ -133,17 +138,19 @@ impl<'a> State<'a> {
 
     /// In principal axes and the body's units.
     fn question(&self, subject: &Subject) -> SpinQuestion {
+        let ([omega, squared], unit) = (self.spin(), subject.unit_of_time());
         SpinQuestion {
             up: subject.to_principal(self.vertical.direction),
             exact_up: self.vertical.in_principal_axes(subject),
-            omega: self.spin() * subject.unit_of_time(),
+            omega: omega * &unit,
+            squared: squared * &unit * &unit,
         }
     }
 
     fn asked(&self, subject: &Subject) -> StateQuestion {
         let spin = match self.turning {
             Turning::About { spin, .. } => bifdiag_documents::asked_spin(&spin.absolute()),
-            Turning::Omega(_) => bifdiag_documents::spin(self.spin().to_f64().value()),
+            Turning::Omega(_) => bifdiag_documents::spin(self.spin()[0].to_f64().value()),
         };
         StateQuestion { command: self.command(subject), omega: self.omega, vertical: self.vertical.direction, spin }
     }

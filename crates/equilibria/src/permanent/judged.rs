@@ -39,22 +39,28 @@ impl AxisRotation {
     /// [`critical`](crate::critical::critical()) says of it at the same l.
     #[must_use]
     pub fn stability_at_spin(&self, omega: &RBig) -> Option<Judged> {
-        if omega.is_zero() {
+        self.stability_at(&(omega * omega))
+    }
+
+    /// The same by s = Ω², which is rational where Ω is not.
+    #[must_use]
+    pub fn stability_at(&self, s: &RBig) -> Option<Judged> {
+        if s.is_zero() {
             return None;
         }
-        let (s, [_, a, b]) = (omega * omega, &self.moments);
-        let (kind, stiffness) = (self.linear_type_at(&s), self.stiffness(&s));
+        let [_, a, b] = &self.moments;
+        let (kind, stiffness) = (self.linear_type_at(s), self.stiffness(s));
         let falling = stiffness.into_iter().map(|sign| u8::from(sign == Sign::Negative)).sum();
         let setting =
             Setting { index: falling, minimum: self.minimum(stiffness), integral: a == b || self.weight.is_zero() };
         let is_set = self.multiplicity() != Multiplicity::Points(1);
         let beyond = self
-            .beyond::<Interval384>(&s, (kind, setting), ())
-            .or_else(|| WIDE_BITS.into_iter().find_map(|bits| self.beyond::<Wide>(&s, (kind, setting), bits)));
-        let (c, state) = self.enclosed::<Interval384>(&s, ());
+            .beyond::<Interval384>(s, (kind, setting), ())
+            .or_else(|| WIDE_BITS.into_iter().find_map(|bits| self.beyond::<Wide>(s, (kind, setting), bits)));
+        let (c, state) = self.enclosed::<Interval384>(s, ());
         let reduced = Reduced::new(&c, &state);
         let question = Question { c: &c, state: &state, reduced: &reduced, kind, setting };
-        let nonlinear = beyond.unwrap_or_else(|| question.undecided(self.resonances(&s)));
+        let nonlinear = beyond.unwrap_or_else(|| question.undecided(self.resonances(s)));
         let friction = Friction::new(&reduced, kind, setting, is_set);
         Some(Judged { kind, nonlinear, friction, eigenvalues: reduced.eigenvalues(kind, is_set, 1.0) })
     }
@@ -111,13 +117,12 @@ impl AxisRotation {
         }
     }
 
-    /// The frequencies |Im λ|, in rad over the unit of time, and the largest rate of growth Re λ at a spin.
+    /// The frequencies |Im λ|, in rad over the unit of time, and the largest rate of growth Re λ at a spin with s = Ω².
     #[must_use]
-    pub fn frequencies_and_growth(&self, omega: &RBig) -> ([f64; 2], f64) {
+    pub fn frequencies_and_growth(&self, s: &RBig) -> ([f64; 2], f64) {
         let [_, a, b] = self.moments.each_ref().map(|x| x.to_f64().value());
         // Exact up to here: beside a root of the discriminant nothing of its sign is lost.
-        let s = omega * omega;
-        let at = |c: &[RBig]| c.iter().rev().fold(RBig::ZERO, |sum, c| sum * &s + c).to_f64().value();
+        let at = |c: &[RBig]| c.iter().rev().fold(RBig::ZERO, |sum, c| sum * s + c).to_f64().value();
         let [first, second, whole] = self.polynomials().map(|c| at(&c));
         let (half, product) = (0.5 * whole / (a * b), first * second / (a * b));
         let discriminant = at(&self.discriminant()) / (4.0 * a * a * b * b);

@@ -33,10 +33,10 @@ pub struct SpinChange {
 }
 
 impl SpinChange {
-    /// How a spin Ω ≥ 0 compares with the change, exactly.
+    /// How a spin compares with the change, by its square, exactly.
     #[must_use]
-    pub fn place_of(&self, omega: &RBig) -> Ordering {
-        self.squared.place_of(&(omega * omega))
+    pub fn place_of(&self, squared: &RBig) -> Ordering {
+        self.squared.place_of(squared)
     }
 }
 
@@ -234,11 +234,11 @@ impl AxisRotation {
         (half * &change.squared.lo - &self.weight).to_f64().value()
     }
 
-    /// (h, l) at a spin, exactly on the curve.
+    /// (h, l) at a spin Ω with s = Ω², exactly on the curve where Ω is exact.
     #[must_use]
-    pub fn point(&self, omega: &RBig) -> (Number, Number) {
+    pub fn point(&self, omega: &RBig, s: &RBig) -> (Number, Number) {
         let l = &self.moments[0] * omega;
-        let h = &l * omega / RBig::from(2) - &self.weight;
+        let h = &self.moments[0] * s / RBig::from(2) - &self.weight;
         (Number::from_rational(h), Number::from_rational(l))
     }
 
