@@ -2,7 +2,7 @@
 
 use bifdiag_body::{Body, IntegrableCase, Number};
 use bifdiag_numbers::decimal::{self, counted};
-use bifdiag_periodic::list::{Gap, OrbitList};
+use bifdiag_periodic::list::{CHARTS, Gap, OrbitList};
 use bifdiag_periodic::proof::OrbitProof;
 use bifdiag_schema::{Ends, OrbitEnclosureDocument, PeriodicDocument, PeriodicOrbitDocument};
 use dashu_ratio::RBig;
@@ -85,6 +85,7 @@ fn found_or_missing(list: &OrbitList) -> String {
         );
     }
     let gaps = list.gaps.iter().map(|gap| match gap {
+        Gap::Cover { singular: 0 } => format!("P is not covered: more than {CHARTS} squares would be needed"),
         Gap::Cover { singular } => {
             format!("P is not covered: {} too sharply bent", counted(*singular, "place is", "places are"))
         }

@@ -40,10 +40,26 @@ impl Surface {
         &self.top
     }
 
+    /// The section at −l: motions go back there.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        Self { l: -self.l, ..*self }
+    }
+
     /// Its points and their flow.
     #[must_use]
     pub fn space(&self) -> &Space {
         &self.space
+    }
+
+    /// No motion here has a shorter period than this, in the top's own time: 2π/Λ, Λ a Lipschitz constant of the field (J. A. Yorke, Proc. Amer. Math. Soc. 22
+    /// (1969) 509–512). With |γ| ≤ 1, |l| ≤ L and ½⟨ω,Aω⟩ ≤ h + |r| it is at most |ω| + 2L/A_min + |r|/L.
+    #[must_use]
+    pub fn shortest_period(&self) -> f64 {
+        let least = self.space.top.moments().into_iter().fold(f64::INFINITY, f64::min);
+        let (fastest, unit) = ((2.0 * self.energy_unit() / least).sqrt(), self.space.unit);
+        let shortest = std::f64::consts::TAU / (fastest + 2.0 * unit / least + self.space.top.center_norm() / unit);
+        self.top.units().restore(shortest, Dimension::TIME)
     }
 
     /// S and Ṡ, in the units of the reduced top.
@@ -150,6 +166,8 @@ pub struct Chart {
 const STEPS: usize = 12;
 /// How far P may be from the tangent plane over a square, as a part of its half side.
 const BEND: f64 = 0.3;
+/// The samples of cells reach beyond the square, up to this part of it.
+const BEYOND: f64 = 1.125;
 /// Halvings of a square before a point counts as singular.
 const HALVINGS: usize = 12;
 
@@ -170,9 +188,16 @@ impl Chart {
     }
 
     fn is_flat(&self, surface: &Surface) -> bool {
-        let r = self.radius;
-        let rim = [[-r, -r], [-r, 0.0], [-r, r], [0.0, -r], [0.0, r], [r, -r], [r, 0.0], [r, r]];
-        rim.iter().all(|at| self.place(surface, *at).is_some_and(|y| self.height(&y) < BEND * r))
+        self.rim(BEYOND).all(|at| self.place(surface, at).is_some_and(|y| self.height(&y) < BEND * self.radius))
+    }
+
+    /// Places along the rim of a square, in parts of this one.
+    fn rim(&self, part: f64) -> impl Iterator<Item = [f64; 2]> {
+        let side = part * self.radius;
+        (-RIM..RIM).flat_map(move |k| {
+            let along = side * f64::from(k) / f64::from(RIM);
+            [[along, -side], [side, along], [-along, side], [-side, -along]]
+        })
     }
 
     /// Coordinates of a point in the tangent plane.
@@ -253,7 +278,7 @@ pub struct Cover {
     /// Every point of the rim of each square lies well within another one, as far as it was tried: the squares have no rim
     /// together, and cover every component that has a seed.
     pub closed: bool,
-    /// Where that could not be reached.
+    /// Where that could not be reached; if it was nowhere and the cover is not closed, there would be too many squares.
     pub singular: Vec<Point>,
 }
 
@@ -261,7 +286,7 @@ pub struct Cover {
 #[must_use]
 pub fn cover(surface: &Surface, seeds: &[Point], most: usize) -> Cover {
     let mut cover = Cover { charts: Vec::new(), closed: true, singular: Vec::new() };
-    let mut grid: HashMap<[i32; 3], Vec<usize>> = HashMap::new();
+    let mut grid = Grid::default();
     for seed in seeds {
         cover.add(surface, &mut grid, *seed);
     }
@@ -272,13 +297,12 @@ pub fn cover(surface: &Surface, seeds: &[Point], most: usize) -> Cover {
             break;
         }
         let chart = cover.charts[next].clone();
-        for k in -RIM..RIM {
-            let (along, side) = (chart.radius * f64::from(k) / f64::from(RIM), chart.radius);
-            for at in [[along, -side], [side, along], [-along, side], [-side, -along]] {
-                match chart.place(surface, at) {
-                    Some(y) => cover.add(surface, &mut grid, y),
-                    None => cover.closed = false,
-                }
+        for at in chart.rim(1.0) {
+            if let Some(y) = chart.place(surface, at) {
+                cover.add(surface, &mut grid, y);
+            } else {
+                cover.closed = false;
+                cover.singular.push(chart.center);
             }
         }
         next += 1;
@@ -286,23 +310,52 @@ pub fn cover(surface: &Surface, seeds: &[Point], most: usize) -> Cover {
     cover
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "γ is a unit vector, so that the numbers are small")]
-fn place_of(y: &Point) -> [i32; 3] {
-    [0, 1, 2].map(|i| (y[i] / (1.5 * RADIUS)).floor() as i32)
+/// Where charts of each size are: near a singular point there are many small ones, and few of each size.
+#[derive(Default)]
+struct Grid {
+    /// For squares of half a side RADIUS/2ⁿ, those by place.
+    sizes: Vec<HashMap<[i32; 3], Vec<usize>>>,
+}
+
+impl Grid {
+    #[expect(clippy::cast_possible_truncation, reason = "γ is a unit vector, and no square is very small")]
+    fn place(y: &Point, radius: f64) -> [i32; 3] {
+        [0, 1, 2].map(|i| (y[i] / (1.5 * radius)).floor() as i32)
+    }
+
+    fn insert(&mut self, chart: &Chart, number: usize) {
+        let mut size = 0;
+        let mut radius = RADIUS;
+        while radius > chart.radius {
+            size += 1;
+            radius *= 0.5;
+        }
+        if self.sizes.len() <= size {
+            self.sizes.resize_with(size + 1, HashMap::new);
+        }
+        self.sizes[size].entry(Self::place(&chart.center, chart.radius)).or_default().push(number);
+    }
+
+    /// The charts that may hold a point.
+    fn near(&self, y: &Point) -> impl Iterator<Item = usize> {
+        let mut radius = 2.0 * RADIUS;
+        self.sizes.iter().flat_map(move |charts| {
+            radius *= 0.5;
+            let place = Self::place(y, radius);
+            let places = (0..27).map(move |k| [place[0] + k / 9 - 1, place[1] + k / 3 % 3 - 1, place[2] + k % 3 - 1]);
+            places.filter_map(|place| charts.get(&place)).flatten().copied()
+        })
+    }
 }
 
 impl Cover {
     /// A chart about a point, unless one holds it.
-    fn add(&mut self, surface: &Surface, grid: &mut HashMap<[i32; 3], Vec<usize>>, y: Point) {
-        let place = place_of(&y);
-        let neighbours = (0..27).map(|k| [place[0] + k / 9 - 1, place[1] + k / 3 % 3 - 1, place[2] + k % 3 - 1]);
-        let held =
-            neighbours.filter_map(|place| grid.get(&place)).flatten().any(|chart| self.charts[*chart].holds(&y, INNER));
-        if held {
+    fn add(&mut self, surface: &Surface, grid: &mut Grid, y: Point) {
+        if grid.near(&y).any(|chart| self.charts[chart].holds(&y, INNER)) {
             return;
         }
         if let Some(chart) = Chart::new(surface, y, RADIUS) {
-            grid.entry(place).or_default().push(self.charts.len());
+            grid.insert(&chart, self.charts.len());
             self.charts.push(chart);
         } else {
             self.closed = false;

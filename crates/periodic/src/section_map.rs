@@ -1,12 +1,12 @@
 //! The return map R of the part P⁻ of the section where Ṡ < 0, the maxima of ⟨γ, r⟩ along motions, for many points at once.
 
 use bifdiag_dynamics::field::State;
-use bifdiag_dynamics::section::{Monitor, PpTorus, SectionError, SectionPoint, SweepOptions, sweep};
+use bifdiag_dynamics::section::{Monitor, OrbitSection, PpTorus, SectionError, SweepOptions, sweep};
 
 use crate::chart::Surface;
 use crate::flow::Phase as Point;
 
-/// A point in which the motion from a start crosses P⁻.
+/// A point in which the motion from a start crosses P.
 #[derive(Clone, Copy, Debug)]
 pub struct Image {
     /// The point.
@@ -15,8 +15,27 @@ pub struct Image {
     pub time: f64,
     /// Crossings of P until then, this one counted.
     pub crossings: u32,
-    /// How far the crossing of P⁺ just before or just after it is: twice the distance from the line of tangency, near it.
+    /// It is in P⁻, a maximum of ⟨γ, r⟩.
+    pub is_maximum: bool,
+    /// How far the crossing just before or just after it is: twice the distance from the line of tangency, near it.
     pub pair: f64,
+}
+
+/// Where the motion through a point crosses P, nearest in time first.
+#[derive(Clone, Debug, Default)]
+pub struct BothWays {
+    /// Forward in time.
+    pub after: Vec<Image>,
+    /// Backward; their times are positive, too.
+    pub before: Vec<Image>,
+}
+
+impl BothWays {
+    /// The m-th crossings on both ways: they are one if a periodic orbit has 2m.
+    #[must_use]
+    pub fn ends(&self, m: usize) -> Option<[&Image; 2]> {
+        Some([self.after.get(m - 1)?, self.before.get(m - 1)?])
+    }
 }
 
 /// The return map.
@@ -61,35 +80,67 @@ impl<'a> SectionMap<'a> {
     fn images_within(&self, max_time: f64, starts: &[Point], count: usize) -> Result<Vec<Vec<Image>>, SectionError> {
         let states: Vec<State> = starts.iter().map(|y| self.surface.state(y)).collect();
         // A motion from P⁻ crosses P⁺ and P⁻ in turn.
-        let options = SweepOptions { crossings: 2 * count + 1, max_time, ..SweepOptions::default() };
-        let orbits = sweep(self.torus, &states, &options, self.monitor)?;
+        let orbits = self.swept(&states, 2 * count + 1, max_time)?;
+        let returns = |orbit: &OrbitSection| {
+            crossings(self.surface, orbit).into_iter().filter(|image| image.is_maximum).take(count).collect()
+        };
+        Ok(orbits.iter().map(returns).collect())
+    }
+
+    /// The first crossings of P after each point, and the last ones before it, of P⁺ and of P⁻ in turn; fewer where the motion
+    /// takes too long.
+    ///
+    /// # Errors
+    /// Those of [`images`](Self::images).
+    pub fn both_ways(&self, starts: &[Point], count: usize) -> Result<Vec<BothWays>, SectionError> {
+        // The motion through (γ, l) backward in time is that through (γ, −l), which has the momentum −l about the vertical.
+        let back = self.surface.reversed();
+        let after = starts.iter().map(|y| self.surface.state(y));
+        let before = starts.iter().map(|y| back.state(&reversed(y)));
+        let states: Vec<State> = after.chain(before).collect();
+        // Whether the last one was just born is seen from the next.
+        let orbits = self.swept(&states, count + 1, self.longest)?;
+        let (after, before) = orbits.split_at(starts.len());
+        let ways = after.iter().zip(before).map(|(after, before)| {
+            let [mut after, mut before] = [crossings(self.surface, after), crossings(&back, before)];
+            after.truncate(count);
+            before.truncate(count);
+            for image in &mut before {
+                image.point = reversed(&image.point);
+            }
+            BothWays { after, before }
+        });
+        Ok(ways.collect())
+    }
+
+    fn swept(&self, states: &[State], crossings: usize, max_time: f64) -> Result<Vec<OrbitSection>, SectionError> {
+        let options = SweepOptions { crossings, max_time, ..SweepOptions::default() };
+        let orbits = sweep(self.torus, states, &options, self.monitor)?;
         if self.monitor.is_stopped() {
             return Err(SectionError::Interrupted);
         }
-        Ok(orbits.iter().map(|orbit| self.returns(&orbit.points, count)).collect())
+        Ok(orbits)
     }
+}
 
-    fn returns(&self, points: &[SectionPoint], count: usize) -> Vec<Image> {
-        let place = |point: &SectionPoint| self.surface.point(&State { gamma: point.gamma, l: point.l });
-        let mut images: Vec<Image> = Vec::with_capacity(count);
-        // The crossing of P⁺ before.
-        let mut before: Option<Point> = None;
-        for crossing in points.iter().filter(|point| point.index > 0) {
-            let here = place(crossing);
-            if crossing.s_dot < 0.0 {
-                if images.len() == count {
-                    break;
-                }
-                let pair = before.map_or(f64::INFINITY, |other| (here - other).norm());
-                let time = crossing.time + crossing.time_low;
-                images.push(Image { point: here, time, crossings: crossing.index, pair });
-            } else {
-                if let Some(last) = images.last_mut() {
-                    last.pair = last.pair.min((here - last.point).norm());
-                }
-                before = Some(here);
-            }
+/// A point at −l, whose motion goes the same way backward.
+#[must_use]
+pub fn reversed(y: &Point) -> Point {
+    Point::new(y[0], y[1], y[2], -y[3], -y[4], -y[5])
+}
+
+/// The crossings of P after a start in it.
+fn crossings(surface: &Surface, orbit: &OrbitSection) -> Vec<Image> {
+    let mut images: Vec<Image> = Vec::with_capacity(orbit.points.len());
+    for crossing in orbit.points.iter().filter(|point| point.index > 0) {
+        let point = surface.point(&State { gamma: crossing.gamma, l: crossing.l });
+        let mut pair = f64::INFINITY;
+        if let Some(last) = images.last_mut() {
+            pair = (point - last.point).norm();
+            last.pair = last.pair.min(pair);
         }
-        images
+        let (time, is_maximum) = (crossing.time + crossing.time_low, crossing.s_dot < 0.0);
+        images.push(Image { point, time, crossings: crossing.index, is_maximum, pair });
     }
+    images
 }

@@ -159,6 +159,27 @@ fn the_motions_of_delone_are_found() {
     }
 }
 
+/// Goryachev (1900): A = (4, 4, 1), r = (1, 0, 0), l = 0, where Chaplygin's integral F = ω₃(ω₁² + ω₂²) + ω₁γ₃ is 0. In Chaplygin's
+/// variables, u − v = ω₃ and 4uv = ω₁² + ω₂² but for factors, the polynomial of the quadratures is then s²(8(1+h) − s²)(s² + 8(1−h)),
+/// and time is the sum of two elliptic integrals of the first kind: every motion has the period 8K(k), k² = (1+h)/2.
+#[test]
+fn the_motions_of_goryachev_are_found_as_a_continuum() {
+    let body = Body::parse(&["4", "4", "1"], &["1", "0", "0"]).unwrap();
+    let top = HeavyTop::new(&body);
+    let setting = SectionSetting::new(&body, &"0.7".parse().unwrap(), &"0".parse().unwrap()).unwrap();
+    // Other continua are near: without a limit it takes long to say that not all is decided.
+    let options = ListOptions { crossings: 4, cells: 100_000 };
+    let list = list(&setting, &options, &Monitor::default()).unwrap();
+    let period = 2.0 * std::f64::consts::TAU / agm(1.0, (0.5 * (1.0 - 0.7_f64)).sqrt());
+    let own = list.continua.iter().filter(|orbit| {
+        let ([_, _, g3], [x, y, z]) = (orbit.start.gamma, top.inverse_inertia(orbit.start.l));
+        (z * (x * x + y * y) + x * g3).abs() < 1e-7
+    });
+    let periods: Vec<f64> = own.map(|orbit| orbit.period).collect();
+    assert!(!periods.is_empty(), "{:?}", list.continua);
+    assert!(periods.iter().all(|found| (found / period - 1.0).abs() < 1e-9), "{periods:?} {period}");
+}
+
 /// A body whose r lies in the plane of two principal axes swings and turns over about the third like a pendulum:
 /// A₂φ̈ = −|r| sin φ. Swings cross P four times in a period and turns twice.
 #[test]

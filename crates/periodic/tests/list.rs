@@ -121,3 +121,12 @@ fn an_orbit_starts_where_it_is_proved() {
     }
     assert!(longer.iter().any(|listed| listed.proof.is_ok()));
 }
+
+/// Near (h, l) = (0.9, 1.2) P bends sharply at places where its charts have to be smaller.
+#[test]
+fn a_sharply_bent_section_is_covered() {
+    let setting = setting(["1.3", "0.9", "2.2"], ["0.4", "0", "0"], ["0.9", "1.2"]);
+    let list = found(&setting, 2);
+    assert!(list.gaps.is_empty(), "{:?}", list.gaps);
+    assert_eq!((list.orbits.len(), &list.index_sums[..]), (2, &[2][..]));
+}

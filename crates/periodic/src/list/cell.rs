@@ -1,12 +1,15 @@
 //! Cells of the section: small squares of a chart on which it is decided whether Rᵐ has a fixed point.
 //!
-//! What is decided rests on nine samples, of which the outer ones lie a little beyond the cell. With d = Rᵐ(y) − y:
-//! - a cell is **empty** if the samples' images are far from it, compared with how far the images of neighbouring samples are
-//!   from each other. Where a motion touches the section Rᵐ jumps, since a crossing is born: images are compared with all of
-//!   the neighbour's, and one that was just born with the line of tangency;
+//! A motion is followed both ways, to its m-th crossing of P forward, F, and backward, B: a fixed point of Rᵐ is a zero of
+//! d = F − B, and half the way there and half back stretch less than all of it. What is decided rests on nine samples, of which the
+//! outer ones lie a little beyond the cell:
+//! - a cell is **empty** if at all samples F is far from B, compared with how far F and B are from those of neighbouring samples.
+//!   Where a motion touches the section, crossings are born in pairs and those after them are counted anew: ends are
+//!   compared with the neighbour's crossings at nearly the same time, and one that was just born with the line of tangency;
+//! - or if at all samples F and B are less than half the shortest possible period apart in time;
 //! - or if the affine map that fits d best vanishes nowhere in the cell, by a margin of several times what it leaves;
 //! - it has **one** fixed point if that affine map has one zero, well within the samples; the index is the winding number of
-//!   d along the eight outer samples.
+//!   d along the eight outer samples, times the sign of det DB: DRᵐ − 1 = DB⁻¹ Dd.
 //!
 //! All else is open, and cut into four.
 
@@ -14,7 +17,7 @@ use nalgebra::{Matrix2, Vector2};
 
 use crate::chart::{Chart, Surface};
 use crate::flow::Phase as Point;
-use crate::section_map::Image;
+use crate::section_map::{BothWays, Image};
 
 /// A square of a chart.
 #[derive(Clone, Copy, Debug)]
@@ -131,42 +134,58 @@ pub enum Verdict {
     },
 }
 
-/// Looks at Rᵐ in a cell. `images` are those of the samples that are there.
+/// Looks at Rᵐ in a cell. `ways` are those of the samples that are there.
 #[must_use]
-pub fn judge(cell: &Cell, chart: &Chart, samples: &Samples, images: &[&[Image]; 9], m: usize) -> Verdict {
-    if samples.points.iter().all(Option::is_none) || is_far(cell, samples, images, m) {
+pub fn judge(cell: &Cell, surface: &Surface, samples: &Samples, ways: &[&BothWays; 9], m: usize) -> Verdict {
+    if is_brief(surface, samples, ways, m) || is_apart(samples, ways, m) {
         return Verdict::Empty;
     }
-    if !samples.whole || images.iter().any(|images| images.len() < m) {
+    let ends = ways.each_ref().map(|ways| ways.ends(m));
+    let (true, [Some(e0), Some(e1), Some(e2), Some(e3), Some(e4), Some(e5), Some(e6), Some(e7), Some(e8)]) =
+        (samples.whole, ends)
+    else {
         return Verdict::Open { line: false };
-    }
-    let moved: [Point; 9] = std::array::from_fn(|k| match samples.points[k] {
-        Some(y) => images[k][m - 1].point - y,
-        None => Point::zeros(),
-    });
-    if vanishes_nowhere(&moved) {
+    };
+    let ends = [e0, e1, e2, e3, e4, e5, e6, e7, e8];
+    let gaps = ends.map(|[after, before]| after.point - before.point);
+    if vanishes_nowhere(&gaps) {
         return Verdict::Empty;
     }
-    in_the_chart(cell, chart, &moved)
+    let Some(plane) = surface.tangent_plane(&e4[1].point) else { return Verdict::Open { line: false } };
+    let flat = |v: Point| Vector2::new(plane[0].dot(&v), plane[1].dot(&v));
+    in_the_plane(cell, &gaps.map(flat), &ends.map(|[_, before]| flat(before.point - e4[1].point)))
 }
 
-/// The images are far from the cell.
-fn is_far(cell: &Cell, samples: &Samples, images: &[&[Image]; 9], m: usize) -> bool {
-    let size = 1.1 * std::f64::consts::SQRT_2 * cell.reach();
+/// The ways take no longer than half the shortest period that there can be, as near a motion that crosses P three times at once.
+fn is_brief(surface: &Surface, samples: &Samples, ways: &[&BothWays; 9], m: usize) -> bool {
+    let shortest = surface.shortest_period();
+    let mut ends = (0..9).filter(|k| samples.points[*k].is_some()).map(|k| ways[k].ends(m));
+    ends.all(|ends| ends.is_some_and(|[after, before]| after.time + before.time < 0.5 * shortest))
+}
+
+/// The ends are far apart, compared with how far they are from those of neighbouring samples.
+fn is_apart(samples: &Samples, ways: &[&BothWays; 9], m: usize) -> bool {
     (0..9).filter(|k| samples.points[*k].is_some()).all(|k| {
-        // One that has no m-th return in the longest time has no orbit of interest.
-        let Some(image) = images[k].get(m - 1) else { return true };
-        let far = (image.point - samples.middle).norm() - size;
-        let near = |j: usize| {
-            let distances = images[j].iter().map(|other| (other.point - image.point).norm());
-            samples.points[j].is_none() || distances.fold(f64::INFINITY, f64::min) <= APART * far
+        // One that has no m-th crossing in the longest time has no orbit of interest.
+        let Some([after, before]) = ways[k].ends(m) else { return true };
+        let most = APART * (after.point - before.point).norm();
+        let late = APART * (after.time + before.time) / m as f64;
+        let is_neighbour = |j: &usize| {
+            let apart = [0, 1].map(|i| (GRID[*j][i] - GRID[k][i]).abs());
+            apart[0] + apart[1] == 1.0 && samples.points[*j].is_some()
         };
-        let beside = |j: usize| {
-            let apart = [0, 1].map(|i| (GRID[j][i] - GRID[k][i]).abs());
-            apart[0] + apart[1] == 1.0
-        };
-        far > 0.0 && (BORN * image.pair <= far || (0..9).filter(|j| beside(*j)).all(near))
+        (0..9)
+            .filter(is_neighbour)
+            .all(|j| moved(after, &ways[j].after, late) + moved(before, &ways[j].before, late) <= most)
     })
+}
+
+/// How far an end is from where it goes on at a neighbour: at a crossing of the same kind at nearly the same time, whatever its number
+/// is there, or, if it was just born, up to where that happened.
+fn moved(end: &Image, neighbours: &[Image], late: f64) -> f64 {
+    let same = |other: &&Image| other.is_maximum == end.is_maximum && (other.time - end.time).abs() <= late;
+    let distances = neighbours.iter().filter(same).map(|other| (other.point - end.point).norm());
+    distances.fold(BORN * end.pair, f64::min)
 }
 
 /// d = d₀ + d₁u + d₂v in half sides of the samples, and the largest distance from it.
@@ -203,10 +222,11 @@ fn vanishes_nowhere(moved: &[Point; 9]) -> bool {
     least > MARGIN * rest
 }
 
-/// Counts zeros in the tangent plane.
-fn in_the_chart(cell: &Cell, chart: &Chart, moved: &[Point; 9]) -> Verdict {
-    let flat = moved.each_ref().map(|d| Vector2::new(chart.across[0].dot(d), chart.across[1].dot(d)));
-    let ([d, du, dv], rest) = fit(&flat);
+/// Counts zeros of the gaps, in the plane of the ends; the index is that for the way back from them.
+fn in_the_plane(cell: &Cell, flat: &[Vector2<f64>; 9], before: &[Vector2<f64>; 9]) -> Verdict {
+    let ([d, du, dv], rest) = fit(flat);
+    let ([_, eu, ev], _) = fit(before);
+    let back = Matrix2::from_columns(&[eu, ev]).determinant();
     let derivative = Matrix2::from_columns(&[du, dv]);
     let line = derivative.singular_values().max() > 4.0 * rest;
     let Some(inverse) = derivative.try_inverse() else { return Verdict::Open { line } };
@@ -223,7 +243,7 @@ fn in_the_chart(cell: &Cell, chart: &Chart, moved: &[Point; 9]) -> Verdict {
     if far > 1.0 - margin || margin.is_nan() {
         return Verdict::Open { line };
     }
-    let sign = if derivative.determinant() > 0.0 { 1 } else { -1 };
+    let sign = if derivative.determinant() * back > 0.0 { 1 } else { -1 };
     match winding(&straight, margin) {
         Some(turns) if turns != 0 => Verdict::One([0, 1].map(|i| cell.at[i] + cell.reach() * zero[i]), sign * turns),
         _ => Verdict::Open { line },

@@ -55,12 +55,14 @@ pub fn orbits(map: &SectionMap<'_>, found: &[FixedPoint], turns: usize) -> Resul
         let mut left: Vec<FixedPoint> = own.into_iter().filter(|fixed| !is_shorter(fixed)).collect();
         let starts: Vec<Point> = left.iter().map(|fixed| fixed.point).collect();
         let mut cycles: Vec<Cycle> = Vec::new();
-        for (first, images) in starts.iter().zip(map.images(&starts, m)?) {
+        for (first, ways) in starts.iter().zip(map.both_ways(&starts, m)?) {
             let Some(place) = left.iter().position(|fixed| fixed.point == *first) else { continue };
             let fixed = left.swap_remove(place);
             let mut members = vec![fixed.point];
-            let mut is_whole = images.len() == m;
-            for image in images.iter().take(m - 1) {
+            // The other maxima: half of them before the start.
+            let others = [&ways.after[..], &ways.before[..ways.before.len().min(m - 1)]].concat();
+            let mut is_whole = ways.ends(m).is_some();
+            for image in others.iter().filter(|image| image.is_maximum) {
                 match left.iter().position(|other| are_same(&other.point, &image.point)) {
                     Some(place) => members.push(left.swap_remove(place).point),
                     None => is_whole = false,

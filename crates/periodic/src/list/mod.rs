@@ -106,8 +106,8 @@ pub enum ListError {
 
 /// Cuts of a cell.
 const LEVELS: u32 = 14;
-/// Charts.
-const CHARTS: usize = 100_000;
+/// The most squares of a cover.
+pub const CHARTS: usize = 100_000;
 /// Starts of the cover, in all components together.
 const SEEDS: usize = 48;
 /// Times of a small swing about the lowest position for which a motion is followed.

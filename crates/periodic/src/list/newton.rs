@@ -138,29 +138,30 @@ fn around(
             places.push(None);
         }
     }
-    let images = map.images(&starts, most)?;
+    let ways = map.both_ways(&starts, most)?;
     let evaluated = active.iter().zip(places).map(|(&k, places)| {
         let (guess, places) = (&guesses[k], places?);
-        let image = |j: usize| images[places[j]].get(guess.turns - 1);
-        let middle = image(0)?;
-        let mut moved = [Vector2::zeros(); 5];
-        for (j, moved) in moved.iter_mut().enumerate() {
-            let (from, to) = (guess.chart.coordinates(&starts[places[j]]), guess.chart.coordinates(&image(j)?.point));
-            *moved = Vector2::new(to[0] - from[0], to[1] - from[1]);
+        let ends = |j: usize| ways[places[j]].ends(guess.turns);
+        let [after, before] = ends(0)?;
+        let plane = map.surface().tangent_plane(&before.point)?;
+        let flat = |v: Point| Vector2::new(plane[0].dot(&v), plane[1].dot(&v));
+        let (mut gaps, mut back) = ([Vector2::zeros(); 5], [Vector2::zeros(); 5]);
+        for j in 0..5 {
+            let [after, before] = ends(j)?;
+            (gaps[j], back[j]) = (flat(after.point - before.point), flat(before.point));
         }
-        let derivative = Matrix2::from_columns(&[
-            (moved[1] - moved[2]) / (2.0 * DISPLACEMENT),
-            (moved[3] - moved[4]) / (2.0 * DISPLACEMENT),
-        ]);
+        let slopes = |v: &[Vector2<f64>; 5]| Matrix2::from_columns(&[v[1] - v[2], v[3] - v[4]]) / (2.0 * DISPLACEMENT);
+        let home = slopes(&back).try_inverse()?;
+        let derivative = home * slopes(&gaps);
         let fixed = FixedPoint {
             point: starts[places[0]],
             at: at[k],
             turns: guess.turns,
-            period: middle.time,
+            period: after.time + before.time,
             derivative,
-            residual: (middle.point - starts[places[0]]).norm(),
+            residual: (after.point - before.point).norm(),
         };
-        Some((fixed, moved[0]))
+        Some((fixed, home * gaps[0]))
     });
     Ok(evaluated.collect())
 }

@@ -7,7 +7,7 @@ use super::cell::{Cell, Samples, Verdict, judge};
 use super::newton::{FixedPoint, Guess, newton};
 use crate::chart::{Chart, Cover};
 use crate::flow::Phase as Point;
-use crate::section_map::{Image, SectionMap};
+use crate::section_map::{BothWays, SectionMap};
 
 /// How many returns are looked at, and how much work may be done.
 #[derive(Clone, Copy, Debug)]
@@ -63,6 +63,8 @@ pub struct Found {
 const FIRST: u32 = 2;
 /// Cuts after which curves of fixed points are looked for.
 const CURVES: u32 = 2;
+/// Cuts after which one more line of births is reckoned with, and one more after as many again.
+const CROSSED: u32 = 6;
 /// Cells that are looked at together.
 const BATCH: usize = 4096;
 /// |det(DRᵐ − 1)| below this part of its square norm: 1 is a double multiplier.
@@ -119,12 +121,13 @@ fn look(
     let samples: Vec<Option<Samples>> =
         cells.iter().map(|cell| cell.samples(map.surface(), &cover.charts[cell.chart])).collect();
     let starts: Vec<Point> = samples.iter().flatten().flat_map(|s| s.points.iter().copied().flatten()).collect();
-    // Where a crossing is born the later ones are counted anew: two more are needed to compare.
-    let images = map.images(&starts, options.turns + 2)?;
+    // Where a pair of crossings is born the later ones are counted anew. Two such lines cross in small cells only, and three in smaller.
+    let born = 1 + depth / CROSSED;
+    let ways = map.both_ways(&starts, options.turns + 2 * born as usize)?;
     found.cells += cells.len();
     found.motions += starts.len();
-    found.slow += images.iter().filter(|images| images.len() < options.turns).count();
-    let mut rest = &images[..];
+    found.slow += ways.iter().filter(|ways| ways.ends(options.turns).is_none()).count();
+    let (mut rest, none) = (&ways[..], BothWays::default());
     let mut open: Vec<Undecided> = Vec::new();
     let (mut ones, mut lines) = (Vec::new(), Vec::new());
     for (cell, samples) in cells.iter().zip(samples) {
@@ -132,7 +135,7 @@ fn look(
             open.push((*cell, cell.open, None));
             continue;
         };
-        let mut own: [&[Image]; 9] = [&[]; 9];
+        let mut own = [&none; 9];
         for (own, _) in own.iter_mut().zip(&samples.points).filter(|(_, point)| point.is_some()) {
             let (first, others) = rest.split_at(1);
             (*own, rest) = (&first[0], others);
@@ -142,7 +145,7 @@ fn look(
         let place = open.len();
         for m in (1..=options.turns).filter(|m| cell.open >> (m - 1) & 1 == 1) {
             let guess = |at| Guess { chart, at, turns: m, reach: 2.0 * cell.reach() };
-            match judge(cell, chart, &samples, &own, m) {
+            match judge(cell, map.surface(), &samples, &own, m) {
                 Verdict::Empty => continue,
                 Verdict::One(at, index) => ones.push((place, guess(at), index, *cell)),
                 Verdict::Open { line } if line && depth >= CURVES => lines.push((place, guess(cell.at), *cell)),

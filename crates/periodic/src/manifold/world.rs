@@ -6,7 +6,7 @@ use bifdiag_schema::ManifoldKind;
 
 use crate::chart::Surface;
 use crate::flow::Phase;
-use crate::section_map::{Image, SectionMap};
+use crate::section_map::{Image, SectionMap, reversed};
 
 /// The section and its map, at l or, reversed, at −l.
 pub struct World<'a> {
@@ -102,8 +102,4 @@ impl World<'_> {
         }
         false
     }
-}
-
-fn reversed(y: &Phase) -> Phase {
-    Phase::new(y[0], y[1], y[2], -y[3], -y[4], -y[5])
 }
