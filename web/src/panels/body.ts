@@ -24,7 +24,11 @@ const written = (input: HTMLInputElement, value: string) => input.value === valu
 /** A slider for a number of r; while it is held, its ends stay. */
 function slider(session: Session, axis: number): { element: HTMLInputElement; show: () => void } {
   const element = make("input", { type: "range", step: "any", title: texts.body.slider, attributes: { "aria-label": texts.body.sliderOf(axis + 1) }, data: { testid: `slider-r${axis + 1}` } });
-  const reach = () => 2 ** Math.ceil(Math.log2(Math.max(1, ...session.state.r.map((text) => Math.abs(valueOf(text)))))) || 1;
+  // From −1 to 1, unless r is longer or a hundred times shorter: that of a real part may be.
+  const reach = () => {
+    const most = Math.max(...session.state.r.map((text) => Math.abs(valueOf(text))));
+    return most > 1 || (most > 0 && most < 0.01) ? 2 ** Math.ceil(Math.log2(most)) : 1;
+  };
   element.addEventListener("input", () => {
     const numbers = [...session.state.r] as Triple;
     numbers[axis] = rounded(Number(element.value), Number(element.max) / 1000);
@@ -48,29 +52,16 @@ function slider(session: Session, axis: number): { element: HTMLInputElement; sh
   return { element, show };
 }
 
-function field(name: string, hint: string, change: (text: string) => void): HTMLInputElement {
-  const input = numberField(name, hint, () => change(input.value));
-  // A step with the arrow keys, in the last digit that is written.
-  input.addEventListener("keydown", (event) => {
-    if (event.key !== "ArrowUp" && event.key !== "ArrowDown") return;
-    event.preventDefault();
-    const digits = input.value.split("/")[0]!.split(".")[1]?.length ?? 0;
-    const step = 10 ** -Math.max(2, digits) * (event.shiftKey ? 10 : 1);
-    input.value = rounded(valueOf(input.value) + (event.key === "ArrowUp" ? step : -step), step);
-    change(input.value);
-  });
-  return input;
-}
-
 export function bodyPanel(session: Session): HTMLElement {
   const inputs = (name: "A" | "r", hint: string) =>
-    [0, 1, 2].map((axis) =>
-      field(`${name}${axis + 1}`, hint, (text) => {
+    [0, 1, 2].map((axis) => {
+      const input = numberField(`${name}${axis + 1}`, hint, () => {
         const numbers = [...session.state[name]] as Triple;
-        numbers[axis] = text;
+        numbers[axis] = input.value;
         session.body(name === "A" ? numbers : session.state.A, name === "r" ? numbers : session.state.r);
-      }),
-    );
+      });
+      return input;
+    });
   const moments = inputs("A", texts.body.moment);
   const center = inputs("r", texts.body.center);
   const sliders = [0, 1, 2].map((axis) => slider(session, axis));

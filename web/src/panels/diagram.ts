@@ -120,7 +120,7 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
 
 const tool = (label: string, title: string, onclick: () => void) => make("button", { type: "button", title, onclick, attributes: { "aria-label": title } }, label);
 
-/** Arrow keys move the point by two pixels, with shift by twenty; + − 0 zoom. */
+/** Arrow keys move the point by two pixels, with shift by twenty; + − 0 zoom; Escape removes the point if nothing else is to be ended. */
 function keys(session: Session, { size }: Sheet, event: KeyboardEvent, zoom: (at: [number, number], factor: number) => void): void {
   if (!session.drawn) return;
   const { chart } = session.drawn;
@@ -131,8 +131,11 @@ function keys(session: Session, { size }: Sheet, event: KeyboardEvent, zoom: (at
   if (event.key === "+" || event.key === "=") zoom(center, 0.7);
   else if (event.key === "-") zoom(center, 1 / 0.7);
   else if (event.key === "0") session.state.straight || session.view(null);
-  else if (event.key === "Escape") session.point(null);
-  else {
+  else if (event.key === "Escape") {
+    const { present, tour, lesson } = session.state;
+    if (present !== null || tour !== null || lesson !== null) return;
+    session.point(null);
+  } else {
     const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
     if (!step) return;
     const far = event.shiftKey ? 20 : 2;

@@ -1,6 +1,6 @@
 /** Planes in the space of bodies: where a place of the map lies among bodies, and the other way round. */
 import type { Triple } from "../bindings/documents";
-import { rounded, valueOf } from "../state/numbers";
+import { rounded, stepOf, valueOf } from "../state/numbers";
 import type { State } from "../state/state";
 import { texts } from "../texts";
 
@@ -85,7 +85,9 @@ export function bodyAt(family: Family, x: number, y: number, from: Body): Body |
   if (!numbers) return null;
   const size = family.id === "moments" ? from.A.map(valueOf).reduce((sum, a) => sum + a, 0) : 1;
   const length = family.id === "katok" ? 1 : Math.hypot(...from.r.map(valueOf)) || 1;
-  const A = numbers.slice(0, 3).map((a) => rounded(size * a, 0.001)) as Triple;
-  const r = numbers.slice(3).map((x) => rounded(length * x, 0.0001)) as Triple;
+  const step = stepOf(size / 3, 3);
+  // No moment is rounded to 0.
+  const A = numbers.slice(0, 3).map((a) => rounded(Math.max(step, size * a), step)) as Triple;
+  const r = numbers.slice(3).map((x) => rounded(length * x, stepOf(length, 4))) as Triple;
   return { A: family.id === "center" ? from.A : A, r: family.id === "moments" ? from.r : r };
 }

@@ -25,5 +25,5 @@ export function headPanel(session: Session, buttons: HTMLElement[]): HTMLElement
     const dark = document.documentElement.dataset.theme === "dark";
     session.update({ theme: dark ? "light" : "dark" }, "theme");
   }, { testid: "theme" });
-  return make("header", { className: "head" }, make("h1", {}, "bifdiag"), make("span", { className: "subtitle" }, texts.head.subtitle), make("nav", {}, ...buttons, languages(), theme));
+  return make("header", { className: "head" }, make("h1", {}, "bifdiag"), make("span", { className: "subtitle" }, texts.head.subtitle), make("nav", {}, ...buttons, make("span", {}, languages(), theme)));
 }

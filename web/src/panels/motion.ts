@@ -70,7 +70,7 @@ export function motionPanel(session: Session, clock: Clock): { element: HTMLElem
     const { motion } = session.orbits;
     if (motion) {
       const at = momentAt(motion, clock);
-      angles.textContent = ["ϑ", "ψ", "φ"].map((name, i) => `${name} = ${motion[at + 10 + i]!.toFixed(2)}`).join("  ");
+      angles.textContent = ["ϑ", "ψ", "φ"].map((name, i) => `${name} = ${motion[at + 10 + i]!.toFixed(2).replace("-", "−")}`).join("  ");
     } else angles.textContent = "";
     sheet.ask();
   });
@@ -102,15 +102,17 @@ function paint(pen: Pen, size: Size, session: Session, clock: Clock, view: Turn)
   const at = momentAt(motion, clock);
   const [w, x, y, z] = [13, 14, 15, 16].map((k) => motion[at + k]!) as [number, number, number, number];
   const turn = composed(view, composed(UPSIDE, rotation(w, x, y, z)));
-  const radius = 0.4 * Math.min(size.width, size.height);
+  // The body and the numbers of its axes, above the legend.
+  const room = { width: size.width, height: size.height - LEGEND };
+  const radius = Math.max(8, Math.min(0.4 * room.width, room.height / 2.4 - 4));
   const axes = axesOf(session.state.A.map(valueOf) as Vec);
   const place = (v: Vec): [number, number, number] => {
     const [right, up, front] = apply(turn, v);
-    return [size.width / 2 + radius * right, size.height / 2 - radius * up, front];
+    return [room.width / 2 + radius * right, room.height / 2 - radius * up, front];
   };
   paintGravity(pen, radius, view, colors);
   trace(pen, motion, at, axes, place, colors, false);
-  paintBody(pen, size, radius, grainOf(session), axes, turn, colors);
+  paintBody(pen, room, radius, grainOf(session), axes, turn, colors);
   trace(pen, motion, at, axes, place, colors, true);
   center(pen, session, place, colors);
   paintAxes(pen, axes, place, colors);
@@ -125,17 +127,20 @@ function paintAxes(pen: Pen, axes: Vec, place: (v: Vec) => [number, number, numb
   pen.textAlign = "center";
   axes.forEach((size, i) => {
     const along = (far: number) => place([0, 1, 2].map((k) => (k === i ? far : 0)) as Vec);
-    const [[x, y, front], [px, py]] = [along(size), along(size + 0.16)];
+    const [[x, y, front], [px, py]] = [along(size), along(size + 0.1)];
     pen.globalAlpha = front < 0 ? 0.35 : 1;
     pen.beginPath();
     pen.moveTo(x, y);
     pen.lineTo(px, py);
     pen.stroke();
-    const [tx, ty] = along(size + 0.27);
+    const [tx, ty] = along(size + 0.19);
     pen.fillText(String(i + 1), tx, ty + 4);
   });
   pen.globalAlpha = 1;
 }
+
+/** The height of the legend. */
+const LEGEND = 32;
 
 /** What the signs are. */
 function legend(pen: Pen, { height }: Size, colors: Ink): void {

@@ -5,11 +5,10 @@ import { drag, near } from "../draw/press";
 import { apply, back, lookingAt, unit, type Vec } from "../draw/ball";
 import { make } from "../draw/dom";
 import { ink } from "../draw/theme";
-import { rounded, valueOf } from "../state/numbers";
+import { rounded, stepOf, valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
 import { texts } from "../texts";
 
-const STEP = 0.0001;
 const VIEW = lookingAt([1, 1, 1], [0, 0, 1]);
 const AXES: Vec[] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 
@@ -50,7 +49,8 @@ export function octant(session: Session): HTMLElement {
     pen.textAlign = "center";
     AXES.forEach((axis, i) => {
       const [px, py] = place(axis);
-      pen.fillText(`${i + 1}`, px + (px - x) * 0.12, py + (py - y) * 0.12 + 4);
+      // Beside the point where it lies on an axis.
+      pen.fillText(`${i + 1}`, px + (px - x) * (i < 2 ? 0.26 : 0.12), py + (py - y) * 0.12 + 4);
     });
     if (session.state.r.every((text) => valueOf(text) === 0)) return;
     pen.beginPath();
@@ -62,7 +62,7 @@ export function octant(session: Session): HTMLElement {
   const take = (v: Vec) => {
     const size = length();
     const to = unit(v.map((x) => Math.max(0, x)) as Vec);
-    session.body(session.state.A, to.map((x) => rounded(size * x, STEP)) as Triple);
+    session.body(session.state.A, to.map((x) => rounded(size * x, stepOf(size, 4))) as Triple);
   };
   drag(canvas, {
     handle: (event) => {

@@ -1,8 +1,8 @@
 /** The point (h, l): exact texts, and what is known of it in words. */
 import { make, panel } from "../draw/dom";
-import { numberField } from "../draw/field";
+import { mark as markField, numberField } from "../draw/field";
 import { inTurn } from "../draw/turns";
-import { shown, surface } from "../state/numbers";
+import { isNumber, shown, surface } from "../state/numbers";
 import type { Session } from "../state/session";
 import { inWords, listed } from "../state/words";
 import { texts } from "../texts";
@@ -44,15 +44,21 @@ export function pointPanel(session: Session): HTMLElement {
         const element = make("div", { tabIndex: 0, title: words }, text);
         element.addEventListener("pointerenter", () => session.pointAt({ component: i }));
         element.addEventListener("pointerleave", () => session.pointAt({}));
+        // By a key, or by a finger that taps.
+        element.addEventListener("focus", () => session.pointAt({ component: i }));
+        element.addEventListener("blur", () => session.pointAt({}));
         return element;
       }),
     );
     sentence.textContent = session.sentence;
-    if (known.exact && state.point) told.textContent = known.region ? texts.point.told(known.region, listed(known.components?.map(({ section }) => section) ?? []), listed(known.components?.map(({ accessible_region }) => accessible_region) ?? [])) : texts.point.status[known.status];
+    if (!state.point) told.textContent = "";
+    else if (known.exact) told.textContent = known.region ? texts.point.told(known.region, listed(known.components?.map(({ section }) => section) ?? []), listed(known.components?.map(({ accessible_region }) => accessible_region) ?? [])) : texts.point.status[known.status];
   };
   const mark = () => [...parts.children].forEach((line, i) => line.classList.toggle("lit", session.hover.component === i));
   session.on(["point", "body"], () => (session.dragging === "body" ? inTurn(show) : show()));
   session.on(["point", "hover"], mark);
+  // What an address asked for and is none.
+  session.on(["message"], () => [h, l].forEach((field) => markField(field, session.message !== "" && field.value !== "" && !isNumber(field.value))));
   return panel(
     texts.point.title,
     texts.point.help,

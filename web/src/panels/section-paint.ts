@@ -88,7 +88,7 @@ function frame(pen: Pen, half: Half, colors: Ink): void {
   pen.textAlign = "center";
   pen.fillText(half.sheet > 0 ? "T⁺ (Δ > 0)" : "T⁻ (Δ < 0)", half.x + half.width / 2, half.y - 7);
   [["0", 0], ["π", 0.5], ["2π", 1]].forEach(([text, at]) => pen.fillText(text as string, half.x + (at as number) * half.width, half.y + half.height + 13));
-  pen.fillText(texts.section.angle, half.x + half.width * 0.25, half.y + half.height + 24);
+  pen.fillText(texts.section.angle, half.x + half.width / 2, half.y + half.height + 25);
   pen.textAlign = "right";
   if (half.sheet > 0) [["0", 0], ["ϑ′", 0.5], ["π", 1]].forEach(([text, at]) => pen.fillText(text as string, half.x - 5, half.y + (at as number) * half.height + 4));
 }

@@ -1,7 +1,7 @@
 /** One number of the body runs through its range and back, and what the diagram goes through on the way is told. */
 import type { Atlas, Triple } from "../bindings/documents";
 import { button, make } from "../draw/dom";
-import { rounded, shown, valueOf } from "../state/numbers";
+import { rounded, shown, stepOf, valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
 import { texts } from "../texts";
 
@@ -24,6 +24,7 @@ export function sweep(session: Session): { controls: HTMLElement; told: HTMLElem
     const start = numbersOf(session)[index]!;
     const reach = index < 3 ? start / 2 : Math.max(...numbersOf(session).slice(3).map(Math.abs)) || 1;
     const [low, high] = index < 3 ? [start - reach, start + reach] : [-reach, reach];
+    const step = stepOf(index < 3 ? start : reach, 3);
     const [A, r] = [session.state.A, session.state.r];
     running = true;
     play.textContent = texts.body.stop;
@@ -32,7 +33,7 @@ export function sweep(session: Session): { controls: HTMLElement; told: HTMLElem
     for (let share = 0; running && share < 1; share = (performance.now() - begun) / 1000 / SECONDS) {
       const wave = Math.sin(2 * Math.PI * share);
       const value = start + (wave > 0 ? wave * (high - start) : -wave * (low - start));
-      const text = [...A, ...r].map((number, i) => (i === index ? rounded(value, 0.001) : number));
+      const text = [...A, ...r].map((number, i) => (i === index ? rounded(value, step) : number));
       session.dragging = "body";
       session.body(text.slice(0, 3) as Triple, text.slice(3) as Triple);
       await new Promise(requestAnimationFrame);

@@ -4,13 +4,12 @@ import { drag, near } from "../draw/press";
 import { make } from "../draw/dom";
 import { ink } from "../draw/theme";
 import type { Triple } from "../bindings/documents";
-import { rounded, valueOf } from "../state/numbers";
+import { rounded, stepOf, valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
 import { texts } from "../texts";
 
 type Place = [number, number];
 
-const STEP = 0.001;
 /** The least share of a moment that the hand can reach. */
 const LEAST = 0.01;
 
@@ -66,7 +65,7 @@ export function triangle(session: Session): HTMLElement {
     const sum = moments().reduce((x, y) => x + y, 0) || 3;
     const kept = shares.map((share) => Math.max(LEAST, share));
     const whole = kept.reduce((x, y) => x + y, 0);
-    session.body(kept.map((share) => rounded((sum * share) / whole, STEP)) as Triple, session.state.r);
+    session.body(kept.map((share) => rounded((sum * share) / whole, stepOf(sum / 3, 3))) as Triple, session.state.r);
   };
   drag(canvas, {
     handle: (event) => {

@@ -2,6 +2,7 @@
 import { FIRST, PANELS, type Coloring, type Embedded, type State, type Theme } from "./state";
 import { TASK_KEYS, taskOf, taskParts } from "./task";
 import type { Triple, Window } from "../bindings/documents";
+import { typed } from "./numbers";
 import { texts } from "../texts";
 
 const EMBEDDED: readonly Embedded[] = ["diagram", "section", "motion"];
@@ -38,9 +39,9 @@ export function parse(hash: string, named: (name: string) => Pick<State, "A" | "
   const all = pairs(hash);
   state.task = taskOf(all);
   for (const [name, text] of all) {
-    const value = text.trim().replace(/−/g, "-");
-    if (name === "h") h = value;
-    else if (name === "l") l = value;
+    const value = text.trim().replace(/[−–]/g, "-");
+    if (name === "h") h = typed(text);
+    else if (name === "l") l = typed(text);
     else if (name === "body") Object.assign(state, found(value, named(value)));
     else read(state, name, value);
   }

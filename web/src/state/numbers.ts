@@ -4,8 +4,18 @@
 export function rounded(value: number, step: number): string {
   if (value === 0 || !Number.isFinite(value)) return "0";
   const digits = Math.max(0, Math.min(20, Math.ceil(-Math.log10(step))));
-  const text = value.toFixed(digits).replace(/\.?0+$/, "");
+  const text = value.toFixed(digits).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
   return text === "-0" || text === "" ? "0" : text;
+}
+
+/** The step of a hand on numbers of a size: a power of ten, so many digits finer. */
+export const stepOf = (size: number, digits: number): number => 10 ** (Math.round(Math.log10(Math.abs(size) || 1)) - digits);
+
+/** A number some steps of its last digit further, of the second decimal at least; numbers that are no plain decimals have three digits then. */
+export function stepped(text: string, steps: number): string {
+  const value = valueOf(text);
+  const step = /^[+-]?[\d.]*$/.test(text) ? 10 ** -Math.max(2, text.split(".")[1]?.length ?? 0) : stepOf(value, 2);
+  return rounded((value || 0) + steps * step, step);
 }
 
 /** The nearest double of a decimal or a quotient such as 11/10. */
@@ -15,7 +25,7 @@ export function valueOf(text: string): number {
   return denominator === undefined ? Number(numerator) : Number(numerator) / Number(denominator);
 }
 
-/** A number as people type it, as it is read: a decimal comma and the typographic minus are taken, blanks are dropped. */
+/** A number as people type it, in a field or in an address, as it is read: a decimal comma and the typographic minus are taken, blanks are dropped. */
 export function typed(text: string): string {
   const plain = text.replace(/[−–]/g, "-").replace(/\s/g, "");
   return /^[^.,]*,[^.,]*$/.test(plain) ? plain.replace(",", ".") : plain;
@@ -24,11 +34,12 @@ export function typed(text: string): string {
 /** Whether a text is a decimal or a quotient of two. */
 export const isNumber = (text: string): boolean => text.split("/").length <= 2 && text.split("/").every((part) => /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(part));
 
-/** A few significant digits for reading. */
+/** A few significant digits for reading, with the minus of the axes. */
 export function shown(value: number, digits = 4): string {
   if (value === 0) return "0";
   const size = Math.abs(value);
-  return size >= 1e-4 && size < 1e6 ? String(Number(value.toPrecision(digits))) : value.toExponential(digits - 1);
+  const text = size >= 1e-4 && size < 1e6 ? String(Number(size.toPrecision(digits))) : size.toExponential(digits - 1);
+  return value < 0 ? `−${text}` : text;
 }
 
 const SUPERSCRIPTS: Record<string, string> = { "0": "⁰", "1": "¹", "2": "²", "3": "³", "4": "⁴" };

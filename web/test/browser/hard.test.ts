@@ -22,10 +22,11 @@ test.each([
 });
 
 test("beside what is wrong with a point stands the body's diagram", async () => {
-  const page = await open(`${PAPER}&h=3,8&l=3.25`);
-  expect(await page.getByTestId("error").textContent()).toContain("3,8");
+  const page = await open(`${PAPER}&h=1,000.8&l=3.25`);
+  expect(await page.getByTestId("error").textContent()).toContain("1,000.8");
   expect(await page.getByTestId("region-row").count()).toBe(9);
-  expect(await page.evaluate(() => location.hash)).toContain("h=3,8");
+  expect(await page.evaluate(() => location.hash)).toContain("h=1,000.8");
+  expect([await page.getByTestId("input-h").getAttribute("aria-invalid"), await page.getByTestId("input-l").getAttribute("aria-invalid")]).toEqual(["true", null]);
   await page.close();
 });
 

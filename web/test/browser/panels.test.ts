@@ -227,28 +227,6 @@ test("a real part becomes the body, as the command line understands it", async (
   await page.close();
 });
 
-test("keys move the point, turn the body's axis and zoom", async () => {
-  const page = await open(POINT);
-  await page.getByTestId("diagram").focus();
-  await page.keyboard.press("ArrowRight");
-  await page.waitForFunction(() => !location.hash.includes("h=3.8&"));
-  await ready(page);
-  await page.keyboard.press("+");
-  await page.waitForFunction(() => location.hash.includes("view="));
-  await page.getByTestId("octant").focus();
-  await page.keyboard.press("ArrowUp");
-  await page.waitForFunction(() => !location.hash.includes("r=0.94868"));
-  await ready(page);
-  await go(page, POINT);
-  await page.getByTestId("slider-r2").focus();
-  await page.keyboard.press("ArrowRight");
-  await page.waitForFunction(() => location.hash.includes("r=0.94868,0.01,0.61623"));
-  await ready(page);
-  expect(await page.getByTestId("input-r2").inputValue()).toBe("0.01");
-  expect(await page.evaluate(() => window.bifdiag.atlas())).toBe(bifdiag("--A=2,1.1,1", "--r=0.94868,0.01,0.61623", "--json"));
-  await page.close();
-});
-
 test("a tablet: taps choose points and start orbits, two fingers zoom", async () => {
   const page = await open(POINT, { viewport: { width: 1024, height: 768 }, hasTouch: true });
   const box = (await page.getByTestId("diagram").boundingBox())!;
@@ -362,6 +340,8 @@ test("one panel alone for lecture pages", async () => {
     for (const id of ["stack-bar", "beside"]) expect(await page.getByTestId(id).isVisible(), name).toBe(false);
     // All of it is inside the frame.
     if (name === "section") expect((await page.getByTestId("crossing-count").boundingBox())!.y).toBeLessThan(400);
+    const box = (await page.getByTestId(name).boundingBox())!;
+    expect(box.y + box.height, name).toBeLessThanOrEqual(420);
     expect(await colors(page, name)).toBeGreaterThan(20);
     await page.close();
   }
@@ -376,6 +356,10 @@ test("a second body stands beside the first, in the same window and at the same 
   const inside = async () => (await (await twin.elementHandle())!.contentFrame())!;
   const shown = async () => (await inside()).evaluate(() => (document.documentElement.dataset.ready === "true" ? location.hash : ""));
   await expect.poll(shown).toContain("A=2,1.1,1&r=0.94868,0,0.61623&h=2.5&l=1&view=");
+  // All of it is in its frame, with buttons as small as those of the first.
+  expect(await (await inside()).evaluate(() => document.querySelector("[data-testid=diagram]")!.getBoundingClientRect().bottom <= innerHeight)).toBe(true);
+  const tall = (root: { locator: Page["locator"] }) => root.locator("[data-testid=straight]").evaluate((button) => button.getBoundingClientRect().height);
+  expect(await tall(await inside())).toBe(await tall(page));
   const { h, l } = await page.evaluate(() => window.bifdiag.window()!);
   expect(await shown()).toContain(`view=${[...h, ...l].join(",")}&embed=diagram`);
   await page.getByTestId("swap").click();
