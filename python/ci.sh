@@ -24,8 +24,7 @@ install() {
 page() {
     rustup target add wasm32-unknown-unknown
     (cd ../web && npm ci && npm run build)
-    rm -rf package/bifdiag/page
-    cp -r ../web/dist package/bifdiag/page
+    ./page.sh
 }
 
 wheel() {

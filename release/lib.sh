@@ -30,8 +30,7 @@ need_page() {
 # Puts the page where the Python package carries it.
 page_for_python() {
     need_page
-    rm -rf python/package/bifdiag/page
-    cp -r web/dist python/package/bifdiag/page
+    python/page.sh
 }
 
 # An environment for Python's programs, made once and again if the folder has been moved: `tool NAME…` installs, `$tools/bin` has them.

@@ -1,6 +1,7 @@
 //! The command line of the package.
 
 use std::ffi::OsString;
+use std::path::PathBuf;
 
 use pyo3::prelude::*;
 
@@ -10,4 +11,10 @@ use pyo3::prelude::*;
 #[pyfunction]
 pub fn run(python: Python<'_>, arguments: Vec<OsString>) -> u8 {
     python.detach(|| bifdiag::cli::run(arguments))
+}
+
+/// Serves the explorer's page from a folder to this machine until the process ends, and returns the port.
+#[pyfunction]
+pub fn serve(page: PathBuf) -> PyResult<u16> {
+    Ok(bifdiag::cli::serve(&page)?)
 }

@@ -32,7 +32,7 @@ mod _core {
     #[pymodule_export]
     use crate::chaos::{chaos_map, chaos_point};
     #[pymodule_export]
-    use crate::command::run;
+    use crate::command::{run, serve};
     #[pymodule_export]
     use crate::critical::critical;
     #[pymodule_export]

@@ -4,7 +4,7 @@ import re
 import signal
 import subprocess
 import sys
-from urllib.request import urlopen
+from urllib.request import Request, urlopen
 
 import pytest
 
@@ -22,6 +22,15 @@ def test_the_page_is_served_with_the_body(atlas):
     script = re.search(r'src="\./(assets/[^"]+\.js)"', text).group(1)
     with urlopen(address + script) as answer:
         assert answer.headers["Content-Type"] == "text/javascript"
+        plain = answer.read()
+    # Browsers that take it get the packed file, which the wheel carries in place of the plain one.
+    with urlopen(Request(address + script, headers={"Accept-Encoding": "gzip, br"})) as answer:
+        assert answer.headers["Content-Encoding"] == "br"
+        assert answer.headers["Content-Type"] == "text/javascript"
+        packed = answer.read()
+    assert packed == (explorer.PAGE / f"{script}.br").read_bytes()
+    assert len(packed) < len(plain) / 2 and b"function" in plain
+    assert not (explorer.PAGE / script).exists()
     assert atlas.explore(3.8, "13/4").url == shown.url + "&h=3.8&l=13/4"
     with pytest.raises(bifdiag.InputError, match="both h and l"):
         atlas.explore(3.8)

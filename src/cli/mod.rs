@@ -34,6 +34,8 @@ use std::ffi::OsString;
 use std::io::{self, IsTerminal};
 use std::num::NonZeroUsize;
 
+pub use explore::serve;
+
 use arguments::{Command, Options, Refusal};
 use failure::{Exit, Failure, failed};
 use terminal::{Timings, interrupt, is_terminal, log, print, say, say_styled};

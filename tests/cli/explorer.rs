@@ -134,6 +134,25 @@ fn a_browser_that_takes_brotli_gets_the_packed_file_beside_another() {
     }
 }
 
+/// Wheels carry packed files in place of plain ones.
+#[test]
+fn where_only_the_packed_file_is_there_other_browsers_get_what_it_holds() {
+    let place = tempfile::tempdir().unwrap();
+    let packed = [27, 40, 0, 248, 37, 64, 138, 144, 102, 42, 129, 21, 76];
+    fs::write(place.path().join("index.html"), "here").unwrap();
+    fs::write(place.path().join("module.wasm.br"), packed).unwrap();
+    fs::write(place.path().join("broken.js.br"), &packed[..packed.len() / 2]).unwrap();
+    let served = Served::of(place.path(), &[]);
+    let ask = |path: &str, field: &str| served.ask_with(&format!("GET {path}"), &format!("Host: localhost\r\n{field}"));
+    let (head, body) = ask("/module.wasm", "Accept-Encoding: gzip, br\r\n");
+    assert!(head.contains("Content-Encoding: br\r\n") && head.contains("Content-Type: application/wasm\r\n"), "{head}");
+    assert_eq!(body, packed);
+    let (head, body) = ask("/module.wasm", "Accept-Encoding: gzip\r\n");
+    assert!(!head.contains("Content-Encoding") && head.contains("Content-Type: application/wasm\r\n"), "{head}");
+    assert_eq!(String::from_utf8(body).unwrap(), "module ".repeat(6).trim_end());
+    assert!(ask("/broken.js", "").0.starts_with("HTTP/1.1 503"));
+}
+
 #[test]
 fn without_a_page_the_way_to_one_is_reported() {
     let place = tempfile::tempdir().unwrap();

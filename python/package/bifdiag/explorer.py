@@ -1,29 +1,14 @@
 """The explorer in a notebook: the built page, served to this machine only."""
 
 import html
-from functools import cache, partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from functools import cache
 from pathlib import Path
-from threading import Thread
-from typing import Any
 
+from . import _core
 from .errors import BifdiagError
 
 PAGE = Path(__file__).parent / "page"
 """The built page; wheels carry it."""
-
-
-class _Files(SimpleHTTPRequestHandler):
-    # What the system believes of these suffixes does not matter: a browser refuses modules of another type.
-    extensions_map = {**SimpleHTTPRequestHandler.extensions_map, ".js": "text/javascript", ".wasm": "application/wasm"}  # noqa: RUF012
-
-    def log_message(self, format: str, *args: Any) -> None:
-        """Nothing is printed into the notebook."""
-
-
-class _Server(ThreadingHTTPServer):
-    def handle_error(self, request: Any, client_address: Any) -> None:
-        """A browser that left before it had everything is no error of the notebook."""
 
 
 @cache
@@ -32,11 +17,9 @@ def _address() -> str:
     if not (PAGE / "index.html").exists():
         raise BifdiagError(
             "this installation was built without the explorer's page; install a wheel, or in a clone run "
-            "`npm ci && npm run build` in web/ and `cp -r web/dist python/package/bifdiag/page`, and install again"
+            "`npm ci && npm run build` in web/ and `python/page.sh`, and install again"
         )
-    server = _Server(("127.0.0.1", 0), partial(_Files, directory=str(PAGE)))
-    Thread(target=server.serve_forever, name="bifdiag explorer", daemon=True).start()
-    return f"http://127.0.0.1:{server.server_port}/"
+    return f"http://127.0.0.1:{_core.serve(PAGE)}/"
 
 
 class Explorer:

@@ -3,9 +3,11 @@
 mod server;
 
 use std::env;
+use std::io;
 use std::net::{Ipv4Addr, TcpListener};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::thread;
 
 use bifdiag_body::Number;
 use bifdiag_documents::Subject;
@@ -81,6 +83,18 @@ pub fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
     }
     server::serve(&listener, &folder);
     Ok(())
+}
+
+/// Serves a folder's page at a free port of this machine until the process ends; returns the port.
+///
+/// # Errors
+/// The folder holds no page, or no port is free.
+pub fn serve(page: &Path) -> io::Result<u16> {
+    let folder = Folder::read(page)?;
+    let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0))?;
+    let port = listener.local_addr()?.port();
+    thread::Builder::new().name("bifdiag explorer".into()).spawn(move || server::serve(&listener, &folder))?;
+    Ok(port)
 }
 
 /// What the page's address says of a body and a point.

@@ -1,6 +1,7 @@
 //! As much of HTTP/1.1 as a browser on this machine needs to load a page: GET and HEAD, one request a connection. Only what
 //! lies in the page's folder when the program starts is served, under the name that it has there: regular files inside
-//! the folder only. If there is a `NAME.br` beside a file, it is sent to browsers that accept Brotli.
+//! the folder only. A `NAME.br`, beside NAME or in place of it, is sent to browsers that accept Brotli; where it is in place of
+//! NAME, others are sent what it holds.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -63,18 +64,36 @@ impl Folder {
         Ok(Self { root, files })
     }
 
-    /// The file of a path, and its content type.
-    pub fn file(&self, path: &str) -> Option<(PathBuf, &'static str)> {
-        let file = self.files.get(path)?;
-        let kind = match file.extension().and_then(|suffix| suffix.to_str()) {
-            Some("html") => "text/html; charset=utf-8",
-            Some("js") => "text/javascript",
-            Some("css") => "text/css",
-            Some("wasm") => "application/wasm",
-            Some("svg") => "image/svg+xml",
-            _ => "application/octet-stream",
-        };
-        Some((inside(&self.root, file)?, kind))
+    fn file(&self, path: &str) -> Option<PathBuf> {
+        inside(&self.root, self.files.get(path)?)
+    }
+
+    /// What is sent of a path, and whether it is packed, which it is only if the browser `accepts` that.
+    fn content(&self, path: &str, accepts: bool) -> Option<io::Result<(Vec<u8>, bool)>> {
+        let plain = self.file(path);
+        let packed = self.file(&format!("{path}.br")).filter(|_| accepts || plain.is_none());
+        Some(match (packed, plain) {
+            (Some(packed), _) if accepts => fs::read(packed).map(|bytes| (bytes, true)),
+            (Some(packed), _) => fs::File::open(packed).and_then(|mut packed| {
+                let mut bytes = Vec::new();
+                brotli_decompressor::BrotliDecompress(&mut packed, &mut bytes)?;
+                Ok((bytes, false))
+            }),
+            (None, plain) => fs::read(plain?).map(|bytes| (bytes, false)),
+        })
+    }
+}
+
+/// The content type of a path.
+fn kind(path: &str) -> &'static str {
+    match path.rsplit('.').next() {
+        _ if path.ends_with('/') => "text/html; charset=utf-8",
+        Some("html") => "text/html; charset=utf-8",
+        Some("js") => "text/javascript",
+        Some("css") => "text/css",
+        Some("wasm") => "application/wasm",
+        Some("svg") => "image/svg+xml",
+        _ => "application/octet-stream",
     }
 }
 
@@ -156,21 +175,20 @@ fn answer(stream: &TcpStream, folder: &Folder) -> io::Result<()> {
         fields.iter().filter_map(move |field| field.split_once(':').filter(|(key, _)| key.eq_ignore_ascii_case(name)))
     };
     let hosts: Vec<bool> = values("host").map(|(_, host)| is_own(host)).collect();
-    let takes_brotli = values("accept-encoding").any(|(_, codings)| takes_brotli(codings));
+    let accepts = values("accept-encoding").any(|(_, codings)| accepts_brotli(codings));
     let mut words = request.split(' ');
     let (method, target) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
     let path = target.split(['?', '#']).next().unwrap_or_default();
-    let packed = takes_brotli.then(|| folder.file(&format!("{path}.br"))).flatten();
     let mut encoding = "";
-    let (status, kind, body) = match (method, folder.file(path)) {
+    let (status, kind, body) = match (method, folder.content(path, accepts)) {
         _ if hosts != [true] => ("421 Misdirected Request", "text/plain", b"Only localhost is served.\n".to_vec()),
-        ("GET" | "HEAD", Some((file, kind))) => match fs::read(packed.as_ref().map_or(&file, |(packed, _)| packed)) {
-            Ok(body) => {
-                encoding = if packed.is_some() { "Content-Encoding: br\r\n" } else { "" };
-                ("200 OK", kind, body)
-            }
-            Err(_) => ("503 Service Unavailable", "text/plain", b"The file cannot be read now.\n".to_vec()),
-        },
+        ("GET" | "HEAD", Some(Ok((body, is_packed)))) => {
+            encoding = if is_packed { "Content-Encoding: br\r\n" } else { "" };
+            ("200 OK", kind(path), body)
+        }
+        ("GET" | "HEAD", Some(Err(_))) => {
+            ("503 Service Unavailable", "text/plain", b"The file cannot be read now.\n".to_vec())
+        }
         ("GET" | "HEAD", None) => ("404 Not Found", "text/plain", b"There is no such file.\n".to_vec()),
         _ => ("405 Method Not Allowed", "text/plain", b"Only GET and HEAD are answered.\n".to_vec()),
     };
@@ -188,7 +206,7 @@ fn answer(stream: &TcpStream, folder: &Folder) -> io::Result<()> {
 }
 
 /// True for a list of content codings that has Brotli, and not with the weight 0.
-fn takes_brotli(codings: &str) -> bool {
+fn accepts_brotli(codings: &str) -> bool {
     codings.split(',').any(|coding| {
         let (name, weight) = coding.split_once(';').unwrap_or((coding, ""));
         let weight = weight.trim().strip_prefix("q=").map_or(Ok(1.0), str::parse::<f64>);
