@@ -57,7 +57,7 @@ export class Sheet {
 
   /** With what it would show if it were seen. */
   painted(): this {
-    if (this.stale) this.now();
+    if (this.stale || this.asked) this.now();
     return this;
   }
 

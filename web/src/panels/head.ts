@@ -3,10 +3,12 @@ import { button, make } from "../draw/dom";
 import type { Session } from "../state/session";
 import { addressIn, language, LANGUAGES, texts, type Language } from "../texts";
 
-/** The theme that is asked for, or the system's. */
+let onPaper = false;
+
+/** The theme that is asked for, or the system's; on paper the light one. */
 export function applyTheme(session: Session): void {
   const system = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
-  document.documentElement.dataset.theme = session.state.theme ?? system;
+  document.documentElement.dataset.theme = onPaper ? "light" : session.state.theme ?? system;
   document.documentElement.dataset.embed = session.state.embed ?? "";
 }
 
@@ -21,6 +23,8 @@ function languages(): HTMLSelectElement {
 export function headPanel(session: Session, buttons: HTMLElement[]): HTMLElement {
   applyTheme(session);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => session.emit("theme"));
+  // Before sheets, which paint what is asked of them before it is printed.
+  for (const [event, paper] of [["beforeprint", true], ["afterprint", false]] as const) addEventListener(event, () => ((onPaper = paper), session.emit("theme")), { capture: true });
   const theme = button("◐", texts.head.theme, () => {
     const dark = document.documentElement.dataset.theme === "dark";
     session.update({ theme: dark ? "light" : "dark" }, "theme");

@@ -311,6 +311,28 @@ test("on paper canvases keep their shape, and there are no buttons", async () =>
   await page.close();
 });
 
+test("what is dark on the screen is light on paper", async () => {
+  const ids = ["triangle", "octant", "diagram", "sphere", "section"];
+  const pictures = async (page: Page) => Promise.all(ids.map((id) => picture(page, id)));
+  const told = (page: Page, event: string) => page.evaluate((event) => dispatchEvent(new Event(event)), event);
+  const still = async (page: Page) => {
+    await page.getByTestId("play").evaluate((button) => button.textContent === "❚❚" && (button as HTMLElement).click());
+    await page.getByLabel("time").fill("0");
+    await page.waitForTimeout(300);
+  };
+  const light = await open(`${POINT}&theme=light`);
+  const dark = await open(`${POINT}&theme=dark`);
+  await Promise.all([still(light), still(dark)]);
+  const before = await pictures(dark);
+  await told(dark, "beforeprint");
+  expect(await pictures(dark)).toEqual(await pictures(light));
+  await told(dark, "afterprint");
+  await expect.poll(() => pictures(dark)).toEqual(before);
+  expect(dark.url()).toContain("theme=dark");
+  await light.close();
+  await dark.close();
+});
+
 test("steady rotations at the point's momentum are listed with their verdicts", async () => {
   const page = await open(POINT);
   const rows = await page.getByTestId("steady-row").allTextContents();
