@@ -111,6 +111,12 @@ export class Pixels {
   }
 }
 
+/** The power of ten in whose units the numbers of an axis are written: 0 unless they would be long. */
+export function powerOf(from: number, to: number): number {
+  const power = Math.floor(Math.log10(Math.max(Math.abs(from), Math.abs(to))));
+  return power > 4 || power < -3 ? power : 0;
+}
+
 /** Round numbers for an axis: about `count` of them in [from, to], and the text of each with digits enough to tell them apart. */
 export function ticks(from: number, to: number, count: number): { value: number; text: string }[] {
   const raw = (to - from) / count;

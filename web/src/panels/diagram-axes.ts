@@ -1,5 +1,5 @@
 /** The axes of the diagram: of the plane, and of the straightened plane, whose numbers are the true ones. */
-import { ticks, type Pen } from "../draw/canvas";
+import { powerOf, ticks, type Pen } from "../draw/canvas";
 import type { Ink } from "../draw/theme";
 import type { Window } from "../bindings/documents";
 import { shown } from "../state/numbers";
@@ -22,19 +22,22 @@ export function paintAxes(pen: Pen, area: Area, { h, l }: Window, colors: Ink): 
   pen.font = "11px system-ui, sans-serif";
   pen.textAlign = "center";
   const bottom = area.y + area.height;
-  const list = ticks(h[0], h[1], area.width / 90);
+  const unit = 10 ** powerOf(...h);
+  const list = ticks(h[0] / unit, h[1] / unit, area.width / 90);
   const long = (list[0]?.text.length ?? 0) > 9;
   for (const [i, { value, text }] of list.entries()) {
-    const x = area.x + ((value - h[0]) / (h[1] - h[0])) * area.width;
+    const x = area.x + ((value * unit - h[0]) / (h[1] - h[0])) * area.width;
     pen.fillRect(x, bottom, 1, 4);
     if (!long || i % 2 === 0) pen.fillText(text, x, bottom + 16);
   }
-  pen.fillText(texts.diagram.energy, area.x + area.width / 2, bottom + 32);
+  pen.fillText(texts.diagram.energy + inUnits(powerOf(...h)), area.x + area.width / 2, bottom + 32);
   pen.textAlign = "right";
-  for (const { value, text } of ticks(l[0], l[1], area.height / 50)) {
-    const y = bottom - ((value - l[0]) / (l[1] - l[0])) * area.height;
+  const unitOfL = 10 ** powerOf(...l);
+  for (const { value, text } of ticks(l[0] / unitOfL, l[1] / unitOfL, area.height / 50)) {
+    const y = bottom - ((value * unitOfL - l[0]) / (l[1] - l[0])) * area.height;
     pen.fillRect(area.x - 4, y, 4, 1);
-    const inside = text.length > 6;
+    // Longer ones would run into the name of the axis.
+    const inside = text.length > 4;
     pen.textAlign = inside ? "left" : "right";
     pen.fillText(text, inside ? area.x + 4 : area.x - 7, y + (inside ? -3 : 4));
   }
@@ -42,10 +45,12 @@ export function paintAxes(pen: Pen, area: Area, { h, l }: Window, colors: Ink): 
   pen.translate(11, area.y + area.height / 2);
   pen.rotate(-Math.PI / 2);
   pen.textAlign = "center";
-  pen.fillText(texts.diagram.momentum, 0, 0);
+  pen.fillText(texts.diagram.momentum + inUnits(powerOf(...l)), 0, 0);
   pen.restore();
 }
 
+/** What stands behind a name whose numbers are in units of a power of ten. */
+const inUnits = (power: number): string => (power === 0 ? "" : ` / 10${[...String(power)].map((sign) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]).join("")}`);
 
 /** l below, h on the left at l = 0 and on the right at the last l. */
 export function paintStraightAxes(pen: Pen, area: Area, { drawing }: StraightChart, colors: Ink): void {

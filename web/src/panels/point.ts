@@ -25,10 +25,17 @@ export function pointPanel(session: Session): HTMLElement {
   // What a screen reader says once the hand rests: the region and what lies over it.
   const told = make("p", { className: "unseen", attributes: { role: "status" }, data: { testid: "told" } });
   let listing = session.known.components;
+  // What is being typed stays until it is taken, or another address is opened.
+  const typing = new Set<HTMLInputElement>();
+  for (const field of [h, l]) {
+    field.addEventListener("input", () => typing.add(field));
+    field.addEventListener("change", () => field.value !== "" && !field.hasAttribute("aria-invalid") && typing.delete(field));
+  }
   const show = () => {
     const { known, state } = session;
-    if (document.activeElement !== h) h.value = state.point?.h ?? "";
-    if (document.activeElement !== l) l.value = state.point?.l ?? "";
+    if (session.address.opened) typing.clear();
+    if (!typing.has(h)) h.value = state.point?.h ?? "";
+    if (!typing.has(l)) l.value = state.point?.l ?? "";
     status.dataset.status = known.status === "open" ? "" : known.status;
     status.textContent = known.status === "regular" ? known.exact ? texts.point.exact : texts.point.moving : known.status === "open" && state.point ? "" : texts.point.status[known.status];
     region.dataset.region = known.region ?? "";

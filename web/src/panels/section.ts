@@ -88,6 +88,7 @@ export function sectionPanel(session: Session, clock: Clock): { element: HTMLEle
     anew();
   });
   session.on(["section", "selection", "theme"], anew);
+  session.on(["section"], () => (tip.hidden = true));
   new ResizeObserver(anew).observe(canvas);
   clock.on(() => session.dragging !== "body" && sheet.ask());
   const { legend, choice, reason } = verdicts(session);

@@ -1,11 +1,12 @@
 /** Numbers as texts: exact where the user wrote them, short where a hand drew them. */
 
-/** The shortest decimal within half a `step` of a number: what a hand that moves by such steps meant. */
+/** The shortest decimal, with an exponent if it is tiny, within half a `step` of a number: what a hand that moves by such steps meant. */
 export function rounded(value: number, step: number): string {
   if (value === 0 || !Number.isFinite(value)) return "0";
   const digits = Math.max(0, Math.min(20, Math.ceil(-Math.log10(step))));
   const text = value.toFixed(digits).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
-  return text === "-0" || text === "" ? "0" : text;
+  if (text === "-0" || text === "") return "0";
+  return Math.abs(value) < 1e-4 && Number(text) !== 0 ? Number(text).toExponential() : text;
 }
 
 /** The step of a hand on numbers of a size: a power of ten, so many digits finer. */

@@ -92,6 +92,7 @@ export class Session extends Emitter {
 
   body(A: Triple, r: Triple): void {
     this.picture.hold();
+    if (!this.dragging) this.sentence = "";
     this.state = { ...this.state, A, r, view: this.dragging === "body" ? this.state.view : null };
     const drawing = this.dragging ? this.sketch() : null;
     this.emit("body");
@@ -102,6 +103,7 @@ export class Session extends Emitter {
     const from = this.state.point;
     this.choosing = false;
     this.state = { ...this.state, point };
+    if (!this.dragging) this.sentence = "";
     this.emit("point");
     const { chart } = this.drawn ?? {};
     if (point && chart instanceof StraightChart && !chart.knows(valueOf(point.l))) void this.redraw();
@@ -237,9 +239,10 @@ export class Session extends Emitter {
   /** Draws while the body moves under the hand. */
   private async sketch(): Promise<void> {
     const begun = performance.now();
+    const { generation } = this;
     try {
       const place = await this.picture.draw();
-      if (place) this.see(place);
+      if (place && generation === this.generation) this.see(place);
     } catch (error) {
       if (error instanceof Superseded) return;
       return this.fail(error instanceof Error ? error.message : String(error));
@@ -287,10 +290,12 @@ export class Session extends Emitter {
   }
 
   private async look(): Promise<void> {
-    const { point } = this.state;
+    const { state: { point }, generation } = this;
     if (!point || !this.drawn) return;
     const asked: Arguments<"locate"> = [bodyText(this.state), valueOf(point.h), valueOf(point.l)];
-    this.see(this.hand.locate(...asked) ?? (await this.pencil.latest("locate", ...asked)));
+    const place = this.hand.locate(...asked) ?? (await this.pencil.latest("locate", ...asked));
+    // The hand may have come to rest meanwhile, and the exact answer been there first.
+    if (generation === this.generation) this.see(place);
   }
 
   private see(place: Place): void {

@@ -84,6 +84,11 @@ test("the verdict of the orbit under the pointer is told beside it", async () =>
   const each = (box.width - 68) / 2;
   await page.mouse.move(box.x + 30 + (at.sheet > 0 ? 0 : each + 26) + (at.psi / (2 * Math.PI)) * each, box.y + 22 + (at.theta / Math.PI) * (box.height - 52));
   await expect.poll(() => page.getByTestId("orbit-tip").textContent()).toMatch(/^orbit 0: (regular|chaotic|open)/);
+  // It is of no other section.
+  await page.getByTestId("input-l").fill("3.2");
+  await page.getByTestId("input-l").press("Enter");
+  await ready(page);
+  expect(await page.getByTestId("orbit-tip").isVisible()).toBe(false);
   await page.close();
 });
 
@@ -145,6 +150,38 @@ test("a click into the diagram chooses a point; the address holds it and gives i
   expect(await crossings(again)).toBe(await crossings(page));
   await page.close();
   await again.close();
+});
+
+test("after a click the point is decided exactly, and what was told of the way there goes when a number is typed", async () => {
+  const page = await open(POINT);
+  const box = (await page.getByTestId("diagram").boundingBox())!;
+  for (const [x, y] of [[0.5, 0.55], [0.8, 0.7], [0.75, 0.2]] as const) {
+    await page.mouse.click(box.x + x * box.width, box.y + y * box.height);
+    await ready(page);
+    // What comes late must not take its place.
+    await page.waitForTimeout(500);
+    expect(await page.getByTestId("point-status").textContent()).toBe("decided exactly");
+  }
+  await expect.poll(() => page.getByTestId("surgery").textContent()).not.toBe("");
+  await page.getByTestId("input-h").fill("-8");
+  await page.getByTestId("input-h").press("Enter");
+  await ready(page);
+  expect(await page.getByTestId("surgery").textContent()).toBe("");
+  // The field still has the focus: an address that is opened is shown in it nevertheless.
+  await go(page, POINT);
+  expect(await page.getByTestId("input-h").inputValue()).toBe("3.8");
+  await page.close();
+});
+
+test("axes of small bodies are in units of a power of ten, with short numbers beside them", async () => {
+  const page = await open("A=2e-5,1.1e-5,1e-5&r=9e-6,2e-6,6e-6");
+  const [file] = await Promise.all([page.waitForEvent("download"), page.getByTestId("export-svg").click()]);
+  const texts = [...(await readFile((await file.path())!, "utf8")).matchAll(/<text[^>]*>([^<]*)</g)].map(([, text]) => text!);
+  expect(texts).toContain("momentum l / 10⁻⁵");
+  expect(texts).toContain("energy h / 10⁻⁴");
+  expect(texts.filter((text) => /^0\.000/.test(text))).toEqual([]);
+  expect(await page.getByTestId("input-l").inputValue()).toMatch(/^\d\.\d+e-5$/);
+  await page.close();
 });
 
 test("the name of a region stands beside the point, not under it", async () => {

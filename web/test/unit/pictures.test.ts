@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { between, same } from "../../src/state/view";
 import { apply, back, castBall, composed, lookingAt, rotation, turned, type Vec } from "../../src/draw/ball";
-import { ticks } from "../../src/draw/canvas";
+import { powerOf, ticks } from "../../src/draw/canvas";
 import { LESSONS } from "../../src/guide/lessons";
 import words from "../../src/texts/en/guide";
 import { npy } from "../../src/export/files";
@@ -83,4 +83,8 @@ describe("classes in words", () => {
     for (let k = 1; k <= 7; k++) expect(presets).toContain(`katok:${k}`);
     expect(described(known, words.classes, "01036ac4a504")).toMatch(/^number 1 of \d+ classes of physical bodies, 3\d\.\d % of them$/);
   });
+});
+
+test("long numbers of an axis are in units of a power of ten", () => {
+  expect([powerOf(0, 8.6), powerOf(-1.2, 24), powerOf(0, 8e-5), powerOf(-2e6, 3e5), powerOf(0, 99_999), powerOf(0, 0.001)]).toEqual([0, 0, -5, 6, 0, 0]);
 });
