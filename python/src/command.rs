@@ -15,6 +15,7 @@ pub fn run(python: Python<'_>, arguments: Vec<OsString>) -> u8 {
 
 /// Serves the explorer's page from a folder to this machine until the process ends, and returns the port.
 #[pyfunction]
+#[expect(clippy::needless_pass_by_value, reason = "what was taken out of a path of Python")]
 pub fn serve(page: PathBuf) -> PyResult<u16> {
     Ok(bifdiag::cli::serve(&page)?)
 }
