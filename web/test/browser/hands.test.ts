@@ -89,6 +89,19 @@ test("a phone: the line of a component lights it when it is tapped, and the head
   await page.close();
 });
 
+test("a phone: a large panel is all to be seen, and its button stands at the right also below others", async () => {
+  const page = await open(`${POINT}&present=section`, phone(PHONES[0]!));
+  expect(await page.getByTestId("stack-bar").isVisible()).toBe(false);
+  const { y, height } = (await page.locator(".reason").boundingBox())!;
+  expect(y + height).toBeLessThanOrEqual(844);
+  await page.goto(`${page.url().split(/[?#]/)[0]}?lang=de#${POINT}`);
+  await page.setViewportSize(PHONES[1]!);
+  await ready(page);
+  const large = (await page.getByTestId("present-diagram").boundingBox())!;
+  expect(large.x + large.width).toBeGreaterThan(330);
+  await page.close();
+});
+
 test("a phone: the bar shows one panel as the present one, also where two meet", async () => {
   const page = await open(POINT, phone(PHONES[0]!));
   await page.locator("[data-panel=motion]").evaluate((panel) => scrollBy({ top: panel.getBoundingClientRect().top - 0.425 * innerHeight, behavior: "instant" }));
