@@ -24,8 +24,8 @@ __all__ = [
     "proved_motion",
     "readable",
     "run",
-    "serve",
     "section",
+    "serve",
     "verify",
 ]
 
