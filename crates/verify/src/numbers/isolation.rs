@@ -7,7 +7,7 @@ use dashu_base::BitTest;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use super::polynomial::{Polynomial, sign};
+use super::polynomial::{Polynomial, Signs, sign};
 
 /// Splits after which a multiple root is suspected, and at most.
 const SIMPLE: usize = 100;
@@ -28,7 +28,7 @@ struct Part {
 pub(crate) struct Root {
     pub lo: RBig,
     pub hi: RBig,
-    polynomial: Rc<Polynomial>,
+    polynomial: Rc<Signs>,
     /// Sign of the polynomial at the upper end.
     above: i8,
 }
@@ -53,7 +53,7 @@ fn separated(p: &Polynomial, [lo, hi]: [Option<&RBig>; 2]) -> Option<(Polynomial
 /// too close.
 pub(crate) fn roots(p: &Polynomial, [lo, hi]: [&RBig; 2]) -> Option<Vec<Root>> {
     let (p, parts) = separated(p, [Some(lo), Some(hi)])?;
-    let p = Rc::new(p);
+    let p = Rc::new(Signs::new(p));
     let mut found: Vec<Root> = parts.into_iter().map(|part| part.root(&p)).collect();
     found.sort_by(|p, q| (&p.lo, &p.hi).cmp(&(&q.lo, &q.hi)));
     // An end of one range may be one of the next.
@@ -143,7 +143,7 @@ impl Part {
     }
 
     /// Its root, where it is bounded.
-    fn root(self, polynomial: &Rc<Polynomial>) -> Root {
+    fn root(self, polynomial: &Rc<Signs>) -> Root {
         let [from, to] = [self.from, self.to].map(|[n, d]| RBig::from(n) / RBig::from(d));
         // It changes its sign once, and the last coefficient has that for large u.
         let at_to = self.polynomial.last().map_or(0, sign);
@@ -159,7 +159,7 @@ impl Root {
             return;
         }
         let middle = (&self.lo + &self.hi) / RBig::from(2);
-        match self.polynomial.sign_at(&middle) {
+        match self.polynomial.at(&middle) {
             0 => (self.lo, self.hi) = (middle.clone(), middle),
             s if s == self.above => self.hi = middle,
             _ => self.lo = middle,

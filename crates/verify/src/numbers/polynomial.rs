@@ -4,11 +4,16 @@ use dashu_base::{BitTest, Gcd};
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
+use super::ball::Ball;
+
+/// Words in which signs are sought first.
+const WORDS: usize = 6;
+
 /// Coefficients by rising degree.
 pub(crate) type Coefficients = Vec<RBig>;
 
 /// The coefficients times a positive integer that makes them whole, and that integer.
-fn whole(p: &[RBig]) -> (Vec<IBig>, UBig) {
+pub(crate) fn whole(p: &[RBig]) -> (Vec<IBig>, UBig) {
     let common = p.iter().fold(UBig::ONE, |common, x| {
         let shared = (&common).gcd(x.denominator());
         common / shared * x.denominator()
@@ -19,14 +24,19 @@ fn whole(p: &[RBig]) -> (Vec<IBig>, UBig) {
 /// p q, multiplied in integers, so that each coefficient is reduced only once.
 pub(crate) fn times(p: &[RBig], q: &[RBig]) -> Coefficients {
     let ((p, p_below), (q, q_below)) = (whole(p), whole(q));
+    let below = p_below * q_below;
+    product(&p, &q).into_iter().map(|c| RBig::from_parts(c, below.clone())).collect()
+}
+
+/// p q in integers.
+pub(crate) fn product(p: &[IBig], q: &[IBig]) -> Vec<IBig> {
     let mut product = vec![IBig::ZERO; (p.len() + q.len()).saturating_sub(1)];
     for (i, a) in p.iter().enumerate() {
         for (j, b) in q.iter().enumerate() {
             product[i + j] += a * b;
         }
     }
-    let below = p_below * q_below;
-    product.into_iter().map(|c| RBig::from_parts(c, below.clone())).collect()
+    product
 }
 
 /// p + factor q.
@@ -45,7 +55,8 @@ impl Polynomial {
         Self::primitive(whole(p).0)
     }
 
-    fn primitive(mut p: Vec<IBig>) -> Self {
+    /// Without the common divisor.
+    pub fn primitive(mut p: Vec<IBig>) -> Self {
         while p.last().is_some_and(|c| *c == IBig::ZERO) {
             p.pop();
         }
@@ -151,6 +162,26 @@ impl Polynomial {
         let lower = self.0.iter().rev().enumerate().skip(1).filter(|(_, c)| **c != IBig::ZERO);
         let power = lower.map(|(k, c)| (bits(c) - lead + 1).max(0).cast_unsigned().div_ceil(k)).max();
         RBig::from(IBig::ONE << (power.unwrap_or(0) + 1))
+    }
+}
+
+/// A polynomial whose signs are asked at many places: most are those of an enclosure.
+#[derive(Debug)]
+pub(super) struct Signs {
+    exact: Polynomial,
+    enclosed: Vec<Ball<WORDS>>,
+}
+
+impl Signs {
+    pub fn new(exact: Polynomial) -> Self {
+        let enclosed = exact.0.iter().map(|c| Ball::of(&RBig::from(c.clone()))).collect();
+        Self { exact, enclosed }
+    }
+
+    pub fn at(&self, x: &RBig) -> i8 {
+        let at = Ball::of(x);
+        let value = self.enclosed.iter().rev().fold(Ball::zero(), |sum, c| &(&sum * &at) + c);
+        value.strict_sign().unwrap_or_else(|| self.exact.sign_at(x))
     }
 }
 

@@ -9,19 +9,18 @@ use super::flow::Flow;
 use super::modes::Rotation;
 use crate::equilibria::pieces::Branch;
 use crate::equilibria::spaces::Spaces;
-use crate::numbers::fixed::Fixed;
+use crate::numbers::ball::Ball;
 use crate::numbers::polynomial::Polynomial;
 
 /// Splits at most.
 const SPLITS: usize = 400;
 
 /// The polynomial in x, t = from + width x, over the zeros that are known, by rising powers.
-pub(super) struct Determinant {
+pub(super) struct Determinant<const N: usize> {
     from: RBig,
     width: RBig,
     known: Vec<RBig>,
-    form: Vec<Fixed>,
-    bits: usize,
+    form: Vec<Ball<N>>,
 }
 
 /// r on an axis, and rotation about it.
@@ -29,9 +28,9 @@ pub(super) fn is_axis(spaces: &Spaces, branch: Branch) -> bool {
     spaces.active.len() == 1 && !matches!(branch, Branch::Over(_))
 }
 
-impl Determinant {
+impl<const N: usize> Determinant<N> {
     /// From the normal forms inside a range of the parameter, in which there are two imaginary pairs at index 2.
-    pub fn new(spaces: &Spaces, branch: Branch, flow: &Flow, [from, to]: [&RBig; 2], bits: usize) -> Option<Self> {
+    pub fn new(spaces: &Spaces, branch: Branch, flow: &Flow, [from, to]: [&RBig; 2]) -> Option<Self> {
         let (is_axis, width) = (is_axis(spaces, branch), to - from);
         let known = known_zeros(spaces, branch, &flow.resonances()[0]);
         let degree = match branch {
@@ -42,51 +41,49 @@ impl Determinant {
         let number = |n: usize| RBig::from(IBig::from(n));
         let places: Vec<RBig> =
             (0..=degree).map(|k| from + &width * number(2 * k + 1) / number(2 * degree + 2)).collect();
-        let weights: Vec<RBig> = places.iter().map(|t| squared_length(spaces, branch, t)).collect();
-        let most = weights.iter().max()?;
-        let values = places.iter().zip(&weights).map(|(t, weight)| {
-            let NormalForm { b, c, arnold, .. } =
-                NormalForm::new(&rotation(spaces, branch, &Fixed::of(t, bits), bits)?)?;
-            let defect = |m: i32, n: i32| &(&Fixed::whole(m) * &b.square()) - &(&Fixed::whole(n) * &c);
+        let values = places.iter().map(|t| {
+            let at = rotation(spaces, branch, &Ball::of(t))?;
+            let NormalForm { b, c, arnold, .. } = NormalForm::new(&at)?;
+            let defect = |m: i32, n: i32| &(&Ball::whole(m) * &b.square()) - &(&Ball::whole(n) * &c);
             let mut value = &(&arnold * &c) * &defect(1, 4);
             if !is_axis {
-                value = &(&value * &c) * &(&defect(4, 25) * &Fixed::of(&(weight / most).pow(9), bits));
+                let cube = &at.weight.square() * &at.weight;
+                value = &(&value * &c) * &(&defect(4, 25) * &(&cube.square() * &cube));
             }
             let away = known.iter().fold(RBig::ONE, |product, zero| product * (t - zero) / &width);
-            value.over(&Fixed::of(&away, bits))
+            value.over(&Ball::of(&away))
         });
-        let mut differences: Vec<Fixed> = values.collect::<Option<_>>()?;
+        let mut differences: Vec<Ball<N>> = values.collect::<Option<_>>()?;
         for step in 0..degree {
             for k in (step + 1..=degree).rev() {
                 differences[k] = &differences[k] - &differences[k - 1];
             }
         }
         // Newton's form in (degree + 1)x − ½, the number of the place.
-        let mut form: Vec<Fixed> = Vec::new();
-        let slope = Fixed::of(&number(degree + 1), 0);
+        let mut form: Vec<Ball<N>> = Vec::new();
+        let slope = Ball::of(&number(degree + 1));
         for (k, difference) in differences.iter().enumerate().rev() {
-            let shift = &Fixed::of(&number(k), 0) + &Fixed::whole(1).half();
-            let count = Fixed::of(&number(k + 1), 0);
+            let [shift, over] = [number(2 * k + 1) / number(2), RBig::ONE / number(k + 1)].map(|x| Ball::of(&x));
             let mut next = vec![difference.clone()];
-            next.resize(form.len() + 1, Fixed::whole(0));
+            next.resize(form.len() + 1, Ball::zero());
             for (power, coefficient) in form.iter().enumerate() {
-                let coefficient = coefficient.over(&count)?;
+                let coefficient = coefficient * &over;
                 next[power] = &next[power] - &(&coefficient * &shift);
                 next[power + 1] = &next[power + 1] + &(&coefficient * &slope);
             }
             form = next;
         }
-        Some(Self { from: from.clone(), width, known, form, bits })
+        Some(Self { from: from.clone(), width, known, form })
     }
 
-    fn at(&self, x: &Fixed) -> Fixed {
-        self.form.iter().rev().fold(Fixed::whole(0), |sum, c| &(&sum * x) + c)
+    fn at(&self, x: &Ball<N>) -> Ball<N> {
+        self.form.iter().rev().fold(Ball::zero(), |sum, c| &(&sum * x) + c)
     }
 
     /// The sign of N over a range of the parameter, where it is one.
     pub fn sign(&self, range: &[RBig; 2]) -> Option<i8> {
-        let [lo, hi] = range.each_ref().map(|t| Fixed::of(&((t - &self.from) / &self.width), self.bits));
-        self.known.iter().try_fold(self.at(&lo.hull(&hi)).strict_sign()?, |sign, zero| match range {
+        let [lo, hi] = range.each_ref().map(|t| (t - &self.from) / &self.width);
+        self.known.iter().try_fold(self.at(&Ball::between(&lo, &hi)).strict_sign()?, |sign, zero| match range {
             [lo, _] if zero < lo => Some(sign),
             [_, hi] if zero > hi => Some(-sign),
             _ => None,
@@ -97,7 +94,7 @@ impl Determinant {
     /// allow; `None` where they are not told apart, or one is at an end.
     pub fn zeros(&self, narrow: usize) -> Option<Vec<[RBig; 2]>> {
         self.form.first()?.strict_sign()?;
-        self.at(&Fixed::whole(1)).strict_sign()?;
+        self.at(&Ball::whole(1)).strict_sign()?;
         let mut open = vec![(self.form.clone(), [RBig::ZERO, RBig::ONE])];
         let (mut found, mut splits) = (Vec::new(), 0);
         while let Some((form, [lo, hi])) = open.pop() {
@@ -107,9 +104,7 @@ impl Determinant {
                 _ if splits == SPLITS => return None,
                 _ => {
                     splits += 1;
-                    let degree = form.len() - 1;
-                    let power = |k: usize| Fixed::of(&RBig::from(IBig::ONE << k), 0);
-                    let below: Vec<Fixed> = (0..=degree).map(|k| &form[k] * &power(degree - k)).collect();
+                    let below: Vec<Ball<N>> = form.iter().zip(0..).map(|(c, k)| c.times_two_to(-k)).collect();
                     let above = shifted(below.clone());
                     above[0].strict_sign()?;
                     let middle = (&lo + &hi) / RBig::from(2);
@@ -122,7 +117,7 @@ impl Determinant {
     }
 
     fn narrowed(&self, [mut lo, mut hi]: [RBig; 2], bits: usize) -> Option<[RBig; 2]> {
-        let sign = |x: &RBig| self.at(&Fixed::of(x, self.bits)).strict_sign();
+        let sign = |x: &RBig| self.at(&Ball::of(x)).strict_sign();
         let (above, finer) = (sign(&hi)?, RBig::from(IBig::ONE << bits));
         while (&hi - &lo) * &finer > (&lo).min(&(RBig::ONE - &hi)).clone() {
             let middle = (&lo + &hi) / RBig::from(2);
@@ -162,24 +157,9 @@ fn known_zeros(spaces: &Spaces, branch: Branch, resonance: &Polynomial) -> Vec<R
     known
 }
 
-/// p at a place; 1 over a space without r.
-fn squared_length(spaces: &Spaces, branch: Branch, t: &RBig) -> RBig {
-    let part = |k: usize| {
-        let others = spaces.active.iter().filter(|&&j| j != k);
-        others.fold(spaces.list[k].q.clone(), |product, &j| {
-            let d = t - &spaces.list[j].a;
-            product * &d * d
-        })
-    };
-    if matches!(branch, Branch::Over(_)) {
-        return RBig::ONE;
-    }
-    spaces.active.iter().fold(RBig::ZERO, |sum, &k| sum + part(k))
-}
-
 /// The relative equilibrium over a range of the parameter, with Ω = 1, r along the first axis of each space.
-pub(super) fn rotation(spaces: &Spaces, branch: Branch, t: &Fixed, bits: usize) -> Option<Rotation> {
-    let set = |x: &RBig| Fixed::of(x, bits);
+pub(super) fn rotation<const N: usize>(spaces: &Spaces, branch: Branch, t: &Ball<N>) -> Option<Rotation<N>> {
+    let set = |x: &RBig| Ball::of(x);
     let mut axes = Vec::new();
     let tau = |k: usize| match branch {
         Branch::Over(base) => set(&(&spaces.list[base].a - &spaces.list[k].a)),
@@ -188,9 +168,9 @@ pub(super) fn rotation(spaces: &Spaces, branch: Branch, t: &Fixed, bits: usize) 
     let weight = |k: usize| {
         let space = &spaces.list[k];
         match branch {
-            Branch::Over(base) if k == base => Some(&Fixed::whole(1) - &(t * &set(&spaces.sums(base).1))),
+            Branch::Over(base) if k == base => Some(&Ball::whole(1) - &(t * &set(&spaces.sums(base).1))),
             Branch::Over(_) => (t * &set(&space.q)).over(&tau(k).square()),
-            _ if !spaces.active.contains(&k) => Some(Fixed::whole(0)),
+            _ if !spaces.active.contains(&k) => Some(Ball::zero()),
             _ => {
                 let others = spaces.active.iter().filter(|&&j| j != k);
                 Some(others.fold(set(&space.q), |product, &j| &product * &tau(j).square()))
@@ -199,17 +179,18 @@ pub(super) fn rotation(spaces: &Spaces, branch: Branch, t: &Fixed, bits: usize) 
     };
     for (k, space) in spaces.list.iter().enumerate() {
         for n in 0..space.axes.len() {
-            axes.push((set(&space.a), if n == 0 { weight(k)? } else { Fixed::whole(0) }, tau(k)));
+            axes.push((set(&space.a), if n == 0 { weight(k)? } else { Ball::zero() }, tau(k)));
         }
     }
-    let total = axes.iter().fold(Fixed::whole(0), |sum, (_, weight, _)| &sum + weight);
+    let total = axes.iter().fold(Ball::zero(), |sum, (_, weight, _)| &sum + weight);
     let gamma = |k: usize| axes[k].1.over(&total)?.root();
     let gamma = [gamma(0)?, gamma(1)?, gamma(2)?];
-    Some(Rotation { a: [0, 1, 2].map(|k| axes[k].0.clone()), gamma, tau: [0, 1, 2].map(|k| axes[k].2.clone()) })
+    let [a, tau] = [[0, 1, 2].map(|k| axes[k].0.clone()), [0, 1, 2].map(|k| axes[k].2.clone())];
+    Some(Rotation { a, gamma, tau, weight: total })
 }
 
 /// p(x + 1).
-fn shifted(mut form: Vec<Fixed>) -> Vec<Fixed> {
+fn shifted<const N: usize>(mut form: Vec<Ball<N>>) -> Vec<Ball<N>> {
     for from in 0..form.len() {
         for k in (from..form.len() - 1).rev() {
             form[k] = &form[k] + &form[k + 1];
@@ -219,7 +200,7 @@ fn shifted(mut form: Vec<Fixed>) -> Vec<Fixed> {
 }
 
 /// The smallest and the largest number of changes of sign that Descartes' rule counts in (0, 1).
-fn changes(form: &[Fixed]) -> [usize; 2] {
+fn changes<const N: usize>(form: &[Ball<N>]) -> [usize; 2] {
     let reversed = shifted(form.iter().rev().cloned().collect());
     let (mut fewest, mut last) = (0, None);
     // Most changes so far that end with this sign.

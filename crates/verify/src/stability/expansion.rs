@@ -7,17 +7,17 @@
 
 use std::collections::BTreeMap;
 
-use super::modes::{Complex, Modes, Vector, combined, mapped, nothing, plus, zero};
-use crate::numbers::fixed::Fixed;
+use super::modes::{Complex, Modes, Vector, combined, mapped, nothing, plus};
+use crate::numbers::ball::Ball;
 
 /// The powers of ζ₁, ζ₂ and of their conjugates.
 pub(super) type Powers = [u8; 4];
 
 /// The coefficients, each made when it is needed.
-pub(super) struct Expansion<'a> {
-    modes: &'a Modes<'a>,
-    known: BTreeMap<Powers, Vector>,
-    shifts: BTreeMap<(usize, [u8; 2]), Fixed>,
+pub(super) struct Expansion<'a, const N: usize> {
+    modes: &'a Modes<'a, N>,
+    known: BTreeMap<Powers, Vector<N>>,
+    shifts: BTreeMap<(usize, [u8; 2]), Ball<N>>,
 }
 
 /// How often each phase is in a monomial.
@@ -40,15 +40,15 @@ fn splits(powers: Powers) -> Vec<[Powers; 2]> {
         .collect()
 }
 
-impl<'a> Expansion<'a> {
-    pub fn new(modes: &'a Modes<'a>) -> Self {
+impl<'a, const N: usize> Expansion<'a, N> {
+    pub fn new(modes: &'a Modes<'a, N>) -> Self {
         let unit = |n: usize| std::array::from_fn(|k| u8::from(k == n));
         let known = (0..4).map(|n| (unit(n), modes.vectors[n].clone())).collect();
         Self { modes, known, shifts: BTreeMap::new() }
     }
 
     /// The coefficient of |ζ₁|^2s₁ |ζ₂|^2s₂ in σ of a mode.
-    pub fn shift(&mut self, mode: usize, s: [u8; 2]) -> Option<Fixed> {
+    pub fn shift(&mut self, mode: usize, s: [u8; 2]) -> Option<Ball<N>> {
         if let Some(shift) = self.shifts.get(&(mode, s)) {
             return Some(shift.clone());
         }
@@ -61,7 +61,7 @@ impl<'a> Expansion<'a> {
     }
 
     /// The coefficient of a monomial of at least second order; `None` at a resonance.
-    pub fn coefficient(&mut self, powers: Powers) -> Option<Vector> {
+    pub fn coefficient(&mut self, powers: Powers) -> Option<Vector<N>> {
         if let Some(known) = self.known.get(&powers) {
             return Some(known.clone());
         }
@@ -70,26 +70,29 @@ impl<'a> Expansion<'a> {
             return Some(mapped(conjugate, Complex::conjugate));
         }
         let forced = self.forced(powers)?;
-        let shares = [0, 1, 2, 3].map(|n| self.modes.share(n, &forced));
         let own = (0..4).find(|&n| windings(powers) == windings(std::array::from_fn(|k| u8::from(k == n))));
         let rates = &self.modes.rates;
-        let over = |rate: &Fixed| Fixed::whole(1).over(rate);
+        let over = |rate: &Ball<N>| Ball::whole(1).over(rate);
         let found = if windings(powers) == [0, 0] {
-            let mut terms = self.at_rest(powers)?;
-            for (n, share) in shares.iter().enumerate() {
-                terms.push((share.turned(&over(&-&rates[n])?), &self.modes.vectors[n]));
+            // Its own conjugate; so are the modes in pairs.
+            let mut turned = Vec::new();
+            for (n, rate) in rates[..2].iter().enumerate() {
+                let share = self.modes.share(n, &forced);
+                turned.push((share.turned(&over(&-rate)?), &self.modes.vectors[n]));
             }
-            combined(&nothing(), &terms)
+            let moved = mapped(&combined(&nothing(), &turned), |x| Complex::real(&x.re + &x.re));
+            combined(&moved, &self.at_rest(powers)?)
         } else {
             // What has no share in a mode grows by 1/(iω), the others by 1/(i(ω − ω_n)).
             let rate = windings(powers)
                 .into_iter()
                 .zip(rates)
-                .fold(Fixed::whole(0), |sum, (winding, rate)| &sum + &(&Fixed::whole(winding) * rate));
+                .fold(Ball::zero(), |sum, (winding, rate)| &sum + &(&Ball::whole(winding) * rate));
             let plain = over(&rate)?;
             let mut terms = Vec::new();
-            for (n, share) in shares.iter().enumerate() {
-                let whole = if own == Some(n) { Fixed::whole(0) } else { over(&(&rate - &rates[n]))? };
+            for n in 0..4 {
+                let share = self.modes.share(n, &forced);
+                let whole = if own == Some(n) { Ball::zero() } else { over(&(&rate - &rates[n]))? };
                 terms.push((share.turned(&(&whole - &plain)), &self.modes.vectors[n]));
             }
             combined(&mapped(&forced, |x| x.turned(&plain)), &terms)
@@ -100,7 +103,7 @@ impl<'a> Expansion<'a> {
 
     /// What drives a coefficient: products of others, and slower phases of those before it. At a monomial whose frequency is a
     /// mode's, without the last shift.
-    pub fn forced(&mut self, powers: Powers) -> Option<Vector> {
+    pub fn forced(&mut self, powers: Powers) -> Option<Vector<N>> {
         let mut sum = nothing();
         for [first, second] in splits(powers) {
             let product = self.modes.quadratic(&self.coefficient(first)?, &self.coefficient(second)?);
@@ -109,9 +112,9 @@ impl<'a> Expansion<'a> {
         for s in slower(powers) {
             let mut before = powers;
             (0..4).for_each(|k| before[k] -= s[k % 2]);
-            let mut rate = Fixed::whole(0);
+            let mut rate = Ball::zero();
             for (mode, winding) in windings(powers).into_iter().enumerate().filter(|(_, winding)| *winding != 0) {
-                rate = &rate + &(&Fixed::whole(winding) * &self.shift(mode, s)?);
+                rate = &rate + &(&Ball::whole(winding) * &self.shift(mode, s)?);
             }
             let earlier = self.coefficient(before)?;
             sum = plus(&sum, &mapped(&earlier, |x| x.turned(&rate)));
@@ -120,26 +123,27 @@ impl<'a> Expansion<'a> {
     }
 
     /// What |γ| and ⟨γ, 𝐥⟩ demand at a monomial in |ζ₁|², |ζ₂|² to keep their values.
-    fn at_rest(&mut self, powers: Powers) -> Option<Vec<(Complex, &'a Vector)>> {
-        let (mut length, mut moment) = (zero(), zero());
+    fn at_rest(&mut self, powers: Powers) -> Option<Vec<(Complex<N>, &'a Vector<N>)>> {
+        let (mut length, mut moment) = (Ball::zero(), Ball::zero());
         for [first, second] in splits(powers) {
             let [[p, g], [q, h]] = [self.coefficient(first)?, self.coefficient(second)?];
-            let of = |f: &dyn Fn(usize) -> Complex| (0..3).fold(zero(), |sum, k| &sum - &f(k));
-            let longer = of(&|k| &g[k] * &h[k]);
-            let more = of(&|k| (&(&g[k] * &q[k]) + &(&h[k] * &p[k])).times(&self.modes.at.a[k]));
+            let of = |f: &dyn Fn(usize) -> Ball<N>| (0..3).fold(Ball::zero(), |sum, k| &sum - &f(k));
+            let longer = of(&|k| (&g[k] * &h[k]).re);
+            let more = of(&|k| &(&(&g[k] * &q[k]) + &(&h[k] * &p[k])).re * &self.modes.at.a[k]);
+            // A split and its conjugate are both in the list, or it is its own.
             let [longer, more] = [longer, more].map(|x| if first == second { x.half() } else { x });
             (length, moment) = (&length + &longer, &moment + &more);
         }
         let moment = moment.over(&self.modes.j)?;
         let [longer, faster] = &self.modes.beside;
-        Some(vec![(&moment - &length, faster), (length, longer)])
+        Some(vec![(Complex::real(&moment - &length), faster), (Complex::real(length), longer)])
     }
 
     /// The coefficient of |ζ₁|^2s₁ |ζ₂|^2s₂ in the energy ½⟨ω, 𝐥⟩ − ⟨γ, r⟩.
-    pub fn energy(&mut self, s: [u8; 2]) -> Option<Fixed> {
+    pub fn energy(&mut self, s: [u8; 2]) -> Option<Ball<N>> {
         let powers = [s[0], s[1], s[0], s[1]];
         let at = self.modes.at;
-        let mut sum = Fixed::whole(0);
+        let mut sum = Ball::zero();
         let [omega, gamma] = self.coefficient(powers)?;
         for k in 0..3 {
             let turning = &(&at.a[k] * &at.gamma[k]) * &omega[k].re;
@@ -147,7 +151,7 @@ impl<'a> Expansion<'a> {
         }
         for [first, second] in splits(powers) {
             let [[p, _], [q, _]] = [self.coefficient(first)?, self.coefficient(second)?];
-            let product = (0..3).fold(Fixed::whole(0), |sum, k| &sum + &(&at.a[k] * &(&p[k] * &q[k]).re));
+            let product = (0..3).fold(Ball::zero(), |sum, k| &sum + &(&at.a[k] * &(&p[k] * &q[k]).re));
             sum = &sum + &(if first == second { product.half() } else { product });
         }
         Some(sum)

@@ -1,11 +1,14 @@
 //! The linearised flow along a branch of relative equilibria: λ⁴ + bλ² + c (Theorem 13.1), its signs as those of
 //! polynomials in a parameter of the branch, and the linear type that follows (Corollary 13.2).
 
+use std::slice;
+
 use bifdiag_schema::Stability;
+use dashu_int::IBig;
 use dashu_ratio::RBig;
 
 use crate::equilibria::spaces::Spaces;
-use crate::numbers::polynomial::{Coefficients, Polynomial, plus, times};
+use crate::numbers::polynomial::{Coefficients, Polynomial, product, times, whole};
 
 /// Polynomials with the signs of b, c and b² − 4c.
 pub(crate) struct Flow {
@@ -19,10 +22,10 @@ pub(crate) struct Flow {
 }
 
 /// A principal axis: its moment, and the weight γ² and μ − a up to factors that all axes share, in the parameter.
-struct Axis {
-    a: RBig,
-    weight: Coefficients,
-    tau: Coefficients,
+struct Axis<T> {
+    a: T,
+    weight: Vec<T>,
+    tau: Vec<T>,
 }
 
 impl Flow {
@@ -53,32 +56,32 @@ impl Flow {
 
     /// Multiplied by det A and the squares of what the weights share: with J = Σ w a, d = a_j − a_k, v² = w_j w_k d²,
     /// c = J Σ w_i τ_j τ_k + 4 Σ τ_i v_i² and J b = (J tr A − 2 Σ w a²)² + Σ a_j a_k [J (τ_j w_k + τ_k w_j) + 4 v_i²].
-    fn new(axes: &[Axis; 3], circle: bool) -> Self {
-        let one = RBig::ONE;
-        let mean = |power: isize| axes.iter().fold(Vec::new(), |sum, x| plus(&sum, &x.weight, &x.a.pow(power)));
+    fn new(axes: &[Axis<RBig>; 3], circle: bool) -> Self {
+        let axes = &in_integers(axes);
+        let mean = |power: usize| axes.iter().fold(Vec::new(), |sum, x| plus(&sum, &x.weight, &x.a.pow(power)));
         let (j, second) = (mean(1), mean(2));
         let trace = &axes[0].a + &axes[1].a + &axes[2].a;
         let determinant = &axes[0].a * &axes[1].a * &axes[2].a;
-        let swing = plus(&plus(&[], &j, &trace), &second, &RBig::from(-2));
-        let (mut b, mut hanging, mut twisted) = (times(&swing, &swing), Vec::new(), Vec::new());
+        let swing = plus(&plus(&[], &j, &trace), &second, &IBig::from(-2));
+        let (mut b, mut hanging, mut twisted) = (product(&swing, &swing), Vec::new(), Vec::new());
         for i in 0..3 {
             let [x, y, z] = [&axes[i], &axes[(i + 1) % 3], &axes[(i + 2) % 3]];
             let d = &y.a - &z.a;
-            let v = plus(&[], &times(&y.weight, &z.weight), &(RBig::from(4) * &d * &d));
-            hanging = plus(&hanging, &times(&x.weight, &times(&y.tau, &z.tau)), &one);
-            twisted = plus(&twisted, &times(&x.tau, &v), &one);
-            let across = plus(&times(&y.tau, &z.weight), &times(&z.tau, &y.weight), &one);
-            b = plus(&b, &plus(&times(&j, &across), &v, &one), &(&y.a * &z.a));
+            let v = plus(&[], &product(&y.weight, &z.weight), &(IBig::from(4) * &d * &d));
+            hanging = plus(&hanging, &product(&x.weight, &product(&y.tau, &z.tau)), &IBig::ONE);
+            twisted = plus(&twisted, &product(&x.tau, &v), &IBig::ONE);
+            let across = plus(&product(&y.tau, &z.weight), &product(&z.tau, &y.weight), &IBig::ONE);
+            b = plus(&b, &plus(&product(&j, &across), &v, &IBig::ONE), &(&y.a * &z.a));
         }
-        let c = plus(&times(&j, &hanging), &twisted, &one);
-        let product = times(&times(&j, &j), &c);
-        let square = times(&b, &b);
+        let c = plus(&product(&j, &hanging), &twisted, &IBig::ONE);
+        let right = product(&product(&j, &j), &c);
+        let square = product(&b, &b);
         let defect = |m: i32, n: i32| {
-            let square = plus(&[], &square, &RBig::from(m));
-            Polynomial::new(&plus(&square, &product, &(RBig::from(-n) * &determinant)))
+            let square = plus(&[], &square, &IBig::from(m));
+            Polynomial::primitive(plus(&square, &right, &(IBig::from(-n) * &determinant)))
         };
         let (discriminant, resonances) = (defect(1, 4), [defect(4, 25), defect(9, 100)]);
-        let [b, c] = [b, c].map(|polynomial| Polynomial::new(&polynomial));
+        let [b, c] = [b, c].map(Polynomial::primitive);
         Self { b, c, discriminant, resonances, circle }
     }
 
@@ -100,7 +103,7 @@ impl Flow {
 }
 
 /// One axis for each direction, r along the first of its space.
-fn axes(spaces: &Spaces, of: impl Fn(usize) -> (Coefficients, Coefficients)) -> [Axis; 3] {
+fn axes(spaces: &Spaces, of: impl Fn(usize) -> (Coefficients, Coefficients)) -> [Axis<RBig>; 3] {
     let mut all = spaces.list.iter().enumerate().flat_map(|(k, space)| {
         let (weight, tau) = of(k);
         (0..space.axes.len()).map(move |n| Axis {
@@ -110,6 +113,26 @@ fn axes(spaces: &Spaces, of: impl Fn(usize) -> (Coefficients, Coefficients)) -> 
         })
     });
     std::array::from_fn(|_| all.next().expect("three axes"))
+}
+
+/// Moments and τ times one integer, weights times another: b, c and their defects are homogeneous in either.
+fn in_integers(axes: &[Axis<RBig>; 3]) -> [Axis<IBig>; 3] {
+    let lengths = axes.each_ref().map(|axis| [axis.weight.len(), axis.tau.len()]);
+    let sizes: Coefficients = axes.iter().flat_map(|axis| [slice::from_ref(&axis.a), &axis.tau].concat()).collect();
+    let mut sizes = whole(&sizes).0.into_iter();
+    let weights: Coefficients = axes.iter().flat_map(|axis| axis.weight.iter().cloned()).collect();
+    let mut weights = whole(&weights).0.into_iter();
+    lengths.map(|[weight, tau]| Axis {
+        a: sizes.next().expect("a moment of each axis"),
+        tau: sizes.by_ref().take(tau).collect(),
+        weight: weights.by_ref().take(weight).collect(),
+    })
+}
+
+/// p + factor q.
+fn plus(p: &[IBig], q: &[IBig], factor: &IBig) -> Vec<IBig> {
+    let term = |k: usize| q.get(k).map_or(IBig::ZERO, |c| c * factor);
+    (0..p.len().max(q.len())).map(|k| p.get(k).map_or_else(|| term(k), |c| c + term(k))).collect()
 }
 
 /// Rotation without weight about an axis of a space: λ² = −Ω² and −Ω²(a_k − a_i)(a_k − a_j)/(a_i a_j).

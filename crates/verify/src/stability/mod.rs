@@ -12,6 +12,8 @@ mod modes;
 mod range;
 mod verdicts;
 
+use std::rc::Rc;
+
 use bifdiag_schema::{
     AtlasDocument, CurveDocument, Failing, NonlinearVerdict, Reason, Stability, StabilityChangeDocument,
     StabilityChangeKind, VerdictChangeDocument,
@@ -111,7 +113,7 @@ pub(crate) fn exceptions(
         }
         let mut found = Some(Vec::new());
         for stretch in &own.elliptic {
-            let points = stretch.points(orders.spaces, &flow_of(orders, stretch.branch)?)?;
+            let points = stretch.points(orders.spaces)?;
             found = found.zip(points).map(|(found, points)| [found, points].concat());
         }
         match found {
@@ -152,7 +154,7 @@ fn along_all(orders: &Orders) -> Result<Vec<Along>, Refused> {
             branches.push(piece.branch);
         }
     }
-    let mut found = Vec::new();
+    let (mut found, mut shared) = (Vec::new(), None);
     for branch in branches {
         let curves = (0..pieces.list.len()).filter(|&c| pieces.list[c].branch == branch && pieces.list[c].critical);
         if let Branch::Rotation(base) = branch {
@@ -161,7 +163,7 @@ fn along_all(orders: &Orders) -> Result<Vec<Along>, Refused> {
             found.extend(curves.map(still));
             continue;
         }
-        let flow = &flow_of(orders, branch)?;
+        let flow = &flow_of(orders, branch, &mut shared)?;
         let whole = range::of(spaces, pieces, branch, flow.condition()).ok_or(CHANGES)?;
         let mut zeros = roots(flow.condition(), whole.each_ref()).ok_or(CHANGES)?;
         for curve in curves {
@@ -171,18 +173,24 @@ fn along_all(orders: &Orders) -> Result<Vec<Along>, Refused> {
     Ok(found)
 }
 
-/// The linearised flow along a branch with a parameter.
-fn flow_of(orders: &Orders, branch: Branch) -> Result<Flow, Refused> {
+/// The linearised flow along a branch with a parameter; that in μ is one for all branches.
+fn flow_of(orders: &Orders, branch: Branch, shared: &mut Option<Rc<Flow>>) -> Result<Rc<Flow>, Refused> {
     match branch {
-        Branch::Over(base) => Ok(Flow::over(orders.spaces, base)),
+        Branch::Over(base) => Ok(Rc::new(Flow::over(orders.spaces, base))),
         Branch::Rotation(_) => Err(CHANGES),
         _ if orders.spaces.active.is_empty() => Err(CHANGES),
-        _ => Ok(Flow::generic(orders.spaces)),
+        _ => Ok(Rc::clone(shared.get_or_insert_with(|| Rc::new(Flow::generic(orders.spaces))))),
     }
 }
 
 /// The types along one curve.
-fn along(orders: &Orders, flow: &Flow, whole: &[RBig; 2], zeros: &mut [Root], curve: usize) -> Result<Along, Refused> {
+fn along(
+    orders: &Orders,
+    flow: &Rc<Flow>,
+    whole: &[RBig; 2],
+    zeros: &mut [Root],
+    curve: usize,
+) -> Result<Along, Refused> {
     let piece = &orders.pieces.list[curve];
     let [first, last] = range::ends(orders.spaces, orders.pieces, piece, whole);
     let mut inside: Vec<&mut Root> = Vec::new();
@@ -216,7 +224,7 @@ fn along(orders: &Orders, flow: &Flow, whole: &[RBig; 2], zeros: &mut [Root], cu
         let before = n.checked_sub(1).filter(|before| !is_elliptic(before)).map(|_| true);
         let after = types.get(n + 1).map(|_| !is_elliptic(&(n + 1)));
         let ends = [stations[n].clone(), stations[n + 1].clone()];
-        Stretch { branch: piece.branch, ends, collisions: [before, after] }
+        Stretch { branch: piece.branch, flow: Rc::clone(flow), ends, collisions: [before, after] }
     };
     let elliptic = (0..types.len()).filter(is_elliptic).map(stretch).collect();
     types.dedup();

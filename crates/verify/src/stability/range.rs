@@ -1,7 +1,7 @@
 //! Where the parameter of a branch runs, and where each of its curves begins and ends: μ on the generic family and, where r
 //! lies on an axis, on the lines of ±r̂; z = 1/s² over a space without r.
 
-use dashu_base::Abs;
+use dashu_base::{Abs, BitTest};
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
@@ -76,10 +76,14 @@ pub(crate) fn ends(spaces: &Spaces, pieces: &Pieces, piece: &Piece, whole: &[RBi
 pub(super) fn narrow(root: &mut Root, [first, last]: [&RBig; 2], bits: usize) {
     let finer = RBig::from(IBig::ONE << bits);
     for _ in 0..NARROWEST {
-        if (&root.hi - &root.lo) * &finer <= (&root.lo - first).min(last - &root.hi) {
+        let width = (&root.hi - &root.lo) * &finer;
+        let room = (&root.lo - first).min(last - &root.hi);
+        if width <= room {
             break;
         }
-        root.halve();
+        // An end of the range may be one of the branch.
+        let halvings = if room.is_zero() { 1 } else { (width / room).floor().bit_len() };
+        (0..halvings).for_each(|_| root.halve());
     }
 }
 
