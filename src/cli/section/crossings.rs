@@ -56,8 +56,8 @@ pub struct Crossings {
 impl Crossings {
     /// Opens the journal beside an output file. The journal of another section is refused, or discarded
     /// if `discards` is set.
-    pub fn open(out: &Path, identity: &str, orbits: usize, discards: bool) -> Result<Self, Failure> {
-        let journal = Journal::open(out, identity.as_bytes(), false, |path, _| {
+    pub fn open(out: &Path, identity: &[u8], orbits: usize, discards: bool) -> Result<Self, Failure> {
+        let journal = Journal::open(out, identity, false, |path, _| {
             let path = path.display();
             if !discards {
                 let right = "finish that, take the file away, or give another FILE";

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::atomic::Ordering;
 
+use bifdiag_documents::Subject;
 use bifdiag_dynamics::field::State;
 use bifdiag_dynamics::poincare::{PoincareError, PoincareSection, SectionSetting};
 use bifdiag_dynamics::section::chaos::{ChaosOptions, Judgement, OpenReason, TangentCourse, UNIT, growths};
@@ -27,14 +28,14 @@ const ORBITS: usize = 128;
 /// When the journal cannot be read or written, or belongs to another section; with `discards` it is restarted instead.
 pub fn follow(
     (out, discards): (&Path, bool),
-    setting: &SectionSetting,
+    (subject, setting): (&Subject, &SectionSetting),
     (starts, seed): (&[TorusPoint], Option<u64>),
     options: &SweepOptions,
     chaos: Option<&ChaosOptions>,
     monitor: &Monitor,
 ) -> Result<(PoincareSection, Crossings), Failure> {
     let mut section = setting.begin(starts, seed, options).map_err(poincare_failure)?;
-    let mut journal = Crossings::open(out, &identity(&section), starts.len(), discards)?;
+    let mut journal = Crossings::open(out, &identity(subject, &section)?, starts.len(), discards)?;
     let mut states = Vec::with_capacity(starts.len());
     for start in starts {
         states.push(setting.state(*start).map_err(section_failure)?);
@@ -77,23 +78,10 @@ pub fn follow(
     Ok((section, journal))
 }
 
-/// Which section it is: the starts, and all that is asked of them.
-fn identity(section: &PoincareSection) -> String {
-    let PoincareSection { body, h, l, starts, options, .. } = section;
-    let [moments, center] = [body.moments(), body.center()].map(|numbers| bifdiag_documents::texts(numbers).join(","));
-    let starts: Vec<String> =
-        starts.iter().map(|start| format!("{:?} {:?} {}", start.theta, start.psi, start.sheet)).collect();
-    format!(
-        "bifdiag {} section A={moments} r={center} h={} l={} crossings={} max_time={:?} tolerance={:?} condition={:?} starts={}",
-        env!("CARGO_PKG_VERSION"),
-        h.text(),
-        l.text(),
-        options.crossings,
-        options.max_time,
-        options.tolerance,
-        options.condition,
-        starts.join(";"),
-    )
+/// Which section it is: its document before any orbit is followed, and the starts.
+fn identity(subject: &Subject, section: &PoincareSection) -> Result<Vec<u8>, Failure> {
+    let starts: Vec<_> = section.starts.iter().map(|start| (start.theta, start.psi, start.sheet)).collect();
+    Ok(serde_json::to_vec(&(bifdiag_documents::section(subject, section, None), starts))?)
 }
 
 /// The verdicts that the same orbits have in memory. Only the beginning of each orbit is integrated once more, until its verdict is

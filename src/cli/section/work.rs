@@ -86,7 +86,7 @@ fn section_at(plan: &Plan<'_>, site: &Site, monitor: &Monitor) -> Result<Done, F
             let streamed = plan.streamed().is_some();
             let judged = (streamed && plan.verdict == VerdictsName::Only).then_some(&chaos);
             let (mut section, mut journal) =
-                follow((&path, discards), &setting, (&starts, seed), &options, judged, monitor)?;
+                follow((&path, discards), (subject, &setting), (&starts, seed), &options, judged, monitor)?;
             if !streamed && section.complete() {
                 for orbit in &mut section.orbits {
                     orbit.points = journal.points(orbit.orbit)?;
