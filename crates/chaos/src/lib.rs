@@ -4,12 +4,12 @@ mod block;
 mod cells;
 mod liouville;
 mod map;
-mod point;
+mod point_shares;
 mod share;
 
 pub use block::CellShare;
 pub use cells::Cells;
 pub use liouville::{EnergySurface, SampleError};
 pub use map::{MapError, map_tiles};
-pub use point::{PointError, PointShares, point_shares};
+pub use point_shares::{PointError, PointShares, point_shares};
 pub use share::{Share, ShareError, ShareOptions, shares};

@@ -1,8 +1,8 @@
 //! Differences of two relative equilibria over one x: of energies, moments of inertia and multipliers, without the
 //! cancellation of the numbers themselves.
 
+use super::evaluator::{Evaluator, Point};
 use super::family::State;
-use super::point::{Evaluator, Point};
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
 

@@ -5,9 +5,9 @@
 //! leave a box in which x is monotone in v while ε runs from one to the other, the left branch lies above the right one by
 //! ∫γ_i dε, however small r_i is (Lemma 7.5 and Lemma 7.6 of docs/algorithms.md).
 
+use super::evaluator::{Evaluator, Point};
 use super::family::Half;
 use super::model::Constants;
-use super::point::{Evaluator, Point};
 use bifdiag_equilibria::curves::{Branch, CurveId};
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;

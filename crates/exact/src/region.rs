@@ -3,8 +3,8 @@
 //! How far the sample of a region is from the curves around it.
 
 use super::arrange::{Arrangement, Slab};
+use super::evaluator::{Evaluator, Evaluators};
 use super::plane::{Gap, Open, Plane, rounded};
-use super::point::{Evaluator, Evaluators};
 use bifdiag_body::Frame;
 use bifdiag_diagram::arrangement::{Cell, RegionId};
 use bifdiag_diagram::topology::Component;

@@ -10,7 +10,7 @@ use bifdiag_diagram::topology::{Answer, Classification};
 
 use crate::CertifiedAtlas;
 use crate::answers::{Accuracy, AnswerError, classify, complete, is_decided};
-use crate::exact::{PlaceError, places};
+use crate::plane_point::{PlaceError, places};
 use crate::statistics::{Precision, Question, count};
 
 /// Points of each pair of curves spent at each precision on a proof of the whole plane for the sake of one point.

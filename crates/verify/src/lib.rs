@@ -29,13 +29,13 @@ mod topology;
 
 use bifdiag_schema::{Accuracy, AtlasDocument, PointProofDocument, checksum};
 
-use document::{curves, listing, point, samples, totals};
+use document::{curves, listing, point_claim, samples, totals};
 use equilibria::pieces::Pieces;
 use equilibria::spaces::{Body, Spaces};
 use equilibria::{meetings, roots};
 use numbers::number;
 use order::events::Events;
-use order::stand::Orders;
+use order::orders::Orders;
 use order::{gluing, pairs, regions, slabs};
 
 pub use refused::Refused;
@@ -128,7 +128,7 @@ fn certified(
     samples::check(document, &orders, &slabs, &samples)?;
     totals::totals(document, &orders, &slabs)?;
     if let Some(claim) = point {
-        point::check(claim, &orders, &events)?;
+        point_claim::check(claim, &orders, &events)?;
     }
     // It takes longest.
     stability::exceptions(document, &orders, &along, &mut unproved)?;

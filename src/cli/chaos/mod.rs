@@ -5,7 +5,7 @@ mod draw;
 mod map;
 mod merge;
 mod output;
-mod point;
+mod share;
 
 pub use arguments::{CHAOS_EXAMPLES, ChaosArguments};
 
@@ -19,6 +19,6 @@ pub fn run(arguments: &ChaosArguments, timings: &Timings, quiet: bool) -> Result
         Some(ChaosCommand::Map(arguments)) => draw::run(arguments, timings),
         Some(ChaosCommand::Merge(arguments)) => merge::run(arguments),
         None if share.out.is_some() || share.window.is_some() => map::run(share, quiet),
-        None => point::run(share, timings),
+        None => share::run(share, timings),
     }
 }

@@ -1,7 +1,7 @@
 //! Arcs: pieces of curves on which x = l²/2 is a coordinate and the slope dh/dx = 1/J is monotone.
 
+use super::curve_point::Point;
 use super::families::{GenericState, Mu, SymmetricFamily};
-use super::point::Point;
 use bifdiag_body::{Axis, Frame};
 use bifdiag_numbers::UNIT_ROUNDOFF;
 use bifdiag_numbers::root::{Bracket, newton_bracketed};

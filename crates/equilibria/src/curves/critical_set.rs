@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use super::curve::{Branch, ClusterId, Curve, CurveId, CuspId, IntervalId, Orbit, PitchforkId};
-use super::point::Point;
+use super::curve_point::Point;
 use bifdiag_body::{Axis, Frame};
 use bifdiag_numbers::UNIT_ROUNDOFF;
 use bifdiag_numbers::table::{Id, Table};

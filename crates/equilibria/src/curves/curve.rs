@@ -1,7 +1,7 @@
 //! Curves: maximal pieces of critical curves and pole lines between cusps and pitchforks.
 
 use super::arc::Arc;
-use super::point::Point;
+use super::curve_point::Point;
 use bifdiag_body::{Axis, Frame};
 use bifdiag_numbers::table::ids;
 

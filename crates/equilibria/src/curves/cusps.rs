@@ -1,8 +1,8 @@
 //! Cusps and the inflection of the generic family, isolated completely.
 
 use super::curve::IntervalId;
+use super::curve_point::Gap;
 use super::families::{GenericState, Mu};
-use super::point::Gap;
 use bifdiag_body::{Axis, Frame};
 use bifdiag_numbers::UNIT_ROUNDOFF;
 use bifdiag_numbers::bernstein::{Cell, Form as FormOf, Isolation};

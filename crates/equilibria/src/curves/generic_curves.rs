@@ -3,10 +3,10 @@
 use super::arc::{Arc, Segment, Shape};
 use super::critical_set::{CriticalSet, Cusp, CuspCluster, Pitchfork};
 use super::curve::{Branch, Curve, CurveId, End, IntervalId, Orbit};
+use super::curve_point::Point;
 use super::cusps::{MuInterval, cusps, inflection};
 use super::families::{GenericState, Mu};
 use super::index;
-use super::point::Point;
 use bifdiag_body::Axis;
 use bifdiag_numbers::table::Id;
 

@@ -6,18 +6,18 @@
 mod arc;
 mod critical_set;
 mod curve;
+mod curve_point;
 mod cusps;
 mod families;
 mod generic_curves;
 mod index;
 mod name;
-mod point;
 mod special_curves;
 
 pub use arc::{Arc, Asymptote, Segment, Shape};
 pub use critical_set::{CriticalSet, Cusp, CuspCluster, EquilibriaError, Pitchfork};
 pub use curve::{Branch, ClusterId, Curve, CurveId, CuspId, End, IntervalId, Orbit, PitchforkId, Pole};
+pub use curve_point::{Gap, MomentumError, Point, X_ROUNDINGS, abscissa};
 pub use cusps::{CuspPair, MuInterval, cusp_at_pitchfork, cusp_pairs};
 pub use families::{GenericState, Mu, SymmetricFamily, SymmetricState};
 pub use name::{BranchName, CurveName, ParseCurveNameError, branch_words};
-pub use point::{Gap, MomentumError, Point, X_ROUNDINGS, abscissa};

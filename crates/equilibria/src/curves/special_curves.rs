@@ -3,9 +3,9 @@
 use super::arc::{Arc, Shape};
 use super::critical_set::{CriticalSet, Cusp, Pitchfork};
 use super::curve::{Branch, Curve, CurveId, End, Orbit, PitchforkId, Pole};
+use super::curve_point::Point;
 use super::families::SymmetricFamily;
 use super::index;
-use super::point::Point;
 use bifdiag_body::{Axis, Frame};
 use bifdiag_numbers::table::Id;
 

@@ -4,9 +4,9 @@ use dashu_ratio::RBig;
 
 use super::event::{Event, EventSource, Undecided, crossing_event};
 use super::stages::STAGES;
+use crate::evaluator::{Evaluator, Evaluators};
 use crate::id::TransitionId;
 use crate::pair::{PairProof, Proof};
-use crate::point::{Evaluator, Evaluators};
 use bifdiag_diagram::arrangement::EventId;
 use bifdiag_numbers::enclosure::Enclosure;
 use bifdiag_numbers::table::{Id, Table};

@@ -5,9 +5,9 @@
 //! Cusps, pitchforks and meetings with pole lines as events.
 
 use crate::curves::Curves;
+use crate::evaluator::{Evaluator, Passage};
 use crate::family::Half;
 use crate::id::MeetingId;
-use crate::point::{Evaluator, Passage};
 use crate::polar::{self, Meeting};
 use bifdiag_equilibria::curves::{CurveId, CuspId, End, PitchforkId};
 use bifdiag_numbers::enclosure::Enclosure;

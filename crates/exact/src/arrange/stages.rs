@@ -6,9 +6,9 @@ use std::cell::Cell;
 
 use super::event::{Event, Undecided, crossing_event};
 use crate::curves::{Curves, Shape};
+use crate::evaluator::{Evaluator, Evaluators, Passage, Point};
 use crate::model::Model;
 use crate::pair::{Open, POINTS, PairProof, Proof};
-use crate::point::{Evaluator, Evaluators, Passage, Point};
 use crate::statistics::{Precision, Question, count};
 use bifdiag_equilibria::curves::CurveId;
 use bifdiag_numbers::Sign;

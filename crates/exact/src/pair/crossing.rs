@@ -3,7 +3,7 @@
 use dashu_ratio::RBig;
 
 use super::node::{Node, POINTS};
-use crate::point::Evaluator;
+use crate::evaluator::Evaluator;
 use bifdiag_equilibria::curves::CurveId;
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;

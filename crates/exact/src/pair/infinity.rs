@@ -2,7 +2,7 @@
 
 use super::node::{Node, Open, Proof, Stretch, StretchEnd, few_bits};
 use super::stretch::DEPTH;
-use crate::point::Evaluator;
+use crate::evaluator::Evaluator;
 use bifdiag_equilibria::curves::CurveId;
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;

@@ -3,7 +3,7 @@
 //!
 //! On a stretch the slopes 1/J lie between their end values (J is monotone except at one known place). If they are
 //! disjoint, the gap is monotone and its signs at the ends decide whether the curves cross, once. Otherwise the gap is
-//! bounded from one end, by the identity of [`Evaluator::range_sign`](crate::point::Evaluator::range_sign), by the
+//! bounded from one end, by the identity of [`Evaluator::range_sign`](crate::evaluator::Evaluator::range_sign), by the
 //! lemmas of `mirror`, or by what both points share over one x (`equal_momentum`); otherwise the stretch is halved. Where r lies on
 //! an axis, families over moments are ordered all at once (`axis`). Both ends of the half-line are closed by limits: a
 //! common cusp by the monotony of J through it, a common pitchfork by curvature, x → ∞ by the limits of slope and of

@@ -5,8 +5,8 @@
 
 use super::node::Node;
 use crate::curves::{Curve, Place};
+use crate::evaluator::{Evaluator, Point};
 use crate::family::Half;
-use crate::point::{Evaluator, Point};
 use bifdiag_equilibria::curves::{Branch, CurveId, End};
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;

@@ -2,8 +2,8 @@
 //!
 //! What is proved of a pair of curves.
 
+use crate::evaluator::{Evaluator, Point};
 use crate::plane::rounded;
-use crate::point::{Evaluator, Point};
 use bifdiag_equilibria::curves::CurveId;
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;

@@ -5,8 +5,8 @@
 use super::node::{Node, Open, PairProof, Proof, Stretch, StretchEnd};
 use super::side::{Side, position};
 use super::stretch::DEPTH;
+use crate::evaluator::Evaluator;
 use crate::family::Curvature;
-use crate::point::Evaluator;
 use bifdiag_equilibria::curves::CurveId;
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;

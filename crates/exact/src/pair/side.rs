@@ -2,8 +2,8 @@
 
 use super::node::Node;
 use crate::curves::Shape;
+use crate::evaluator::{Evaluator, Passage, Point};
 use crate::family::Half;
-use crate::point::{Evaluator, Passage, Point};
 use bifdiag_equilibria::curves::{CurveId, End, PitchforkId};
 use bifdiag_numbers::enclosure::Enclosure;
 

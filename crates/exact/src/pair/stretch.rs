@@ -1,8 +1,8 @@
 //! The order of two curves between two nodes.
 
 use super::node::{Node, Open, Proof, Stretch};
+use crate::evaluator::Evaluator;
 use crate::family::State;
-use crate::point::Evaluator;
 use bifdiag_equilibria::curves::CurveId;
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;

@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::curves::{Curves, Shape};
+use crate::evaluator::Evaluator;
 use crate::model::Model;
-use crate::point::Evaluator;
 use bifdiag_body::{Body, Preset};
 use bifdiag_diagram::arrangement::{Arrangement, Change};
 use bifdiag_equilibria::curves::{CriticalSet, CurveId};

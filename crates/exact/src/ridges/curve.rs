@@ -10,19 +10,19 @@ use dashu_ratio::RBig;
 use super::latitude::{Latitude, RootLatitude, value};
 use super::strand::{Cut, Piece, Pieces, Quadratic};
 use super::whole::Whole;
-use super::{enclosed, exact};
+use super::{enclosed, exact_cut};
 use crate::model::Model;
 use bifdiag_diagram::topology::Component;
 
 /// `whole` are the forms of this body, made when they are first needed.
 pub(super) fn components(model: &Model, whole: &OnceCell<Option<Whole>>, x: &RBig, h: &RBig) -> Option<Vec<Component>> {
     if model.active.len() < 3 {
-        return with_pair(model, &exact::cut(model, x, h)?, x, h);
+        return with_pair(model, &exact_cut::cut(model, x, h)?, x, h);
     }
     let found = enclosed::ranges(model, x, h).and_then(|ranges| folded(&enclosed::cut(&ranges)?));
     let whole = || whole.get_or_init(|| Whole::new(model)).as_ref();
     let found = found.or_else(|| folded(&enclosed::cut(&whole()?.ranges::<Interval128>(x, h))?));
-    found.or_else(|| folded(&exact::cut(model, x, h)?))
+    found.or_else(|| folded(&exact_cut::cut(model, x, h)?))
 }
 
 /// The piece that holds a latitude.
@@ -74,7 +74,7 @@ pub(super) fn folded<L: Latitude>(cut: &Cut<L>) -> Option<Vec<Component>> {
 /// Two active moments: the curve is two half circles through the poles, and the great circle of the pair crosses them at
 /// the fold.
 fn with_pair(model: &Model, cut: &Cut<RootLatitude>, x: &RBig, h: &RBig) -> Option<Vec<Component>> {
-    let a = exact::passive_moment(model)?;
+    let a = exact_cut::passive_moment(model)?;
     let [_, p, q, rho] = model.family();
     let [p, q, rho] = [p, q, rho].map(|c| value(&c, &a));
     let (square, moment) = (&rho * &rho / &p, &q / &p);

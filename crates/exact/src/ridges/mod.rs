@@ -4,7 +4,7 @@
 mod axial;
 mod curve;
 mod enclosed;
-mod exact;
+mod exact_cut;
 mod latitude;
 mod strand;
 mod whole;

@@ -85,7 +85,7 @@ fn agreed<E: Enclosure>(
 /// The cut at a point according to f64 and 128 bits, which must be the exact one; nothing where Staude's curve passes
 /// through the point.
 fn cuts_told(model: &Model, whole: &whole::Whole, x: &RBig, h: &RBig) -> Option<[bool; 2]> {
-    let exact = exact::cut(model, x, h)?;
+    let exact = exact_cut::cut(model, x, h)?;
     let double = agreed(enclosed::cut(&enclosed::ranges(model, x, h).unwrap()), &exact);
     let finer = agreed(enclosed::cut(&whole.ranges::<Interval128>(x, h)), &exact);
     Some([double.is_some(), finer.is_some()])

@@ -9,8 +9,8 @@ use crate::equilibria::pieces::{Branch, End, Piece};
 use crate::equilibria::spaces::Spaces;
 use crate::numbers::bounds;
 use crate::numbers::fixed::Fixed;
+use crate::order::orders::Orders;
 use crate::order::slabs::Slab;
-use crate::order::stand::Orders;
 use crate::topology::morse;
 
 /// A double is what a set is within 2⁻ᵇ of the set's size: μ and l of cusps, which the document rounds from roots in doubles.

@@ -8,8 +8,8 @@ use crate::equilibria::pieces::{Branch, End, Pieces};
 use crate::numbers::bounds::{around, holds, holds_root, is_at_most, roundings};
 use crate::numbers::number;
 use crate::order::events::{Events, Source};
+use crate::order::orders::Orders;
 use crate::order::regions::Cell;
-use crate::order::stand::Orders;
 
 /// An event of a document, with its claims.
 struct Listed<'a> {

@@ -7,8 +7,8 @@ use super::totals;
 use crate::Refused;
 use crate::numbers::number;
 use crate::order::events::Events;
+use crate::order::orders::Orders;
 use crate::order::slabs;
-use crate::order::stand::Orders;
 
 /// Checks what is said of a point, given that its atlas is true.
 pub(crate) fn check(point: &PointProofDocument, orders: &Orders, events: &Events) -> Result<(), Refused> {

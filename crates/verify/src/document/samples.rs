@@ -9,9 +9,9 @@ use super::curves::CONVERTED;
 use crate::Refused;
 use crate::numbers::bounds::{exact, roundings};
 use crate::numbers::fixed::Fixed;
+use crate::order::orders::Orders;
 use crate::order::regions::Sample;
 use crate::order::slabs::Slab;
-use crate::order::stand::Orders;
 
 /// Largest error of a margin, in roundings of the energies there.
 const ROUNDINGS: u32 = 8;

@@ -8,8 +8,8 @@ use super::part;
 use crate::Refused;
 use crate::equilibria::pieces::Branch;
 use crate::equilibria::spaces::Body;
+use crate::order::orders::Orders;
 use crate::order::slabs::Slab;
-use crate::order::stand::Orders;
 use crate::topology::component;
 
 /// Checks the version by its form, the command, the flags of the body, and that nothing is left out.

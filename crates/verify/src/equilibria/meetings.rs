@@ -5,7 +5,7 @@ use bifdiag_schema::{CertificateDocument, CertifiedMeeting, CertifiedPair};
 use dashu_ratio::RBig;
 
 use super::pieces::{Branch, End, Pieces};
-use super::point::{Place, Side};
+use super::places::{Place, Side};
 use super::roots::{isolated, listed, places};
 use super::spaces::Spaces;
 use crate::Refused;

@@ -2,6 +2,6 @@
 
 pub(crate) mod meetings;
 pub(crate) mod pieces;
-pub(crate) mod point;
+pub(crate) mod places;
 pub(crate) mod roots;
 pub(crate) mod spaces;

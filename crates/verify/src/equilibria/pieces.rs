@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use super::point::{Place, Point, Side};
+use super::places::{Place, Point, Side};
 use super::spaces::Spaces;
 use crate::Refused;
 use crate::numbers::fixed::Fixed;

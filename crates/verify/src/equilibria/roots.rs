@@ -3,7 +3,7 @@
 use bifdiag_schema::CertificateDocument;
 use dashu_ratio::RBig;
 
-use super::point::{Place, Point, Side};
+use super::places::{Place, Point, Side};
 use super::spaces::Spaces;
 use crate::Refused;
 use crate::numbers::polynomial::Polynomial;

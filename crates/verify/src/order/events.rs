@@ -3,12 +3,12 @@
 use bifdiag_schema::{CertificateDocument, CertifiedEvent};
 use dashu_ratio::RBig;
 
+use super::orders::Orders;
 use super::pairs::Crossing;
-use super::stand::Orders;
 use crate::Refused;
 use crate::equilibria::meetings::Meeting;
 use crate::equilibria::pieces::{Branch, End};
-use crate::equilibria::point::{Point, Side};
+use crate::equilibria::places::{Point, Side};
 use crate::equilibria::spaces::Spaces;
 use crate::numbers::fixed::Fixed;
 use crate::numbers::number;

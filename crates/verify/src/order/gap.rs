@@ -1,6 +1,6 @@
 //! The difference of the heights of two curves over the same x.
 
-use crate::equilibria::point::Point;
+use crate::equilibria::places::Point;
 use crate::equilibria::spaces::Spaces;
 use crate::numbers::fixed::Fixed;
 
@@ -73,7 +73,7 @@ mod tests {
     use dashu_ratio::RBig;
 
     use super::*;
-    use crate::equilibria::point::Side;
+    use crate::equilibria::places::Side;
     use crate::equilibria::spaces::Body;
 
     fn spaces() -> Spaces {

@@ -6,9 +6,9 @@ use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
 use super::node::Node;
-use super::stand::Orders;
+use super::orders::Orders;
 use crate::equilibria::pieces::Branch;
-use crate::equilibria::point::Point;
+use crate::equilibria::places::Point;
 use crate::equilibria::spaces::Spaces;
 use crate::numbers::fixed::Fixed;
 

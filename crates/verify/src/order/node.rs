@@ -2,10 +2,10 @@
 
 use bifdiag_schema::{CertifiedNode, PlaceDocument};
 
-use super::stand::{Orders, Stand};
+use super::orders::{Orders, Stand};
 use crate::Refused;
 use crate::equilibria::pieces::{Branch, coordinates};
-use crate::equilibria::point::{Place, Point, Side};
+use crate::equilibria::places::{Place, Point, Side};
 use crate::numbers::fixed::Fixed;
 use crate::numbers::number;
 

@@ -5,7 +5,7 @@ use dashu_ratio::RBig;
 
 use crate::Refused;
 use crate::equilibria::pieces::{Branch, Piece, Pieces, coordinates, distance};
-use crate::equilibria::point::{Place, Point, Side};
+use crate::equilibria::places::{Place, Point, Side};
 use crate::equilibria::spaces::Spaces;
 use crate::numbers::fixed::Fixed;
 

@@ -4,8 +4,8 @@ use bifdiag_schema::{CertificateDocument, CertifiedPair, CertifiedStretch};
 
 use super::mirror;
 use super::node::{self, Node};
+use super::orders::Orders;
 use super::rules;
-use super::stand::Orders;
 use crate::Refused;
 use crate::equilibria::pieces::{Branch, End};
 use crate::numbers::fixed::Fixed;

@@ -3,8 +3,8 @@
 use bifdiag_schema::{AtlasDocument, CertificateDocument, RegionDocument};
 use dashu_ratio::RBig;
 
+use super::orders::Orders;
 use super::slabs::Slab;
-use super::stand::Orders;
 use crate::Refused;
 use crate::equilibria::pieces::{Branch, Pieces};
 use crate::numbers::number;

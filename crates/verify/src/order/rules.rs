@@ -6,9 +6,9 @@
 //! inflection (Proposition 3.8).
 
 use super::node::{Node, coordinate};
-use super::stand::{Orders, Stand};
+use super::orders::{Orders, Stand};
 use crate::equilibria::pieces::{Branch, End, coordinates};
-use crate::equilibria::point::{Point, Side};
+use crate::equilibria::places::{Point, Side};
 use crate::numbers::fixed::Fixed;
 
 /// g keeps its sign between two nodes, by one of four rules.

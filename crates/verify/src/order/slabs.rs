@@ -4,11 +4,11 @@ use bifdiag_schema::{CertificateDocument, CertifiedSlab};
 use dashu_ratio::RBig;
 
 use super::events::Events;
+use super::orders::Orders;
 use super::pairs::Crossing;
-use super::stand::Orders;
 use crate::Refused;
 use crate::equilibria::pieces::{End, Pieces};
-use crate::equilibria::point::Point;
+use crate::equilibria::places::Point;
 use crate::equilibria::spaces::Spaces;
 use crate::numbers::fixed::Fixed;
 use crate::numbers::number;

@@ -22,12 +22,12 @@ use dashu_ratio::RBig;
 
 use crate::Refused;
 use crate::equilibria::pieces::{Branch, End, coordinates, distance};
-use crate::equilibria::point::{Point, Side};
+use crate::equilibria::places::{Point, Side};
 use crate::equilibria::spaces::Spaces;
 use crate::numbers::bounds::{is_at_most, is_root_within, is_within, roundings};
 use crate::numbers::fixed::Fixed;
 use crate::numbers::isolation::{Root, roots};
-use crate::order::stand::Orders;
+use crate::order::orders::Orders;
 use flow::{Flow, without_weight};
 use hypotheses::{Exception, Stretch};
 use range::{CHANGES, apart, narrow, uncertain};

@@ -5,7 +5,7 @@ use bifdiag_schema::{CurveDocument, Damped, FrictionDocument, NonlinearDocument,
 use super::hypotheses::Stretch;
 use crate::Refused;
 use crate::equilibria::pieces::Branch;
-use crate::order::stand::Orders;
+use crate::order::orders::Orders;
 
 /// The normal form decides where no eigenvalue does.
 pub(super) fn needs_normal_form(orders: &Orders, curve: &CurveDocument, number: usize) -> bool {

@@ -1,7 +1,7 @@
 //! The effective potential beside a point of the sphere: U(γ) − U(p) without cancellation.
 
 use super::path::Path;
-use crate::equilibria::point::Point;
+use crate::equilibria::places::Point;
 use crate::equilibria::spaces::Spaces;
 use crate::numbers::fixed::Fixed;
 use crate::numbers::interval::Interval;

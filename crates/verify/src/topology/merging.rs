@@ -7,8 +7,8 @@ use super::landscape::{Coordinates, Landscape, Origin};
 use super::morse::{Nature, nature};
 use crate::equilibria::pieces::Branch;
 use crate::order::gluing::Classes;
+use crate::order::orders::Orders;
 use crate::order::slabs::{Level, Slab};
-use crate::order::stand::Orders;
 
 /// A critical point, by the position of its curve in a slab.
 struct Critical {

@@ -12,9 +12,9 @@ mod rings;
 use bifdiag_schema::{AtlasDocument, ComponentDocument, RegionDocument};
 
 use crate::Refused;
+use crate::order::orders::Orders;
 use crate::order::regions::Sample;
 use crate::order::slabs::Slab;
-use crate::order::stand::Orders;
 use component::{Component, documents, signature, words};
 use merging::Merging;
 use rings::Rings;

@@ -1,6 +1,6 @@
 //! What an equilibrium is for U.
 
-use crate::equilibria::point::Point;
+use crate::equilibria::places::Point;
 use crate::equilibria::spaces::Spaces;
 use crate::numbers::fixed::Fixed;
 

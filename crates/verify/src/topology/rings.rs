@@ -3,8 +3,8 @@
 use super::component::Component;
 use crate::equilibria::pieces::Branch;
 use crate::numbers::fixed::Fixed;
+use crate::order::orders::Orders;
 use crate::order::slabs::Slab;
-use crate::order::stand::Orders;
 
 /// The critical circles and the two ends of the axis along it, each by its position in a slab. All critical points of U
 /// as a function of the coordinate z along the axis are among them, so that U is monotone between two.
