@@ -2,7 +2,8 @@
 //!
 //! - Roots are counted in exact integers, by Descartes' rule of signs, of the squarefree part where a root may be multiple.
 //!   The cusp polynomial is built from T J + 4V, not from 4Q'P − 3P'Q.
-//! - Intervals have integer ends (`fixed`) or, for paths on the sphere, ends that move outward (`interval`).
+//! - Intervals have integer ends (`fixed`), ends that move outward (`interval`, for paths on the sphere), or a middle and a
+//!   bound on the distance from it (`ball`, for normal forms).
 //! - Each stretch of each pair, each slab and each box of a crossing is checked where the certificate names it.
 //! - Topology comes from the minima, saddles and maxima of the certificate and from paths down from them (`merging`), not
 //!   from the ridges over the latitudes.
