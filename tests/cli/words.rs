@@ -88,11 +88,12 @@ const PLAIN: [&str; 37] = [
 ];
 
 /// Terms that stand in sentences.
-const IN_SENTENCES: [&str; 32] = [
+const IN_SENTENCES: [&str; 33] = [
     "steady rotation",
     "further integral",
     "invariant relation",
     "spectrally only",
+    "Arnold's theorem",
     "threshold",
     "Kovalevski",
     "permanent axis",
