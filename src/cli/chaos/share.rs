@@ -80,6 +80,8 @@ fn report(subject: &Subject, document: &ChaosPointDocument) -> String {
         "shares of the Liouville measure of each component, from {}; error: one standard deviation",
         counted(all, "orbit", "orbits")
     ));
-    report.line("open: no verdict; the chaotic share lies between `chaotic` and `chaotic` + `open`");
+    report.line(
+        "open: no verdict; apart from this error, the chaotic share lies between `chaotic` and `chaotic` + `open`",
+    );
     report.text()
 }
