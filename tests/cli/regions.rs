@@ -158,5 +158,11 @@ fn a_region_that_doubles_do_not_meet_is_not_drawn() {
 fn another_section_condition_has_no_signature() {
     let line = "section --body paper --h 5.3 --l 3.25 --orbits 1 --crossings 2 --json";
     assert_eq!(bifdiag(line).succeeds().json()["signature"], "M2");
-    assert!(bifdiag(&format!("{line} --condition angular-momentum")).succeeds().json()["signature"].is_null());
+    let other = format!("{line} --condition angular-momentum");
+    assert!(bifdiag(&other).succeeds().json()["signature"].is_null());
+    let place = tempfile::tempdir().unwrap();
+    let text = |line: &str| {
+        bifdiag(&line.replace("--json", "--no-plot")).inside(place.path()).succeeds().printing("\nU = ").stdout()
+    };
+    assert!(text(line).contains("\nP = M2\n") && !text(&other).contains("\nP = "));
 }

@@ -24,7 +24,7 @@ pub fn add(report: &mut Report, document: &SectionDocument) {
     }
 }
 
-/// The point, U and P.
+/// The point, U and, of the condition `height`, P.
 fn add_surfaces(report: &mut Report, document: &SectionDocument) {
     let region = document.region.as_ref().map_or_else(String::new, |region| format!("{region}: "));
     report.line(format!("{region}h = {}, l = {}", document.h, document.l));
@@ -33,9 +33,11 @@ fn add_surfaces(report: &mut Report, document: &SectionDocument) {
     };
     report.line(format!("U = {}", names(&|component| component.accessible_region.clone())));
     if document.condition == ConditionName::AngularMomentum {
+        // The types of P are those of the other section.
         report.line("section S = <l, gamma x r> = 0");
+    } else {
+        report.line(format!("P = {}", names(&|component| component.section.clone().unwrap_or_default())));
     }
-    report.line(format!("P = {}", names(&|component| component.section.clone().unwrap_or_default())));
 }
 
 /// The orbits, the first of them.
