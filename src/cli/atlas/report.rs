@@ -60,6 +60,9 @@ pub fn text(subject: &Subject, atlas: &Atlas, document: &AtlasDocument, written:
         if !strays.is_empty() {
             report.line(STRAY);
         }
+        if document.regions.iter().any(|region| region.clipped) {
+            report.line("* cut by the window: width and l-range are those of the whole region");
+        }
     }
     report.line("");
     if let Some(table) = event_table(&document.events, &bifdiag_documents::atlas::events(atlas)) {
@@ -80,7 +83,7 @@ pub fn text(subject: &Subject, atlas: &Atlas, document: &AtlasDocument, written:
     report.line(format!("{regions}, {events}{most}"));
     match (summary.complete, document.window) {
         (true, _) => {}
-        (false, Some(_)) => report.line("only the window was searched, not the whole half-plane l > 0"),
+        (false, Some(_)) => report.line("only what lies in the window is listed, not the whole half-plane l > 0"),
         (false, None) => report.line("the half-plane l > 0 is not covered completely"),
     }
     if let Some(certificate) = &document.certificate {
