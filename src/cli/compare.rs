@@ -32,7 +32,7 @@ the direction of the other r.";
 /// `bifdiag compare`.
 #[derive(Debug, Args)]
 pub struct CompareArguments {
-    /// The first body: a name, A=…;r=…, or an atlas.json
+    /// The first body: a name, A=…;r=…, or an atlas.json, of which only the body is read
     #[arg(value_name = "BODY")]
     pub first: String,
     /// The second body
@@ -134,7 +134,10 @@ fn report(document: &ComparisonDocument) -> String {
         ));
     }
     if document.same_class == Some(true) {
-        report.line("both belong to the same class: their diagrams differ only in lengths");
+        report.line(
+            "both belong to the same class: their regions, curves and events correspond; lengths, stability and the order \
+             of unrelated events may differ",
+        );
     }
     report.line("");
     add_regions(&mut report, document);

@@ -163,6 +163,11 @@ fn a_body_is_given_in_three_ways() {
     alike
         .printing("kinds of events: both have the same one")
         .printing("kinds of changes of stability: both have the same one");
+    bifdiag("compare A=3,5,8;r=0,1,0 A=2,3,4;r=0,1,0")
+        .succeeds()
+        .printing("at most 8 relative equilibria")
+        .printing("at most 6 relative equilibria")
+        .printing("lengths, stability and the order of unrelated events may differ");
     bifdiag("compare lagrange isotropic").succeeds().printing("the cusp of S12 reaches its pitchfork");
     // Ids of a part of the plane are those of the whole.
     let body = "--A 2.7,1.9,1.4 --r 0.4,-0.2,0.3 --no-plot";

@@ -25,9 +25,9 @@ Examples:
   bifdiag classes --at --A 1,1.1,1.4 --r 0.5,0.3,0.8
   bifdiag classes --at --body paper --json
 
-Two bodies belong to the same class when their diagrams differ only in lengths. With --at: the class of a body and \
-its distances to the borders of that class. A distance is √(|ΔA|² + ∠²), with A scaled to the sum 2 and ∠ the angle \
-between the two r.";
+Two bodies belong to the same class when their diagrams agree up to deformation: lengths, stability and the order of \
+unrelated events may differ. With --at: the class of a body and its distances to the borders of that class. A distance is \
+√(|ΔA|² + ∠²), with A scaled to the sum 2 and ∠ the angle between the two r.";
 
 /// `bifdiag classes`.
 #[derive(Debug, Args)]
