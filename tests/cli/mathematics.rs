@@ -163,6 +163,10 @@ fn a_body_is_given_in_three_ways() {
     alike
         .printing("kinds of events: both have the same one")
         .printing("kinds of changes of stability: both have the same one");
+    // Two components of r leave 0 at once, and in one class the number of relative equilibria at one l differs.
+    bifdiag("compare A=1.4,2.3,3.5;r=0.31,0.52,-0.83 A=3,5,8;r=0,1,0")
+        .succeeds()
+        .printing("r1 and r3 are 0 there: only there the body has the symmetries");
     bifdiag("compare A=3,5,8;r=0,1,0 A=2,3,4;r=0,1,0")
         .succeeds()
         .printing("at most 8 relative equilibria")

@@ -92,11 +92,11 @@ pub enum BorderEventKind {
         /// Those of the side with more.
         to: [BranchName; 2],
     },
-    /// A component of r is 0 at the border alone, and with it the body has a symmetry: beside it some of its pitchforks open
+    /// Components of r are 0 at the border alone, and with each the body has a symmetry: beside it some of its pitchforks open
     /// into cusps.
     SymmetryBroken {
-        /// Which component.
-        axis: BodyAxis,
+        /// Which components.
+        axes: Vec<BodyAxis>,
     },
     /// Moments of inertia are equal at the border.
     MomentsEqual {
@@ -172,12 +172,11 @@ impl fmt::Display for BorderEventKind {
                 let [from, to] = [from, to].map(|branches| joined(branches, " and "));
                 write!(f, "a pitchfork goes through infinity: on one side it is that of {from}, on the other of {to}")
             }
-            Self::SymmetryBroken { axis } => write!(f, "r{axis} is 0 there: only there the body has the symmetry"),
-            Self::MomentsEqual { axes } => {
-                let names: Vec<String> = axes.iter().map(|axis| format!("A{axis}")).collect();
-                let (last, others) = names.split_last().ok_or(fmt::Error)?;
-                write!(f, "the moments {} and {last} are equal there", joined(others, ", "))
+            Self::SymmetryBroken { axes } => {
+                let (are, symmetries) = if axes.len() > 1 { ("are", "symmetries") } else { ("is", "symmetry") };
+                write!(f, "{} {are} 0 there: only there the body has the {symmetries}", listed("r", axes))
             }
+            Self::MomentsEqual { axes } => write!(f, "the moments {} are equal there", listed("A", axes)),
             Self::WeightVanishes => f.write_str("r is 0 there: the body has no weight"),
             Self::PoleLinesAtInfinity { axis } => {
                 write!(f, "J_r passes A{axis}: crossings of the pole lines go to infinity and come back")
@@ -255,6 +254,15 @@ fn in_order(mut branches: [BranchName; 2]) -> [BranchName; 2] {
 /// Names with something between them.
 fn joined<T: fmt::Display>(names: &[T], between: &str) -> String {
     names.iter().map(T::to_string).collect::<Vec<_>>().join(between)
+}
+
+/// Numbers of axes, such as r1 and r3.
+fn listed(letter: &str, axes: &[BodyAxis]) -> String {
+    let names: Vec<String> = axes.iter().map(|axis| format!("{letter}{axis}")).collect();
+    match names.split_last() {
+        Some((last, others)) if !others.is_empty() => format!("{} and {last}", others.join(", ")),
+        _ => names.concat(),
+    }
 }
 
 /// An event with its place, in the body's units.

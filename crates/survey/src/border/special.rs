@@ -20,8 +20,8 @@ pub(crate) enum SpecialBody {
         /// s² = Σ r_k²/(A_k − A_i)² and r_k ≠ 0 for another of the axes.
         pitchfork_leaves: bool,
     },
-    /// This component of r is 0.
-    Component(BodyAxis),
+    /// These components of r are 0.
+    Components(Vec<BodyAxis>),
 }
 
 impl SpecialBody {
@@ -30,7 +30,7 @@ impl SpecialBody {
         match self {
             Self::NoWeight => BorderEventKind::WeightVanishes,
             Self::EqualMoments { axes, .. } => BorderEventKind::MomentsEqual { axes },
-            Self::Component(axis) => BorderEventKind::SymmetryBroken { axis },
+            Self::Components(axes) => BorderEventKind::SymmetryBroken { axes },
         }
     }
 }
@@ -60,8 +60,9 @@ pub(crate) fn special(segment: &BodySegment, t: [f64; 2]) -> Option<(SpecialBody
             return Some((SpecialBody::EqualMoments { axes, pitchfork_leaves }, root(&t)));
         }
     }
-    let mut leaves = BodyAxis::ALL.into_iter().zip(&leaves);
-    leaves.find_map(|(axis, t)| t.as_ref().map(|t| (SpecialBody::Component(axis), root(t))))
+    let t = leaves.iter().flatten().next()?;
+    let axes = BodyAxis::ALL.into_iter().zip(&leaves).filter(|(_, other)| other.as_ref() == Some(t));
+    Some((SpecialBody::Components(axes.map(|(axis, _)| axis).collect()), root(t)))
 }
 
 /// Where a linear function vanishes that is not the same everywhere.
@@ -113,8 +114,10 @@ mod tests {
         let [first, second, third] = BodyAxis::ALL;
         let equal = |axes: Vec<BodyAxis>, pitchfork_leaves| SpecialBody::EqualMoments { axes, pitchfork_leaves };
         assert_eq!(between(generic, with(0, 2.0)), Some((equal(vec![first, second], false), 0.5, 0.0)));
-        assert_eq!(between(generic, with(4, -0.75)), Some((SpecialBody::Component(second), 0.25, 0.0)));
+        assert_eq!(between(generic, with(4, -0.75)), Some((SpecialBody::Components(vec![second]), 0.25, 0.0)));
         let [a, r] = generic;
+        let onto_an_axis = Some((SpecialBody::Components(vec![first, third]), 1.0, 0.0));
+        assert_eq!(between(generic, [a, [0.0, 1.0, 0.0]]), onto_an_axis);
         assert_eq!(between([a, [0.0; 3]], generic), Some((SpecialBody::NoWeight, 0.0, 0.0)));
         assert_eq!(between([a, r.map(|x| -x)], generic), Some((SpecialBody::NoWeight, 0.5, 0.0)));
         // The third of two equal moments passes them; a third of the way is no double.
