@@ -252,6 +252,16 @@ fn a_body_at_rest_beside_its_equilibrium_is_not_steady() {
     assert!(bifdiag(&format!("{state} --json")).succeeds().json()["steady"].is_null());
 }
 
+/// There are frequencies over the spin, of rotations none of which is nearer than the others.
+#[test]
+fn an_axis_across_all_steady_axes_has_none_nearest() {
+    let (body, why) = ("--A 2,2,3 --r 1,0,2", "at fast spins all steady axes are perpendicular to the given one");
+    let refused = bifdiag(&format!("campbell {body} --axis y --no-plot --to")).and("60 rpm").refused();
+    refused.telling(why).telling("give an axis that is nearer to one of (1, 0, 0)");
+    bifdiag(&format!("critical-spin {body} --axis y")).succeeds().printing(&format!("note: {why}"));
+    assert!(!bifdiag(&format!("critical-spin {body} --axis x")).succeeds().stdout().contains("note:"));
+}
+
 /// Of a symmetric pair of steady axes each end of the given axis has its own; a circle of axes is listed once.
 #[test]
 fn each_end_has_its_own_axis_of_a_pair() {

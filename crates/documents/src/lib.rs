@@ -52,7 +52,7 @@ pub use orbit_list::periodic;
 pub use periodic::{periodic_families, periodic_orbit};
 pub use proved::{EnclosureRow, ProofAsked, USUAL_BOUND, enclosure_rows, enclosures, proved_motion};
 pub use section::{chaos, drift, integrator, section, sections, tolerance_option};
-pub use spin::{AxisQuestion, critical_spin, fast_axes, nearest_axis};
+pub use spin::{AxisQuestion, NONE_NEAREST, critical_spin, fast_axes, nearest_axis};
 pub use spin_change::{asked_spin, spin};
 pub use spin_down::spin_down;
 pub use stability::{friction, nonlinear};

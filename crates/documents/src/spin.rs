@@ -38,6 +38,10 @@ pub fn nearest_axis(subject: &Subject, kind: &AxisKind) -> Option<NearestAxisDoc
     }
 }
 
+/// What is said of an axis that no steady axis approaches.
+pub const NONE_NEAREST: &str =
+    "at fast spins all steady axes are perpendicular to the given one, so that none is nearest to it";
+
 /// An axis as it was given, and how well the numbers of the body are known.
 #[derive(Clone, Debug)]
 pub struct AxisQuestion<'a> {
@@ -121,6 +125,9 @@ fn note(subject: &Subject, tolerances: Tolerances<'_>, found: &AxisSpins) -> Opt
         return Some(format!("tolerances by name are for an axis that is permanent at every spin; {right}"));
     }
     let [plus, _] = &found.beside;
+    if plus.is_empty() {
+        return found.has_families.then(|| NONE_NEAREST.to_owned());
+    }
     (plus.len() > 1).then(|| {
         let listed = match tolerances {
             Tolerances::Exact => "all are listed",

@@ -61,6 +61,8 @@ pub struct AxisSpins {
     pub ends: Option<[EndUp; 2]>,
     /// Of another axis: the families of steady rotations nearest to its ends at fast spins, several if they are equally near.
     pub beside: [Vec<SteadyFamily>; 2],
+    /// Of another axis: all families are known.
+    pub has_families: bool,
     /// The isolated relative equilibria of the body to which Arnold's theorem does not apply; `None` where not all were found.
     pub exceptions: Option<Vec<(BranchName, VerdictChange)>>,
     /// The regions of the body are known; a permanent axis needs its neighbours.
@@ -82,6 +84,7 @@ impl AxisSpins {
             one_spin,
             ends: None,
             beside: [Vec::new(), Vec::new()],
+            has_families: false,
             exceptions,
             has_regions: false,
         };
@@ -90,7 +93,9 @@ impl AxisSpins {
             spins.has_regions = solver.atlas().is_some();
             spins.ends = EndUp::both(body, axis, solver.atlas());
         } else {
-            let families = prepared.as_ref().and_then(RelativeEquilibria::families).unwrap_or_default();
+            let families = prepared.as_ref().and_then(RelativeEquilibria::families);
+            spins.has_families = families.is_some();
+            let families = families.unwrap_or_default();
             spins.beside = [up, up.map(|x| -x)].map(|up| fastest_along(body, &families, up));
         }
         spins

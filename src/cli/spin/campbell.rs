@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use bifdiag_body::part::Spin;
 use bifdiag_diagram::region_changes::rotation_changes;
 use bifdiag_documents::Subject;
-use bifdiag_equilibria::critical::{Multiplicity, RelativeEquilibria};
+use bifdiag_equilibria::critical::{Multiplicity, RelativeEquilibria, SteadyFamily};
 use bifdiag_equilibria::nonlinear::NonlinearVerdict;
 use bifdiag_equilibria::permanent::{
     AxisKind, AxisRotation, PermanentAxis, angle_between, fastest_along, permanent_axis,
@@ -113,7 +113,8 @@ struct Followed {
 /// Rotation about a permanent axis.
 fn permanent(subject: &Subject, axis: PermanentAxis, kind: &AxisKind, largest: &Spin) -> Result<Followed, Failure> {
     // γ points down.
-    let rotation = AxisRotation::about(&subject.body, axis, Sign::Negative).ok_or_else(no_permanent_axis)?;
+    let rotation = AxisRotation::about(&subject.body, axis, Sign::Negative);
+    let rotation = rotation.ok_or_else(|| Failure::work(NOT_FOUND))?;
     let second = subject.second();
     let changes = rotation_changes(&rotation, None).into_iter().map(|change| {
         let [from, to] = change.types.map(|kind| kind.word().to_owned());
@@ -140,7 +141,7 @@ fn moving(subject: &Subject, given: [f64; 3], largest: &Spin) -> Result<Followed
     let near = fastest_along(&subject.body, &families, subject.to_principal(given));
     let family = match &near[..] {
         [family] if !family.is_permanent => family,
-        near if near.iter().all(|family| family.is_permanent) => return Err(not_permanent(subject, given)),
+        near if near.iter().all(|family| family.is_permanent) => return Err(not_permanent(subject, given, &families)),
         _ => {
             return Err(Failure::input(format!(
                 "--axis: at fast spins the steady axes {} are equally near to it; give an axis that is nearer to one \
@@ -192,7 +193,7 @@ fn moving(subject: &Subject, given: [f64; 3], largest: &Spin) -> Result<Followed
 }
 
 /// Why an axis has no frequencies over the spin.
-fn not_permanent(subject: &Subject, given: [f64; 3]) -> Failure {
+fn not_permanent(subject: &Subject, given: [f64; 3], families: &[SteadyFamily]) -> Failure {
     match permanent_axis(&subject.body, subject.to_principal(given)) {
         Some(nearest) => {
             let axis = subject.to_given(nearest.direction);
@@ -217,7 +218,12 @@ fn not_permanent(subject: &Subject, given: [f64; 3]) -> Failure {
                 significant(angle, 3)
             ))
         }
-        None => no_permanent_axis(),
+        // Then no family is permanent, and none is nearest.
+        None => Failure::input(format!(
+            "--axis: {}; give an axis that is nearer to one of {}",
+            bifdiag_documents::NONE_NEAREST,
+            bifdiag_documents::fast_axes(subject, families)
+        )),
     }
 }
 
@@ -229,14 +235,6 @@ fn steady_at(subject: &Subject, given: [f64; 3]) -> &'static str {
         // Which of both was not found.
         AxisKind::Permanent { .. } | AxisKind::Unknown => "one spin at most",
     }
-}
-
-fn no_permanent_axis() -> Failure {
-    Failure::input(
-        "--axis: rotation about it is not permanent at every spin, nor is that about any other axis of this body: there are no \
-         frequencies over the spin; `bifdiag critical-spin` gives the spin at which rotation about an axis is steady, if there \
-         is one",
-    )
 }
 
 /// Frequencies at one spin.
