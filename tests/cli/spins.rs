@@ -262,6 +262,26 @@ fn an_axis_across_all_steady_axes_has_none_nearest() {
     assert!(!bifdiag(&format!("critical-spin {body} --axis x")).succeeds().stdout().contains("note:"));
 }
 
+/// 0.6 · 4 − 0.8 · 3 is 0 with the decimals that were given, and not with their doubles.
+#[test]
+fn a_vertical_momentum_that_is_zero_is_printed_so() {
+    let body = "--A 4,4,1 --r 1,1,0";
+    for state in [
+        format!("{body} --omega 1,1,-3 --vertical=-0.6,0,-0.8"),
+        "--A 2,2,4 --r 0,0,1 --omega 1.2,0.9,0 --vertical 0.6,-0.8,0".to_owned(),
+    ] {
+        bifdiag(&format!("state {state}")).succeeds().printing(", l = 0 about the upward vertical");
+    }
+    for start in
+        ["--gamma 0.6,0,0.8 --omega 1,1,-3", "--gamma 3,0,4 --l-vector 4,4,-3", "--gamma 0.6,0,0.8 --l-vector 4,4,-3"]
+    {
+        bifdiag(&format!("orbit {body} {start} --times 0:1:2")).succeeds().printing(", l = 0\n");
+    }
+    bifdiag(&format!("orbit {body} --gamma 0.6,0,0.8 --omega 1,1,-2.9 --times 0:1:2"))
+        .succeeds()
+        .printing(", l = 0.08\n");
+}
+
 /// Of a symmetric pair of steady axes each end of the given axis has its own; a circle of axes is listed once.
 #[test]
 fn each_end_has_its_own_axis_of_a_pair() {

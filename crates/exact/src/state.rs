@@ -6,7 +6,9 @@ use bifdiag_body::{Number, ParseNumberError};
 use bifdiag_diagram::arrangement::RegionId;
 use bifdiag_diagram::atlas::Spot;
 use bifdiag_diagram::topology::Margin;
+use bifdiag_numbers::symmetric;
 use bifdiag_numbers::vector::{cross, dot, norm};
+use dashu_ratio::RBig;
 
 use crate::solver::Solver;
 use crate::steady::{SpinQuestion, Steady};
@@ -58,17 +60,25 @@ impl fmt::Display for UnknownOfState {
 }
 
 impl State {
-    /// The state with an angular velocity, in principal axes and the body's units; the question's axis is the upward vertical,
-    /// and its spin is |ω|.
+    /// The state with an angular velocity, in principal axes and the body's units; `along` is a vector along
+    /// it, or against it, exact. The question's axis is the upward vertical, and its spin is |ω|.
     ///
     /// # Errors
     /// [`ParseNumberError`] where h or l leaves the range of doubles.
-    pub fn new(solver: &Solver, omega: [f64; 3], question: &SpinQuestion) -> Result<Self, ParseNumberError> {
+    pub fn new(
+        solver: &Solver,
+        omega: [f64; 3],
+        along: &[RBig; 3],
+        question: &SpinQuestion,
+    ) -> Result<Self, ParseNumberError> {
         let (up, body) = (question.up, solver.body());
         let (a, r) = (body.moments_f64(), body.center_f64());
         let momentum: [f64; 3] = std::array::from_fn(|k| a[k] * omega[k]);
         // γ = −up: U = −⟨γ, r⟩ = ⟨up, r⟩; l = ⟨Aω, γ⟩, whose sign does not matter.
-        let (h, l) = (0.5 * dot(omega, momentum) + dot(up, r), dot(momentum, up));
+        let h = 0.5 * dot(omega, momentum) + dot(up, r);
+        let exactly: [RBig; 3] = std::array::from_fn(|k| body.moments()[k].value() * &along[k]);
+        let is_level = symmetric::dot(&exactly, &question.exact_up).is_zero();
+        let l = if is_level { 0.0 } else { dot(momentum, up) };
         let is_upright = norm(cross(omega, up)) <= UPRIGHT * norm(omega);
         let found = Steady::nearest(solver, question);
         let unknown = solver.atlas().is_none().then_some(UnknownOfState::Regions);

@@ -6,10 +6,12 @@ use std::sync::atomic::AtomicBool;
 
 use bifdiag_body::Number;
 use bifdiag_documents::Subject;
-use bifdiag_dynamics::field::{HeavyTop, State};
+use bifdiag_dynamics::field::{HeavyTop, State, dot};
 use bifdiag_dynamics::motion::{Motion, MotionOptions, Quaternion, follow};
 use bifdiag_dynamics::section::{PpTorus, SectionError, TorusPoint};
+use bifdiag_numbers::symmetric;
 use clap::Args;
+use dashu_ratio::RBig;
 
 use super::times::Times;
 use crate::cli::export::DataTarget;
@@ -134,6 +136,20 @@ impl<'a> Problem<'a> {
         let top = HeavyTop::new(&subject.body);
         let start = start(arguments, &top)?;
         Ok(Self { arguments, subject, top, start, times: arguments.times.list()? })
+    }
+
+    /// l = ⟨γ,Aω⟩ at the start; 0 where the numbers that were given make it 0 exactly.
+    pub fn vertical_momentum(&self) -> f64 {
+        let Self { arguments, subject, start, .. } = self;
+        let given = match (&arguments.gamma, &arguments.l_vector, &arguments.omega) {
+            (Some(gamma), Some(l), _) => Some(symmetric::dot(&gamma.given.values(), &l.values())),
+            (Some(gamma), None, Some(omega)) => {
+                let (a, omega) = (subject.body.moments(), omega.values());
+                Some(symmetric::dot(&gamma.given.values(), &std::array::from_fn(|k| a[k].value() * &omega[k])))
+            }
+            _ => arguments.momentum.as_ref().map(|l| l.value().clone()),
+        };
+        if given.is_some_and(|l: RBig| l.is_zero()) { 0.0 } else { dot(start.gamma, start.l) }
     }
 
     /// The motion at some times.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use bifdiag_documents::Subject;
-use bifdiag_dynamics::field::{State, dot};
+use bifdiag_dynamics::field::State;
 use bifdiag_dynamics::motion::{Motion, MotionReport, MotionSample};
 use bifdiag_schema::{MotionDocument, MotionSampleDocument, MotionSummaryDocument};
 
@@ -24,7 +24,7 @@ pub fn document(problem: &Problem<'_>, motion: &Motion) -> Result<MotionDocument
         head: bifdiag_documents::head(command(problem)),
         body: bifdiag_documents::given(&subject.body),
         h: top.energy(start),
-        l: dot(start.gamma, start.l),
+        l: problem.vertical_momentum(),
         start: sample_document(&start_sample),
         integrator: bifdiag_documents::integrator(problem.arguments.tol),
         complete: motion.samples.len() == times.len(),

@@ -46,11 +46,16 @@ impl AxisArgument {
 
     /// The direction in principal axes; exact without a part.
     pub fn in_principal_axes(&self, subject: &Subject) -> [RBig; 3] {
-        if subject.part.is_none() {
-            return self.given.values();
-        }
-        subject.to_principal(self.given.rounded()).map(|x| RBig::try_from(x).unwrap_or_default())
+        in_principal_axes(&self.given, subject)
     }
+}
+
+/// A vector in principal axes; exact without a part.
+pub fn in_principal_axes(given: &Triple, subject: &Subject) -> [RBig; 3] {
+    if subject.part.is_none() {
+        return given.values();
+    }
+    subject.to_principal(given.rounded()).map(|x| RBig::try_from(x).unwrap_or_default())
 }
 
 /// A direction as it is printed.

@@ -10,7 +10,7 @@ use bifdiag_schema::{AxisEnd, StateDocument, SteadyDocument};
 use clap::Args;
 use dashu_ratio::RBig;
 
-use super::axis::{AxisArgument, as_near, axis, listed};
+use super::axis::{AxisArgument, as_near, axis, in_principal_axes, listed};
 use super::steady::{changes, report_steady};
 use crate::cli::export::answer;
 use crate::cli::failure::{Failure, failed, incomplete};
@@ -75,7 +75,8 @@ pub fn run(arguments: &StateArguments, timings: &Timings) -> Result<(), Failure>
     let question = state.question(&subject);
     let found = timings.stage("state", || {
         let solver = Solver::new(subject.body.clone(), Accuracy::Exact);
-        exact::State::new(&solver, subject.to_principal(state.omega).map(|x| x / subject.second()), &question)
+        let omega = subject.to_principal(state.omega).map(|x| x / subject.second());
+        exact::State::new(&solver, omega, &state.along(&subject), &question)
     });
     let found = found.map_err(failed("the state overflows"))?;
     let document = bifdiag_documents::state(&subject, state.asked(&subject), &found);
@@ -122,6 +123,14 @@ impl<'a> State<'a> {
                 let squared = symmetric::dot(&omega, &omega);
                 [Real::root_of(&squared, DIGITS).lo, squared]
             }
+        }
+    }
+
+    /// A vector along ω in principal axes, exact without a part.
+    fn along(&self, subject: &Subject) -> [RBig; 3] {
+        match self.turning {
+            Turning::About { axis, .. } => axis.in_principal_axes(subject),
+            Turning::Omega(omega) => in_principal_axes(omega, subject),
         }
     }
 
