@@ -68,6 +68,19 @@ fn a_free_body_rests_in_every_orientation() {
     turning.printing("rotation about every axis is steady");
 }
 
+/// Where the pair has its cusp at its pitchfork, U_l has no minimum: U = 3 − s⁶/32 + …, s the sine of the tilt.
+#[test]
+fn friction_at_a_pitchfork_with_a_cusp_is_told_alike() {
+    for body in ["--A 2,3,4 --r 0,0,1", "--A 3,3,4 --r 0,0,1", "--A 3,2,4 --r 0,0,1"] {
+        let at_spin = bifdiag(&format!("state {body} --axis z --json --spin")).and("1 rad/s").succeeds().json();
+        let at_l = bifdiag(&format!("critical {body} --l 4 --json")).succeeds().json();
+        let there = |found: &&Value| near(number(&found["h"]), 3.0, 1.0) && number(&found["gamma"][2]) == -1.0;
+        let found = at_l["critical"].as_array().unwrap().iter().find(there).unwrap();
+        let friction = |found: &Value| found["friction"]["conserving_l"].clone();
+        assert_eq!([&at_spin["steady"], found].map(friction), [json!("lost"), json!("lost")], "{body}");
+    }
+}
+
 /// |ω| = √2 is the threshold itself: of Lagrange's top Ω² = 4 A1 r/A3², beside a pitchfork Ω² = r/(A2 − A1).
 #[test]
 fn a_threshold_whose_square_is_rational_is_met_exactly() {

@@ -111,10 +111,8 @@ impl AxisRotation {
         let [c, a, b] = &self.moments;
         let soft = stiffness.into_iter().zip([a, b]).find(|(sign, _)| *sign == Sign::Zero);
         let d = c - soft?.1;
-        match sign_of(&(&d * (RBig::from(4) * &d - c))) {
-            Sign::Zero => None,
-            sign => Some(sign == Sign::Positive),
-        }
+        // At 4d = C the next term is −(sC/128)q³.
+        Some(sign_of(&(&d * (RBig::from(4) * &d - c))) == Sign::Positive)
     }
 
     /// The frequencies |Im λ|, in rad over the unit of time, and the largest rate of growth Re λ at a spin with s = Ω².
