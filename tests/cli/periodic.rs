@@ -67,6 +67,24 @@ fn families_are_drawn_and_reported() {
     assert!(picture.contains(" = (2, 1.1, 1)") && picture.contains(" = 1.5") && picture.contains("equilibrium"));
 }
 
+/// Near this equilibrium S is of fourth order in the size of the orbits, which cross P all the same.
+#[test]
+fn small_orbits_cross_the_section_as_often_as_their_neighbours() {
+    let found = bifdiag("periodic family --A 2,3,4 --r 0,0,1 --from L+.1 --h 0 --members 10 --json").succeeds().json();
+    let members = list(&found["families"][1]["members"]);
+    let crossings: Vec<u64> = members.iter().map(|orbit| orbit["crossings"].as_u64().unwrap()).collect();
+    assert_eq!(crossings[3..], [8; 7], "{crossings:?}");
+}
+
+/// Exactly at a pitchfork the other pair is zero; no circle of equilibria is near.
+#[test]
+fn no_family_begins_at_a_pitchfork_because_a_pair_is_zero() {
+    for line in ["--A 4,5,6 --r 0,1,0 --from L+.1 --l 5", "--A 2,3,4 --r 0,0,1 --from L-.3 --l 4"] {
+        let reply = bifdiag(&format!("periodic family {line} --members 4")).succeeds();
+        reply.printing("not begun: the other pair is a multiple of this one, or zero");
+    }
+}
+
 /// The two equilibria of a mirror pair have the same h, l and frequencies: titles say on which side each lies.
 #[test]
 fn titles_tell_families_of_a_mirror_pair_apart() {

@@ -6,7 +6,7 @@ use bifdiag_dynamics::integrator::taylor::MAX_ORDER;
 use bifdiag_dynamics::section::SectionCondition;
 
 use crate::flow::{Phase, Space};
-use crate::reversor::Reversor;
+use crate::reversor::{Reversor, all_are_symmetric};
 use crate::shooting::{RESIDUAL, Shot};
 
 /// What is seen on the way around.
@@ -37,8 +37,9 @@ const PLACES: [f64; LOOKS + 1] = {
 /// A state that a reversor moves no further is one of its fixed points, and so far at most where the trace is nearly 2: the
 /// orbits beside one close nearly as well there, and it is known only to its defect over what the trace is off 2.
 const FIXED: [f64; 2] = [1e-6, 1e-4];
-/// |S| that is 0 all the way around, in its unit: the orbit lies in P.
-const FLAT: f64 = 1e-9;
+/// |S| that is 0 all the way around, in its unit: the orbit lies in P, as regular precessions do, which are known to a
+/// defect; of other bodies all orbits leave P, and near equilibria only rounding hides it.
+const FLAT: [f64; 2] = [1e-13, 1e-9];
 
 /// Goes once around along the steps of the motion, which begin anew at each node, so that errors do not grow on the way.
 #[must_use]
@@ -76,7 +77,8 @@ pub fn walk(space: &Space, shot: &Shot, reversors: &[Reversor]) -> Walk {
         }
     }
     let Walker { mut found, largest, .. } = walker;
-    if largest <= FLAT * SectionCondition::Height.scale(top, energy) {
+    let flat = FLAT[usize::from(all_are_symmetric(top))];
+    if largest <= flat * SectionCondition::Height.scale(top, energy) {
         (found.crossings, found.maximum) = (0, None);
     }
     found

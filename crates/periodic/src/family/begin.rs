@@ -25,7 +25,7 @@ const RESONANT: f64 = 1e-6;
 impl Course<'_> {
     /// The family of the pair ±i`frequency`, in the units of the reduced top.
     pub fn beginning_at(&self, equilibrium: &Equilibrium, frequency: f64) -> Result<Stretch, FamilyError> {
-        if !matches!(equilibrium.multiplicity, Multiplicity::Points(1)) {
+        if !matches!(equilibrium.multiplicity, Multiplicity::Points(_)) {
             return Ok(Stretch::none(FamilyEnd::NotIsolated));
         }
         let units = self.units;
