@@ -57,8 +57,9 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
     let event = id.strip_prefix('E').and_then(|number| number.parse::<usize>().ok()?.checked_sub(1));
     if let Some(region) = document.regions.iter().find(|region| region.id == id) {
         let width = region.id.parse().ok().and_then(|id: RegionId| atlas.h_widths()[id]);
-        show_region(&mut report, &subject, &document, region, width);
-        if strays(&subject, &document).contains(&region.id) {
+        let is_stray = strays(&subject, &document).contains(&region.id);
+        show_region(&mut report, &subject, &document, (region, is_stray), width);
+        if is_stray {
             report.line("");
             report.line(STRAY);
         }
@@ -183,7 +184,7 @@ fn show_region(
     report: &mut Report,
     subject: &Subject,
     document: &AtlasDocument,
-    region: &RegionDocument,
+    (region, is_stray): (&RegionDocument, bool),
     width: Option<f64>,
 ) {
     let signature = region.signature.as_ref().map_or_else(String::new, |signature| format!(", sections {signature}"));
@@ -195,7 +196,8 @@ fn show_region(
     report.line(format!("  {}, {width}", range(region.l_range)));
     let margin = &region.sample.margin;
     let [h, l] = inner_sample(subject, &region.sample, DIGITS);
-    report.line(format!("  sample: h = {h}, l = {l} ({} in h to {})", significant(margin.h, 3), margin.nearest));
+    let mark = if is_stray { "~" } else { "" };
+    report.line(format!("  sample: {mark}h = {h}, l = {l} ({} in h to {})", significant(margin.h, 3), margin.nearest));
     report.line("");
     for component in &region.components {
         for line in words::component(component) {

@@ -155,6 +155,12 @@ fn a_region_that_doubles_do_not_meet_is_not_drawn() {
 }
 
 #[test]
+fn a_sample_that_lies_elsewhere_is_marked() {
+    let shown = bifdiag("show R3 --A 2.00001,2,1 --r 1,0.00001,0").succeeds();
+    shown.printing("sample: ~h = 1.37").printing("~ rounded to doubles, the sample lies outside its region");
+}
+
+#[test]
 fn another_section_condition_has_no_signature() {
     let line = "section --body paper --h 5.3 --l 3.25 --orbits 1 --crossings 2 --json";
     assert_eq!(bifdiag(line).succeeds().json()["signature"], "M2");

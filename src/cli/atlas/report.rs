@@ -97,12 +97,13 @@ pub fn text(subject: &Subject, atlas: &Atlas, document: &AtlasDocument, written:
         report.line("nothing was left undecided");
     }
     for undecided in &summary.undecided {
+        let curves = &undecided.curves;
         report.line(format!(
-            "undecided: {} near l = {}, h = {} ({})",
+            "undecided: {} near l = {}, h = {}{}",
             undecided.what,
             significant(undecided.l, DIGITS),
             significant(undecided.h, DIGITS),
-            undecided.curves.join(", "),
+            if curves.is_empty() { String::new() } else { format!(" ({})", curves.join(", ")) },
         ));
     }
     report.written(written);
