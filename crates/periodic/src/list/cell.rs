@@ -4,8 +4,9 @@
 //! d = F − B, and half the way there and half back stretch less than all of it. What is decided rests on nine samples, of which the
 //! outer ones lie a little beyond the cell:
 //! - a cell is **empty** if at all samples F is far from B, compared with how far F and B are from those of neighbouring samples.
-//!   Where a motion touches the section, crossings are born in pairs and those after them are counted anew: ends are
-//!   compared with the neighbour's crossings at nearly the same time, and one that was just born with the line of tangency;
+//!   Where a motion touches the section, crossings are born in pairs and those after them are counted anew: where neighbours
+//!   disagree, all crossings that may go on to be an m-th one are taken, forward and backward, of all samples, each as
+//!   far as it moves to neighbours' crossings at nearly the same time, or, if it was just born, to the line of tangency;
 //! - or if at all samples F and B are less than half the shortest possible period apart in time;
 //! - or if the affine map that fits d best vanishes nowhere in the cell, by a margin of several times what it leaves;
 //! - it has **one** fixed point if that affine map has one zero, well within the samples; the index is the winding number of
@@ -163,21 +164,57 @@ fn is_brief(surface: &Surface, samples: &Samples, ways: &[&BothWays; 9], m: usiz
     ends.all(|ends| ends.is_some_and(|[after, before]| after.time + before.time < 0.5 * shortest))
 }
 
+/// Pairs of samples beside each other.
+fn neighbours(samples: &Samples, k: usize) -> impl Iterator<Item = usize> {
+    (0..9).filter(move |j| {
+        let apart = [0, 1].map(|i| (GRID[*j][i] - GRID[k][i]).abs());
+        apart[0] + apart[1] == 1.0 && samples.points[*j].is_some()
+    })
+}
+
 /// The ends are far apart, compared with how far they are from those of neighbouring samples.
 fn is_apart(samples: &Samples, ways: &[&BothWays; 9], m: usize) -> bool {
-    (0..9).filter(|k| samples.points[*k].is_some()).all(|k| {
+    let there: Vec<usize> = (0..9).filter(|k| samples.points[*k].is_some()).collect();
+    let is_steady = |k: &usize| {
         // One that has no m-th crossing in the longest time has no orbit of interest.
-        let Some([after, before]) = ways[k].ends(m) else { return true };
+        let Some([after, before]) = ways[*k].ends(m) else { return true };
         let most = APART * (after.point - before.point).norm();
+        neighbours(samples, *k).all(|j| {
+            ways[j].ends(m).is_some_and(|ends| {
+                (ends[0].point - after.point).norm() + (ends[1].point - before.point).norm() <= most
+            })
+        })
+    };
+    there.iter().all(is_steady) || {
+        // Somewhere crossings are born, forward at some samples and backward at others.
+        let after = branches(samples, ways, &there, m, |ways| &ways.after);
+        let before = branches(samples, ways, &there, m, |ways| &ways.before);
+        after.iter().all(|(end, drift)| {
+            before.iter().all(|(other, more)| drift + more <= APART * (end.point - other.point).norm())
+        })
+    }
+}
+
+/// What may go on to be an m-th crossing somewhere in the cell, at all samples, and how far from them it may be.
+fn branches<'a>(
+    samples: &Samples,
+    ways: &[&'a BothWays; 9],
+    there: &[usize],
+    m: usize,
+    way: impl Fn(&'a BothWays) -> &'a [Image],
+) -> Vec<(&'a Image, f64)> {
+    let mut found = Vec::new();
+    for &k in there {
+        let Some([after, before]) = ways[k].ends(m) else { continue };
         let late = APART * (after.time + before.time) / m as f64;
-        let is_neighbour = |j: &usize| {
-            let apart = [0, 1].map(|i| (GRID[*j][i] - GRID[k][i]).abs());
-            apart[0] + apart[1] == 1.0 && samples.points[*j].is_some()
-        };
-        (0..9)
-            .filter(is_neighbour)
-            .all(|j| moved(after, &ways[j].after, late) + moved(before, &ways[j].before, late) <= most)
-    })
+        let images = way(ways[k]);
+        let shifted = [m.checked_sub(2), Some(m), Some(m + 2)].into_iter().flatten().filter(|a| *a > 0);
+        for end in shifted.filter_map(|a| images.get(a - 1)) {
+            let drift = neighbours(samples, k).map(|j| moved(end, way(ways[j]), late)).fold(0.0, f64::max);
+            found.push((end, drift));
+        }
+    }
+    found
 }
 
 /// How far an end is from where it goes on at a neighbour: at a crossing of the same kind at nearly the same time, whatever its number

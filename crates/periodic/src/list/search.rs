@@ -65,6 +65,10 @@ const FIRST: u32 = 2;
 const CURVES: u32 = 2;
 /// Cuts after which one more line of births is reckoned with, and one more after as many again.
 const CROSSED: u32 = 6;
+/// More cuts, as long as only a few cells are left.
+const FURTHER: u32 = 6;
+/// So many are few.
+const FEW: usize = 1024;
 /// Cells that are looked at together.
 const BATCH: usize = 4096;
 /// |det(DRᵐ − 1)| below this part of its square norm: 1 is a double multiplier.
@@ -85,26 +89,28 @@ pub fn search(map: &SectionMap<'_>, cover: &Cover, options: &SearchOptions) -> R
             level.push(Cell { chart, at, half, open: all });
         }
     }
-    for depth in 0..=options.levels {
-        let mut next = Vec::new();
+    for depth in 0..=options.levels + FURTHER {
+        let mut left = Vec::new();
         for batch in level.chunks(BATCH) {
             let undecided = look(map, cover, options, batch, depth, &mut found)?;
-            let spent = found.cells + next.len() > options.cells;
-            for (cell, open, samples) in undecided {
-                if depth == options.levels || spent {
-                    let (middle, at_tangency) = samples.map_or_else(
-                        || (cover.charts[cell.chart].center, true),
-                        |samples| (samples.middle, !samples.whole),
-                    );
-                    found.open.push(OpenCell { middle, half: cell.half, turns: open, at_tangency });
-                } else {
-                    next.extend(cell.parts(open));
-                }
-            }
+            left.extend(
+                undecided.into_iter().map(|(cell, open, samples)| (cell, open_cell(cover, &cell, open, samples))),
+            );
         }
-        level = next;
+        let is_deep = depth >= options.levels && (left.len() > FEW || depth == options.levels + FURTHER);
+        if is_deep || found.cells + 4 * left.len() > options.cells {
+            found.open = left.into_iter().map(|(_, open)| open).collect();
+            break;
+        }
+        level = left.iter().flat_map(|(cell, open)| cell.parts(open.turns)).collect();
     }
     Ok(found)
+}
+
+fn open_cell(cover: &Cover, cell: &Cell, turns: u32, samples: Option<Samples>) -> OpenCell {
+    let (middle, at_tangency) =
+        samples.map_or_else(|| (cover.charts[cell.chart].center, true), |samples| (samples.middle, !samples.whole));
+    OpenCell { middle, half: cell.half, turns, at_tangency }
 }
 
 type Undecided = (Cell, u32, Option<Samples>);
