@@ -21,12 +21,12 @@ const ORDER: [(&str, &str); 16] = [
     ("crates/diagram/src", "topology arrangement atlas class fast accessible region_changes spin_down"),
     (
         "crates/exact/src",
-        "statistics id model family curves estimate point equal_momentum ridges critical_values plane mirror pair polar arrange region certificate conversion vertex exact \
+        "statistics id model family curves estimate evaluator equal_momentum ridges critical_values plane mirror pair polar arrange region certificate conversion vertex plane_point \
          answers solver steady state spins",
     ),
     ("crates/dynamics/src", "field integrator motion section poincare"),
     ("crates/enclosure/src", "bound scalar field set step start integrals orbit return_map"),
-    ("crates/chaos/src", "liouville share point cells block map"),
+    ("crates/chaos/src", "liouville share point_shares cells block map"),
     (
         "crates/periodic/src",
         "flow reversor chain shooting walk orbit family catalogue chart section_map proof list manifold",

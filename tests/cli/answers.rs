@@ -105,10 +105,11 @@ fn a_window_is_echoed() {
     // How many relative equilibria there are is said of the half-plane alone: here it is 6, and in the window 2.
     let body = "atlas --A 3,2,1 --r 0.3,0.4,0.5 --no-plot";
     bifdiag(body).succeeds().printing(" events, at most 6 relative equilibria at one l\n");
-    bifdiag(body).arguments("--window 0:1,0:1").succeeds().printing(
-        "\n* cut by the window: width and l-range are those of the whole region\n\n3 regions, 0 events\nonly what lies in \
-        the window is listed",
-    );
+    bifdiag(body)
+        .arguments("--window 0:1,0:1")
+        .succeeds()
+        .printing("\n* cut by the window: width and l-range are those of the whole region\n")
+        .printing("\n3 regions, 0 events\nonly what lies in the window is listed");
 }
 
 /// Two of the paper's nine regions, as the contract prints them.
