@@ -449,7 +449,9 @@ fn equally_near_axes_are_all_listed_with_weight_too() {
     between.printing("equally near: (");
     // Nothing tends to an axis across all limits of fast spins.
     let across = bifdiag("critical-spin --A 2,2,1 --r 1,0,0 --axis 0,1,0").succeeds();
-    let across = across.printing("at fast spins all steady axes are perpendicular to the given one, so that none is nearest").stdout();
+    let across = across
+        .printing("at fast spins all steady axes are perpendicular to the given one, so that none is nearest")
+        .stdout();
     assert!(!across.contains("nearest at fast spins"), "{across}");
 }
 
