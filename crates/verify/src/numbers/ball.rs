@@ -124,8 +124,10 @@ impl<const N: usize> Ball<N> {
         // Of as many bits as a mantissa, or one less.
         let (quotient, rest) = above.div_rem(below);
         let mut mantissa = [0; N];
-        for (word, given) in mantissa.iter_mut().zip(quotient.as_words()) {
-            *word = *given;
+        for (word, given) in mantissa.iter_mut().zip(quotient.to_le_bytes().chunks(8)) {
+            let mut bytes = [0; 8];
+            bytes[..given.len()].copy_from_slice(given);
+            *word = u64::from_le_bytes(bytes);
         }
         let error = if rest == UBig::ZERO { 0.0 } else { Self::LAST };
         Self::new(x.numerator().is_negative(), mantissa, -power, error)
