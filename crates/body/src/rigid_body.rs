@@ -105,6 +105,12 @@ impl Body {
         }
     }
 
+    /// Aω in principal axes, with the moments as they are given.
+    #[must_use]
+    pub fn angular_momentum(&self, omega: &[RBig; 3]) -> [RBig; 3] {
+        std::array::from_fn(|k| self.moments[k].value() * &omega[k])
+    }
+
     /// A body from texts, each a decimal or a rational.
     ///
     /// # Errors

@@ -76,8 +76,7 @@ impl State {
         let momentum: [f64; 3] = std::array::from_fn(|k| a[k] * omega[k]);
         // γ = −up: U = −⟨γ, r⟩ = ⟨up, r⟩; l = ⟨Aω, γ⟩, whose sign does not matter.
         let h = 0.5 * dot(omega, momentum) + dot(up, r);
-        let exactly: [RBig; 3] = std::array::from_fn(|k| body.moments()[k].value() * &along[k]);
-        let is_level = symmetric::dot(&exactly, &question.exact_up).is_zero();
+        let is_level = symmetric::dot(&body.angular_momentum(along), &question.exact_up).is_zero();
         let l = if is_level { 0.0 } else { dot(momentum, up) };
         let is_upright = norm(cross(omega, up)) <= UPRIGHT * norm(omega);
         let found = Steady::nearest(solver, question);

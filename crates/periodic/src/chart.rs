@@ -52,8 +52,9 @@ impl Surface {
         &self.space
     }
 
-    /// No motion here has a shorter period than this, in the top's own time: 2π/Λ, Λ a Lipschitz constant of the field (J. A. Yorke, Proc. Amer. Math. Soc. 22
-    /// (1969) 509–512). With |γ| ≤ 1, |l| ≤ L and ½⟨ω,Aω⟩ ≤ h + |r| it is at most |ω| + 2L/A_min + |r|/L.
+    /// No motion here has a shorter period than this, in the top's own time: 2π/Λ, Λ a Lipschitz constant of the field
+    /// (J. A. Yorke, Proc. Amer. Math. Soc. 22 (1969) 509–512). With |γ| ≤ 1, |l| ≤ L and ½⟨ω,Aω⟩ ≤ h + |r| it is at most
+    /// |ω| + 2L/A_min + |r|/L.
     #[must_use]
     pub fn shortest_period(&self) -> f64 {
         let least = self.space.top.moments().into_iter().fold(f64::INFINITY, f64::min);
@@ -167,7 +168,7 @@ const STEPS: usize = 12;
 /// How far P may be from the tangent plane over a square, as a part of its half side.
 const BEND: f64 = 0.3;
 /// The samples of cells reach beyond the square, up to this part of it.
-const BEYOND: f64 = 1.125;
+pub const BEYOND: f64 = 1.125;
 /// Halvings of a square before a point counts as singular.
 const HALVINGS: usize = 12;
 
@@ -297,13 +298,13 @@ pub fn cover(surface: &Surface, seeds: &[Point], most: usize) -> Cover {
             break;
         }
         let chart = cover.charts[next].clone();
-        for at in chart.rim(1.0) {
-            if let Some(y) = chart.place(surface, at) {
-                cover.add(surface, &mut grid, y);
-            } else {
-                cover.closed = false;
-                cover.singular.push(chart.center);
-            }
+        let rim: Vec<Option<Point>> = chart.rim(1.0).map(|at| chart.place(surface, at)).collect();
+        if rim.contains(&None) {
+            cover.closed = false;
+            cover.singular.push(chart.center);
+        }
+        for y in rim.into_iter().flatten() {
+            cover.add(surface, &mut grid, y);
         }
         next += 1;
     }

@@ -13,8 +13,6 @@ pub struct Image {
     pub point: Point,
     /// When.
     pub time: f64,
-    /// Crossings of P until then, this one counted.
-    pub crossings: u32,
     /// It is in P⁻, a maximum of ⟨γ, r⟩.
     pub is_maximum: bool,
     /// How far the crossing just before or just after it is: twice the distance from the line of tangency, near it.
@@ -140,7 +138,7 @@ fn crossings(surface: &Surface, orbit: &OrbitSection) -> Vec<Image> {
             last.pair = last.pair.min(pair);
         }
         let (time, is_maximum) = (crossing.time + crossing.time_low, crossing.s_dot < 0.0);
-        images.push(Image { point, time, crossings: crossing.index, is_maximum, pair });
+        images.push(Image { point, time, is_maximum, pair });
     }
     images
 }

@@ -86,9 +86,9 @@ impl Folder {
 
 /// The content type of a path.
 fn kind(path: &str) -> &'static str {
-    match path.rsplit('.').next() {
-        _ if path.ends_with('/') => "text/html; charset=utf-8",
-        Some("html") => "text/html; charset=utf-8",
+    match path.rsplit(['/', '.']).next() {
+        // A folder's path ends in nothing.
+        Some("" | "html") => "text/html; charset=utf-8",
         Some("js") => "text/javascript",
         Some("css") => "text/css",
         Some("wasm") => "application/wasm",

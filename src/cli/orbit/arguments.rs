@@ -144,8 +144,7 @@ impl<'a> Problem<'a> {
         let given = match (&arguments.gamma, &arguments.l_vector, &arguments.omega) {
             (Some(gamma), Some(l), _) => Some(symmetric::dot(&gamma.given.values(), &l.values())),
             (Some(gamma), None, Some(omega)) => {
-                let (a, omega) = (subject.body.moments(), omega.values());
-                Some(symmetric::dot(&gamma.given.values(), &std::array::from_fn(|k| a[k].value() * &omega[k])))
+                Some(symmetric::dot(&gamma.given.values(), &subject.body.angular_momentum(&omega.values())))
             }
             _ => arguments.momentum.as_ref().map(|l| l.value().clone()),
         };

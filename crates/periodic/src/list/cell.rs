@@ -141,20 +141,18 @@ pub fn judge(cell: &Cell, surface: &Surface, samples: &Samples, ways: &[&BothWay
     if is_brief(surface, samples, ways, m) || is_apart(samples, ways, m) {
         return Verdict::Empty;
     }
-    let ends = ways.each_ref().map(|ways| ways.ends(m));
-    let (true, [Some(e0), Some(e1), Some(e2), Some(e3), Some(e4), Some(e5), Some(e6), Some(e7), Some(e8)]) =
-        (samples.whole, ends)
-    else {
+    if !samples.whole || ways.iter().any(|ways| ways.ends(m).is_none()) {
         return Verdict::Open { line: false };
-    };
-    let ends = [e0, e1, e2, e3, e4, e5, e6, e7, e8];
+    }
+    let ends = ways.map(|ways| [&ways.after[m - 1], &ways.before[m - 1]]);
     let gaps = ends.map(|[after, before]| after.point - before.point);
     if vanishes_nowhere(&gaps) {
         return Verdict::Empty;
     }
-    let Some(plane) = surface.tangent_plane(&e4[1].point) else { return Verdict::Open { line: false } };
+    let middle = ends[4][1].point;
+    let Some(plane) = surface.tangent_plane(&middle) else { return Verdict::Open { line: false } };
     let flat = |v: Point| Vector2::new(plane[0].dot(&v), plane[1].dot(&v));
-    in_the_plane(cell, &gaps.map(flat), &ends.map(|[_, before]| flat(before.point - e4[1].point)))
+    in_the_plane(cell, &gaps.map(flat), &ends.map(|[_, before]| flat(before.point - middle)))
 }
 
 /// The ways take no longer than half the shortest period that there can be, as near a motion that crosses P three times at once.
@@ -164,7 +162,7 @@ fn is_brief(surface: &Surface, samples: &Samples, ways: &[&BothWays; 9], m: usiz
     ends.all(|ends| ends.is_some_and(|[after, before]| after.time + before.time < 0.5 * shortest))
 }
 
-/// Pairs of samples beside each other.
+/// The samples beside one, as far as they are there.
 fn neighbours(samples: &Samples, k: usize) -> impl Iterator<Item = usize> {
     (0..9).filter(move |j| {
         let apart = [0, 1].map(|i| (GRID[*j][i] - GRID[k][i]).abs());

@@ -3,9 +3,9 @@
 use bifdiag_dynamics::section::SectionError;
 use nalgebra::Vector2;
 
-use super::cell::{Cell, Samples, Verdict, judge};
+use super::cell::{Cell, REACH, Samples, Verdict, judge};
 use super::newton::{FixedPoint, Guess, newton};
-use crate::chart::{Chart, Cover};
+use crate::chart::{BEYOND, Chart, Cover};
 use crate::flow::Phase as Point;
 use crate::section_map::{BothWays, SectionMap};
 
@@ -61,6 +61,8 @@ pub struct Found {
 
 /// Cells each chart is cut into, a side, before the first look.
 const FIRST: u32 = 2;
+/// Their samples lie where the charts were tried.
+const _: () = assert!(1.0 + (REACH - 1.0) / FIRST as f64 <= BEYOND);
 /// Cuts after which curves of fixed points are looked for.
 const CURVES: u32 = 2;
 /// Cuts after which one more line of births is reckoned with, and one more after as many again.
@@ -127,7 +129,8 @@ fn look(
     let samples: Vec<Option<Samples>> =
         cells.iter().map(|cell| cell.samples(map.surface(), &cover.charts[cell.chart])).collect();
     let starts: Vec<Point> = samples.iter().flatten().flat_map(|s| s.points.iter().copied().flatten()).collect();
-    // Where a pair of crossings is born the later ones are counted anew. Two such lines cross in small cells only, and three in smaller.
+    // Where a pair of crossings is born the later ones are counted anew. In most cells there is one line of births, in small ones
+    // there may be two that cross, and in smaller ones three.
     let born = 1 + depth / CROSSED;
     let ways = map.both_ways(&starts, options.turns + 2 * born as usize)?;
     found.cells += cells.len();

@@ -38,8 +38,9 @@ pub fn manifolds_of_equilibria(
     let top = HeavyTop::new(body);
     let torus = PpTorus::new(&top)?;
     let Some(first) = equilibria.first() else { return Err(ManifoldError::NotIsolated) };
-    let surfaces = [first.l, -first.l].map(|l| Surface::new(&top, first.h, l));
-    let point = |found: &Equilibrium| surfaces[0].point(&rest(found, &top));
+    let surface = Surface::new(&top, first.h, first.l);
+    let surfaces = [surface, surface.reversed()];
+    let point = |found: &Equilibrium| surface.point(&rest(found, &top));
     let targets: Vec<Phase> = equilibria.iter().map(point).collect();
     let growths = equilibria.iter().flat_map(|found| found.eigenvalues.pairs).map(|[re, _]| re).filter(|re| *re > 0.0);
     let [least, most] = growths.fold([f64::INFINITY, 0.0], |[a, b]: [f64; 2], re| [a.min(re), b.max(re)]);
@@ -54,7 +55,7 @@ pub fn manifolds_of_equilibria(
     for world in &mut worlds {
         world.rests = targets.iter().map(|target| world.seen(target)).collect();
     }
-    let mut found = Manifolds::none(surfaces[0]);
+    let mut found = Manifolds::none(surface);
     let mut branches: Vec<Branch> = Vec::new();
     for (place, equilibrium) in equilibria.iter().enumerate() {
         let rates = rates(equilibrium, &top)?;

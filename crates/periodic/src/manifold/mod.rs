@@ -93,7 +93,8 @@ pub fn manifolds(
     monitor: &Monitor,
 ) -> Result<Manifolds, ManifoldError> {
     let top = setting.torus().top();
-    let surfaces = [setting.l(), -setting.l()].map(|l| Surface::new(top, setting.h(), l));
+    let surface = Surface::new(top, setting.h(), setting.l());
+    let surfaces = [surface, surface.reversed()];
     let world = |is_reversed: bool| World {
         map: SectionMap::new(&surfaces[usize::from(is_reversed)], setting.torus(), list.longest, monitor),
         is_reversed,
@@ -101,7 +102,7 @@ pub fn manifolds(
         long: f64::INFINITY,
     };
     let worlds = [world(false), world(true)];
-    let mut found = Manifolds::none(surfaces[0]);
+    let mut found = Manifolds::none(surface);
     let mut targets: Vec<Phase> = Vec::new();
     let mut branches: Vec<Branch> = Vec::new();
     for (place, listed) in list.orbits.iter().enumerate() {
