@@ -56,6 +56,27 @@ fn what_leaves_a_diagram_is_in_its_caption() {
     assert!(!place.path().join("file/diagram.legend.svg").exists(), "of an earlier run");
 }
 
+/// The largest h of the picture lies between those of a curve half a last digit below and above the l that is printed.
+#[test]
+fn a_stretch_in_the_caption_ends_where_the_curve_leaves_the_picture() {
+    let place = tempdir().unwrap();
+    bifdiag("--body paper --out here").inside(place.path()).succeeds();
+    let read = |name: &str| fs::read_to_string(place.path().join(name)).unwrap();
+    let atlas: serde_json::Value = serde_json::from_str(&read("here/atlas.json")).unwrap();
+    let largest = atlas["drawing"]["view"]["everything"]["h"][1].as_f64().unwrap();
+    let caption = read("here/diagram.caption.txt");
+    for id in ["G0.1", "G1.1", "S2.1"] {
+        let row = caption.lines().rfind(|line| line.starts_with(&format!("{id}, "))).unwrap();
+        let end: f64 = row.split(" … ").nth(1).unwrap().split_whitespace().next().unwrap().parse().unwrap();
+        let h = |l: f64| {
+            let json = bifdiag(&format!("critical --body paper --l {l} --json")).succeeds().json();
+            let points = json["critical"].as_array().unwrap().clone();
+            points.iter().find(|point| point["branch"] == id).unwrap()["h"].as_f64().unwrap()
+        };
+        assert!(h(end - 5.001e-4) <= largest && largest <= h(end + 5.001e-4), "{row}");
+    }
+}
+
 #[test]
 fn pictures_are_as_wide_and_as_fine_as_is_asked() {
     let place = tempdir().unwrap();

@@ -158,6 +158,9 @@ fn a_region_that_doubles_do_not_meet_is_not_drawn() {
 fn a_sample_that_lies_elsewhere_is_marked() {
     let shown = bifdiag("show R3 --A 2.00001,2,1 --r 1,0.00001,0").succeeds();
     shown.printing("sample: ~h = 1.37").printing("~ rounded to doubles, the sample lies outside its region");
+    // What doubles alone found is in doubt, and what they know to lie inside is not.
+    let fast = bifdiag("--A 2.00001,2,1 --r 1,0.00001,0 --no-plot --accuracy fast").succeeds();
+    fast.printing("~(2.00002").printing("~(1.99999").printing(" (0.19245, 0.87738) ").printing("may lie outside it");
 }
 
 #[test]

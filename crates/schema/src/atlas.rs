@@ -241,8 +241,8 @@ pub struct EventDocument {
     pub enclosure: Option<EnclosureDocument>,
 }
 
-/// A point inside a region, chosen where it is wide; where no double lies inside, the doubles nearest to a point
-/// inside, which the certificate has exactly.
+/// A point inside a region, chosen where it is wide relative to the energies there; where no double lies inside, the
+/// doubles nearest to a point inside, which the certificate has exactly.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SampleDocument {
     /// Energy.

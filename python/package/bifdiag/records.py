@@ -166,8 +166,8 @@ class Classification(behaviour.Classification):
 
 @dataclass(frozen=True, slots=True)
 class Sample(behaviour.Sample):
-    """A point inside a region, chosen where it is wide; where no double lies inside, the doubles nearest to a point inside,
-    which the certificate has exactly.
+    """A point inside a region, chosen where it is wide relative to the energies there; where no double lies inside, the
+    doubles nearest to a point inside, which the certificate has exactly.
 
     Attributes
     ----------

@@ -21,6 +21,9 @@ const DIGITS: usize = 8;
 /// What is said where the sample of a region, in doubles, lies outside it.
 pub const STRAY: &str = "~ rounded to doubles, the sample lies outside its region, which is too narrow for them there";
 
+/// What is said where that is not decided.
+const DOUBTFUL: &str = "~ the region is so narrow there that its sample, in doubles, may lie outside it";
+
 /// Nothing is drawn at such a sample under the name of the region.
 pub fn stray_sample(id: &str) -> Failure {
     Failure::input(format!(
@@ -29,18 +32,17 @@ pub fn stray_sample(id: &str) -> Failure {
     ))
 }
 
-/// Regions whose samples, in doubles, lie elsewhere; not checked for `--accuracy fast`, whose regions are numbered
-/// differently.
+/// Regions whose samples, in doubles, lie elsewhere. With `--accuracy fast`, whose regions are numbered differently, all
+/// whose samples may lie elsewhere.
 pub fn strays(subject: &Subject, document: &AtlasDocument) -> Vec<String> {
-    let is_narrow = |region: &&RegionDocument| {
-        document.accuracy == Accuracy::Exact && region.sample.margin.h <= region.sample.margin.error_bound
-    };
+    let is_narrow = |region: &&RegionDocument| region.sample.margin.h <= region.sample.margin.error_bound;
     let solver = Solver::new(subject.body.clone(), Accuracy::Exact);
     let is_outside = |region: &RegionDocument| {
         region.id.parse().is_ok_and(|id| solver.is_outside(id, [region.sample.h, region.sample.l]))
     };
     let narrow = document.regions.iter().filter(is_narrow);
-    narrow.filter(|region| is_outside(region)).map(|region| region.id.clone()).collect()
+    let strays = narrow.filter(|region| document.accuracy == Accuracy::Fast || is_outside(region));
+    strays.map(|region| region.id.clone()).collect()
 }
 
 /// The table of regions fits a terminal of this width.
@@ -58,7 +60,7 @@ pub fn text(subject: &Subject, atlas: &Atlas, document: &AtlasDocument, written:
         let strays = strays(subject, document);
         report.line(region_table(subject, document, &strays));
         if !strays.is_empty() {
-            report.line(STRAY);
+            report.line(if document.accuracy == Accuracy::Fast { DOUBTFUL } else { STRAY });
         }
         if document.regions.iter().any(|region| region.clipped) {
             report.line("* cut by the window: width and l-range are those of the whole region");

@@ -316,7 +316,7 @@ export interface Region {
   clipped?: boolean;
 }
 
-/** A point inside a region, chosen where it is wide; where no double lies inside, the doubles nearest to a point inside, which the certificate has exactly. */
+/** A point inside a region, chosen where it is wide relative to the energies there; where no double lies inside, the doubles nearest to a point inside, which the certificate has exactly. */
 export interface Sample {
   /** Energy. */
   h: number;

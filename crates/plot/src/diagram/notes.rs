@@ -6,8 +6,9 @@ use super::labels::{H, L, region_type};
 use super::panel::Panel;
 use super::scene::Scene;
 use super::stroke::{Stroke, curve_width};
+use super::trace::trace;
 use bifdiag_page::{Heading, Symbol, body_line, short_number, short_time, text_width};
-use bifdiag_schema::{AtlasDocument, CurveDocument, small_motions};
+use bifdiag_schema::{AtlasDocument, CurveDocument, WindowDocument, small_motions};
 
 /// Font size of the notes.
 pub(super) const NOTE_SIZE: f64 = 11.0;
@@ -17,6 +18,9 @@ const DIGITS: usize = 4;
 
 /// So far inside what is seen, relative to its length: at an end two equilibria may meet.
 const INSIDE: f64 = 0.02;
+
+/// How far the points by which the end of what is seen is found may be off, relative to the window's extent in h.
+const FINE: f64 = 1e-7;
 
 /// The body in a line of at most `width` pixels at this font size, its numbers rounded where that is needed, and all that
 /// is known of it for programs.
@@ -128,7 +132,7 @@ pub(super) fn motions(scene: &Scene<'_>, strokes: &[Stroke], panels: &[Panel]) -
     for (index, curve) in scene.atlas.curves.iter().enumerate() {
         for stroke in strokes {
             let Some(line) = stroke.lines.iter().find(|line| line.curve == index) else { continue };
-            let Some(l) = panels.iter().find_map(|panel| seen(panel, stroke)) else { continue };
+            let Some(l) = panels.iter().find_map(|panel| seen(scene, panel, stroke)) else { continue };
             rows.extend(
                 cells(scene, curve, l)
                     .map(|cells| (Symbol::Line(line.pattern.clone(), curve_width(line.verdict)), cells)),
@@ -147,14 +151,36 @@ pub(super) fn columns(atlas: &AtlasDocument) -> Vec<String> {
 }
 
 /// The ends of the part of a stretch that a panel shows.
-fn seen(panel: &Panel, stroke: &Stroke) -> Option<[f64; 2]> {
+fn seen(scene: &Scene<'_>, panel: &Panel, stroke: &Stroke) -> Option<[f64; 2]> {
     let window = &panel.view.window;
     let points = panel.traces[stroke.curve].part(stroke.l[0], stroke.l[1]);
-    let inside = points
-        .iter()
-        .filter(|[h, l]| (window.h[0]..=window.h[1]).contains(h) && (window.l[0]..=window.l[1]).contains(l));
-    let [from, to] = inside.fold([f64::INFINITY, f64::NEG_INFINITY], |[from, to], [_, l]| [from.min(*l), to.max(*l)]);
-    (from < to).then_some([from, to])
+    let shown = |point: &[f64; 2]| contains(window, *point);
+    let (first, last) = (points.iter().position(shown)?, points.iter().rposition(shown)?);
+    let enters = |from: [f64; 2], to: [f64; 2]| {
+        let between = [from[1].min(to[1]), from[1].max(to[1])];
+        let curve = &scene.atlas.curves[stroke.curve];
+        let mut points = trace(scene, curve, between, FINE * (window.h[1] - window.h[0])).unwrap_or_default().points;
+        if from[1] > to[1] {
+            points.reverse();
+        }
+        points.windows(2).find(|pair| contains(window, pair[1])).map_or(to[1], |pair| entry(window, pair[0], pair[1]))
+    };
+    let start = if first > 0 { enters(points[first - 1], points[first]) } else { points[first][1] };
+    let end = points.get(last + 1).map_or(points[last][1], |beyond| enters(*beyond, points[last]));
+    (start < end).then_some([start, end])
+}
+
+fn contains(window: &WindowDocument, [h, l]: [f64; 2]) -> bool {
+    (window.h[0]..=window.h[1]).contains(&h) && (window.l[0]..=window.l[1]).contains(&l)
+}
+
+/// The l at which the line from a point outside a window to one inside enters it.
+fn entry(window: &WindowDocument, outside: [f64; 2], inside: [f64; 2]) -> f64 {
+    let share = |axis: usize, range: [f64; 2]| {
+        let side = outside[axis].clamp(range[0], range[1]);
+        if side == outside[axis] { 0.0 } else { (side - outside[axis]) / (inside[axis] - outside[axis]) }
+    };
+    outside[1] + share(0, window.h).max(share(1, window.l)) * (inside[1] - outside[1])
 }
 
 fn cells(scene: &Scene<'_>, curve: &CurveDocument, l: [f64; 2]) -> Option<Vec<String>> {
