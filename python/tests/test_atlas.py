@@ -1,8 +1,10 @@
 """Atlases say what the command line says, and answer arrays as they answer points."""
 
 import copy
+import gc
 import json
 import pickle
+import weakref
 from fractions import Fraction
 
 import numpy as np
@@ -300,3 +302,16 @@ def test_reprs_name_what_can_be_had(atlas):
     assert "neighbours" in repr(atlas.regions[0]) and "stability" in repr(atlas.curves[0])
     assert atlas._repr_svg_().startswith("<svg")
     assert "S2 + T2" in atlas.classify(3.8, 3.25)._repr_html_()
+
+
+def test_an_atlas_needs_no_garbage_collector():
+    gc.disable()
+    try:
+        atlas = bifdiag.Body.preset("paper").atlas()
+        regions, width = atlas.regions, atlas.regions[0].h_width
+        assert atlas.events and atlas.curves and len(regions[0].polygon) > 0
+        alive = weakref.ref(atlas)
+        del atlas
+        assert alive() is None and regions[0].h_width == width and pickle.loads(pickle.dumps(regions[0])).h_width == width
+    finally:
+        gc.enable()

@@ -1,13 +1,11 @@
 """Atlases: every region of the (h, l) half-plane of one body."""
 
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any
 
+from .atlas_document import Source
 from .atlas_drawing import AtlasDrawing
 from .behaviour import sections
 from .point_answers import PointAnswers
-
-if TYPE_CHECKING:
-    from .body import Body
 
 
 class Atlas(PointAnswers, AtlasDrawing):
@@ -29,7 +27,8 @@ class Atlas(PointAnswers, AtlasDrawing):
     """
 
     def _identity(self) -> tuple[Any, ...]:
-        return self.body, self.accuracy, self._certified, self._ranges, self._drawing
+        source = self._source
+        return self.body, self.accuracy, source.certified, source.ranges, source.drawing
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Atlas) and self._identity() == other._identity()
@@ -38,9 +37,7 @@ class Atlas(PointAnswers, AtlasDrawing):
         return hash(self._identity())
 
     def __reduce__(self) -> tuple[Any, ...]:
-        if self._loaded is not None:
-            return Atlas._of_text, (self._loaded,)
-        return _made, (self.body, self.accuracy, self._certified)
+        return _of, (self._source,)
 
     def __repr__(self) -> str:
         lines = [f"Atlas of {self.body}: {len(self.regions)} regions, {len(self.events)} events"]
@@ -50,5 +47,7 @@ class Atlas(PointAnswers, AtlasDrawing):
         return "\n".join(lines)
 
 
-def _made(body: "Body", accuracy: Literal["exact", "fast"], certificate: bool) -> Atlas:
-    return Atlas(body, accuracy, certificate=certificate)
+def _of(source: Source) -> Atlas:
+    atlas = Atlas.__new__(Atlas)
+    atlas._take(source)
+    return atlas

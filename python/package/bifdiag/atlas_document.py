@@ -4,7 +4,7 @@ import json
 import os
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -25,23 +25,86 @@ Span: TypeAlias = tuple[float, float]
 """The ends of a range."""
 
 
+class Source:
+    """The document of an atlas, made when it is needed.
+
+    The regions of an atlas ask this, and not the atlas: two objects that keep each other are freed by the garbage collector
+    only, while all other threads wait.
+    """
+
+    def __init__(self, body: "Body", accuracy: Literal["exact", "fast"], certified: bool) -> None:
+        self.body, self.accuracy, self.certified = body, accuracy, certified
+        self.inner: _core.Atlas = body._inner.atlas(accuracy, certified)
+        self.ranges: tuple[Span, Span] | None = None
+        self.drawing = True
+        self.loaded: str | None = None
+
+    @classmethod
+    def of_text(cls, text: str) -> "Source":
+        """That of a document that is known to be one."""
+        document = json.loads(text)
+        source = cls(body_of(document["body"]), document["accuracy"], "certificate" in document)
+        window = document.get("window")
+        source.ranges = None if window is None else (tuple(window["h"]), tuple(window["l"]))
+        source.drawing, source.loaded = "drawing" in document, text
+        return source
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        if self.loaded is not None:
+            return Source.of_text, (self.loaded,)
+        return Source, (self.body, self.accuracy, self.certified)
+
+    def written(self) -> str:
+        """The text as this version of the program makes it."""
+        return self.inner.to_json(self.ranges, self.drawing, True)
+
+    @cached_property
+    def text(self) -> str:
+        """The text of the file, or of the atlas that was made."""
+        return self.written() if self.loaded is None else self.loaded
+
+    @cached_property
+    def document(self) -> Document:
+        """What the text says."""
+        document: Document = json.loads(self.text)
+        return document
+
+    @cached_property
+    def traced(self) -> Document:
+        """The document; if it has still to be made without `verdict_changes`, which take longer than the rest."""
+        if self.certified or self.loaded is not None:
+            return self.document
+        document: Document = json.loads(self.inner.to_json(self.ranges, self.drawing, False))
+        return document
+
+    def outlines(self, region: str) -> tuple[npt.NDArray[np.float64], ...]:
+        """Those of a region."""
+        drawn = self.traced.get("drawing", {"regions": {}})["regions"].get(region, {"polygon": []})
+        return tuple(np.array(outline, dtype=float).reshape(-1, 2) for outline in drawn["polygon"])
+
+    @cached_property
+    def widths(self) -> dict[str, float]:
+        """The largest extent of each region in h."""
+        return {f"R{number}": infinite(width) for number, width in enumerate(self.inner.h_widths(), 1)}
+
+    def width(self, region: str) -> float:
+        """That of one region."""
+        return self.widths[region]
+
+
 class AtlasDocument:
     """Lists of what an atlas says, and all of it in the form of the command line's ``atlas.json``; `Atlas` is one."""
 
     body: "Body"
     accuracy: str
     _inner: _core.Atlas
-    _certified: bool
-    _ranges: tuple[Span, Span] | None
-    _drawing: bool
-    _loaded: str | None
+    _source: Source
 
     def __init__(self, body: "Body", accuracy: Literal["exact", "fast"] = "exact", *, certificate: bool = False) -> None:
-        self.body = body
-        self.accuracy = accuracy
-        self._certified = bool(certificate)
-        self._ranges, self._drawing, self._loaded = None, True, None
-        self._inner = body._inner.atlas(accuracy, self._certified)
+        self._take(Source(body, accuracy, bool(certificate)))
+
+    def _take(self, source: Source) -> None:
+        self.body, self.accuracy, self._inner, self._source = source.body, source.accuracy, source.inner, source
 
     @classmethod
     def load(cls: type[AnyAtlas], path: str | os.PathLike[str]) -> AnyAtlas:
@@ -70,62 +133,27 @@ class AtlasDocument:
         text, name = Path(path).read_text(encoding="utf-8"), os.fspath(path)
         _core.readable(text, name)
         atlas = cls._of_text(text)
-        if _substance(json.loads(atlas._written())) != _substance(json.loads(text)):
+        if _substance(json.loads(atlas._source.written())) != _substance(json.loads(text)):
             raise InputError(f"{name} does not say what this version of bifdiag computes for {atlas.body}; make it anew")
         return atlas
 
     @classmethod
     def _of_text(cls: type[AnyAtlas], text: str) -> AnyAtlas:
         """The atlas of a document that is known to be one."""
-        document = json.loads(text)
-        atlas = cls(body_of(document["body"]), document["accuracy"], certificate="certificate" in document)
-        window = document.get("window")
-        atlas._ranges = None if window is None else (tuple(window["h"]), tuple(window["l"]))
-        atlas._drawing = "drawing" in document
-        atlas._loaded = text
+        atlas = cls.__new__(cls)
+        atlas._take(Source.of_text(text))
         return atlas
-
-    def _written(self) -> str:
-        return self._inner.to_json(self._ranges, self._drawing, True)
-
-    @cached_property
-    def _text(self) -> str:
-        return self._written() if self._loaded is None else self._loaded
-
-    @cached_property
-    def _document(self) -> Document:
-        document: Document = json.loads(self._text)
-        return document
 
     @property
     def document(self) -> Document:
         """The contents of `to_json` as a dict; do not modify it."""
-        return self._document
-
-    @cached_property
-    def _traced(self) -> Document:
-        """The document; if it has still to be made without `verdict_changes`, which take longer than the rest."""
-        if self._certified or self._loaded is not None:
-            return self._document
-        document: Document = json.loads(self._inner.to_json(self._ranges, self._drawing, False))
-        return document
-
-    def _outlines(self, region: str) -> tuple[npt.NDArray[np.float64], ...]:
-        drawn = self._traced.get("drawing", {"regions": {}})["regions"].get(region, {"polygon": []})
-        return tuple(np.array(outline, dtype=float).reshape(-1, 2) for outline in drawn["polygon"])
+        return self._source.document
 
     @cached_property
     def regions(self) -> Regions[Region]:
         """The regions, in the order of their ids: ``atlas.regions["R5"]`` is ``atlas.regions[4]``; also a table."""
-        drawn = self._width, self._outlines
+        drawn = self._source.width, self._source.outlines
         return Regions(self._inner.regions(), lambda text: Region._of(json.loads(text), drawn))
-
-    @cached_property
-    def _widths(self) -> dict[str, float]:
-        return {region.id: infinite(width) for region, width in zip(self.regions, self._inner.h_widths(), strict=True)}
-
-    def _width(self, region: str) -> float:
-        return self._widths[region]
 
     @cached_property
     def events(self) -> Events[Event]:
@@ -139,13 +167,14 @@ class AtlasDocument:
 
         `polyline` gives finer points.
         """
-        drawn = self._traced.get("drawing", {"curves": {}})["curves"]
-        return Curves(self._traced["curves"], lambda document: Curve._of(document, drawn.get(document["id"])))
+        traced = self._source.traced
+        drawn = traced.get("drawing", {"curves": {}})["curves"]
+        return Curves(traced["curves"], lambda document: Curve._of(document, drawn.get(document["id"])))
 
     @cached_property
     def stability_changes(self) -> Changes[StabilityChange]:
         """Points of curves at which the linear type of the relative equilibria changes."""
-        return Changes(self._traced["stability_changes"], StabilityChange._of)
+        return Changes(self._source.traced["stability_changes"], StabilityChange._of)
 
     @cached_property
     def verdict_changes(self) -> Changes[VerdictChange] | None:
@@ -153,7 +182,7 @@ class AtlasDocument:
 
         None where not all of them are known, and with `accuracy="fast"`.
         """
-        found = self._document.get("verdict_changes")
+        found = self._source.document.get("verdict_changes")
         return None if found is None else Changes(found, VerdictChange._of)
 
     @property
@@ -162,21 +191,21 @@ class AtlasDocument:
 
         `bifdiag.verify` checks it.
         """
-        certificate: Document | None = self._document.get("certificate")
+        certificate: Document | None = self._source.document.get("certificate")
         return certificate
 
     @property
     def complete(self) -> bool:
         """Whether `regions` covers the whole half-plane l > 0 and nothing is undecided."""
-        return bool(self._traced["summary"]["complete"])
+        return bool(self._source.traced["summary"]["complete"])
 
     def to_json(self) -> str:
         """The text of the ``atlas.json`` that the command line writes, byte for byte."""
-        return self._text
+        return self._source.text
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes `to_json` to a file."""
-        Path(path).write_text(self._text, encoding="utf-8", newline="\n")
+        Path(path).write_text(self._source.text, encoding="utf-8", newline="\n")
 
 
 def verify(atlas: str | os.PathLike[str] | Document | AtlasDocument) -> int:

@@ -25,7 +25,8 @@ class AtlasDrawing(AtlasDocument):
 
     def _view(self) -> Document:
         """Where the diagram is seen, also of a file without a drawing."""
-        whole = self._traced if self._drawing else json.loads(self._inner.to_json(self._ranges, True, False))
+        source = self._source
+        whole = source.traced if source.drawing else json.loads(self._inner.to_json(source.ranges, True, False))
         view: Document = whole["drawing"]["view"]
         return view
 
