@@ -153,3 +153,19 @@ def test_the_place_of_what_is_wrong_is_told(atlas):
             answer(1, np.array([[1, 2], [[], 4]], dtype=object))
     with pytest.raises(bifdiag.InputError, match="threads"):
         atlas.region(1, 2, threads=-1)
+
+
+def test_files_say_what_is_missing(atlas, points, tmp_path):
+    xr = pytest.importorskip("xarray")
+    pytest.importorskip("scipy")
+    found = atlas.classify(*points)
+    data = found.to_xarray()
+    assert [name for name in data if "missing" in data[name].attrs] == ["region", "signature"]
+    data.to_netcdf(tmp_path / "points.nc", engine="scipy")
+    with xr.open_dataset(tmp_path / "points.nc", engine="scipy") as again:
+        for name in ("region", "signature"):
+            told = getattr(found, name).tolist()
+            assert None in told and again[name].to_numpy().tolist() == [text or "" for text in told]
+            assert again[name].attrs["missing"].startswith("None; an empty text")
+            assert again[name].where(again[name] != "").isnull().to_numpy().tolist() == [text is None for text in told]
+        assert "missing" not in again["status"].attrs

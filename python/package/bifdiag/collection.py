@@ -10,7 +10,7 @@ import numpy.typing as npt
 from .behaviour import sections
 from .errors import InputError
 from .optional import needed
-from .tables import arrow_of, frame_of
+from .tables import arrow_of, frame_of, marked
 
 if TYPE_CHECKING:
     import pandas
@@ -109,10 +109,13 @@ class Collection(Generic[Item]):
         return arrow_of(self.flat() | {name: _texts([value(item) for item in self]) for name, value in self.LISTS.items()})
 
     def to_xarray(self) -> "xarray.Dataset":
-        """A Dataset over ``row``; ``bifdiag[tables]`` installs xarray."""
+        """A Dataset over ``row``; ``bifdiag[tables]`` installs xarray.
+
+        Files of ``to_netcdf`` have no missing texts: there None is an empty text, as the attribute ``missing`` of the
+        variable says.
+        """
         columns = {name: ("row", column) for name, column in self.flat().items()}
-        data: xarray.Dataset = needed("xarray", "tables").Dataset(columns)
-        return data
+        return marked(needed("xarray", "tables").Dataset(columns))
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
         """The table as a stream of Arrow, for polars, duckdb and their like."""

@@ -10,7 +10,7 @@ from .arrays import INVALID, Points
 from .collection import Regions
 from .optional import needed
 from .records import Component, Region
-from .tables import Table, arrow_of, frame_of
+from .tables import Table, arrow_of, frame_of, marked
 
 if TYPE_CHECKING:
     import pandas
@@ -135,7 +135,7 @@ class Classifications:
         dims = self._template.dims if self._template is not None else tuple(f"dim_{k}" for k in range(len(self.shape)))
         coords = self._template.coords if self._template is not None else {}
         data: xarray.Dataset = xr.Dataset({name: (dims, getattr(self, name)) for name in ANSWERS}, coords=coords)
-        return data.assign({name: (dims, self._columns[name]) for name in ("h", "l") if name not in data.coords})
+        return marked(data.assign({name: (dims, self._columns[name]) for name in ("h", "l") if name not in data.coords}))
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
         """The table as a stream of Arrow, for polars, duckdb and their like."""

@@ -28,6 +28,9 @@ ROWS = 20
 
 AnyTable = TypeVar("AnyTable", bound="StoredTable")
 
+MISSING = "None; an empty text in a file, which has no missing texts"
+"""The attribute ``missing`` of a variable of texts some of which are missing."""
+
 
 class Table:
     """Columns of equal length with a document that describes them; every column is an attribute.
@@ -145,15 +148,15 @@ class Table:
     def to_xarray(self) -> "xarray.Dataset":
         """A Dataset with the columns over ``row`` (and ``axis`` for vectors); ``bifdiag[tables]`` installs xarray.
 
-        Complex numbers are two variables, ``eigenvalues_re`` and ``eigenvalues_im``, which every file can store.
+        Complex numbers are two variables, ``eigenvalues_re`` and ``eigenvalues_im``, which every file can store. Files of
+        ``to_netcdf`` have no missing texts: there None is an empty text, as the attribute ``missing`` of the variable says.
         """
         variables = {}
         for name, column in self._columns.items():
             second = {4: "component", 2: "pair"}.get(column.shape[-1], "axis") if column.ndim == 2 else "axis"
             for part, values in _split(name, column).items():
                 variables[part] = (("row", second)[: column.ndim], _with_nan(values))
-        data: xarray.Dataset = needed("xarray", "tables").Dataset(variables, attrs={"meta": self._meta})
-        return data
+        return marked(needed("xarray", "tables").Dataset(variables, attrs={"meta": self._meta}))
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
         """The columns as a stream of Arrow, for polars, duckdb and their like; ``bifdiag[tables]`` brings pyarrow."""
@@ -240,6 +243,14 @@ def _split(name: str, values: npt.NDArray[Any]) -> dict[str, npt.NDArray[Any]]:
 def _with_nan(column: npt.NDArray[Any]) -> npt.NDArray[Any]:
     """A masked column of bools as 1, 0 and NaN, which every format can store."""
     return np.ma.filled(column.astype(np.float64), np.nan) if isinstance(column, np.ma.MaskedArray) else column
+
+
+def marked(data: "xarray.Dataset") -> "xarray.Dataset":
+    """The Dataset, in which each variable with missing texts says how a file has them."""
+    for variable in data.data_vars.values():
+        if variable.dtype == object and variable.isnull().any():
+            variable.attrs["missing"] = MISSING
+    return data
 
 
 def frame_of(columns: dict[str, npt.NDArray[Any]], index: Any = None) -> "pandas.DataFrame":
