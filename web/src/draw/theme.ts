@@ -41,12 +41,6 @@ export function tint(signature: string, circles: number, dark: boolean): Rgb {
   return light.map((value) => Math.round(dark ? Math.max(0, 52 + 1.6 * (value - mean)) * deeper : value * deeper)) as Rgb;
 }
 
-/** The same hue, deep enough to stand beside grey. */
-export function strong(color: Rgb, dark: boolean): Rgb {
-  const mean = (color[0] + color[1] + color[2]) / 3;
-  return color.map((value) => Math.min(255, Math.max(0, (dark ? 1.9 : 0.88) * mean + 2 * (value - mean)))) as Rgb;
-}
-
 export const css = ([r, g, b]: Rgb, alpha = 1): string => (alpha === 1 ? `rgb(${r} ${g} ${b})` : `rgb(${r} ${g} ${b} / ${alpha})`);
 
 /** Colours of curves: the branch from +r̂, that from −r̂, pairs, others. */

@@ -1,16 +1,16 @@
 /** The picture of the diagram. */
 import { Pixels, type Pen, type Size } from "../draw/canvas";
-import { branchColors, css, ink, NO_SHARE, shareColor, tint, type Ink, type Rgb } from "../draw/theme";
+import { branchColors, css, ink, NO_SHARE, shareColor, type Ink, type Rgb } from "../draw/theme";
 import { valueOf } from "../state/numbers";
 import type { Drawn, Shadow } from "../state/known";
 import type { Session } from "../state/session";
 import type { State } from "../state/state";
 import type { Chart, Line, Spot } from "../state/chart";
-import { boxesOf, nameOf, typeOf } from "../state/names";
+import { boxesOf, nameOf } from "../state/names";
 import { places, type Place } from "../state/places";
 import { StraightChart } from "../state/straight";
 import { paintAxes, paintLevels, paintStraightAxes, type Area } from "./diagram-axes";
-import { circlesOf } from "./regions";
+import { colorOf } from "./regions";
 import { texts } from "../texts";
 
 /** The frame in the panel; the straightened plane has an axis on the right too, and names of axes above, where the scale of shares is. */
@@ -87,7 +87,7 @@ function paintRegions(pen: Pen, area: Area, { document, chart }: Drawn, colors: 
   const palette = new Uint32Array(document.regions.length + 1);
   palette[0] = code([outside >> 16, (outside >> 8) & 255, outside & 255]);
   document.regions.forEach((region, number) => {
-    const color = tint(typeOf(region), circlesOf(region), colors.dark);
+    const color = colorOf(region, colors.dark);
     palette[number + 1] = code(region.id === lit ? (color.map((value) => (colors.dark ? Math.min(255, value + 26) : Math.max(0, value - 22))) as Rgb) : color);
   });
   for (let at = 0; at < regions.length; at++) pixels[at] = palette[regions[at]! + 1]!;

@@ -1,7 +1,7 @@
 /** The table of regions: the command line's ids, and what lies over each. */
 import type { Region } from "../bindings/documents";
 import { make, panel } from "../draw/dom";
-import { css, ink, tint } from "../draw/theme";
+import { css, ink, tint, type Rgb } from "../draw/theme";
 import { inTurn } from "../draw/turns";
 import { listed } from "../state/words";
 import { typeOf } from "../state/names";
@@ -10,7 +10,10 @@ import { shown, surface } from "../state/numbers";
 import type { Session } from "../state/session";
 import { texts } from "../texts";
 
-export const circlesOf = (region: Region): number => region.components.reduce((sum, component) => sum + component.boundary_circles, 0);
+const circlesOf = (region: Region): number => region.components.reduce((sum, component) => sum + component.boundary_circles, 0);
+
+/** The colour of a region: of its ground in the diagram, its swatch and U on the sphere. */
+export const colorOf = (region: Region, dark: boolean): Rgb => tint(typeOf(region), circlesOf(region), dark);
 
 /** Types as signs, with what they mean beside the pointer. */
 const cell = (names: (string | null)[]): HTMLTableCellElement => make("td", { title: listed(names) }, joined(names));
@@ -19,7 +22,7 @@ const joined = (names: (string | null)[]): string => names.map((name) => (name =
 
 function row(session: Session, region: Region, dark: boolean): HTMLTableRowElement {
   const swatch = make("i", { className: "swatch" });
-  swatch.style.background = css(tint(typeOf(region), circlesOf(region), dark));
+  swatch.style.background = css(colorOf(region, dark));
   const { components } = region;
   const element = make(
     "tr",

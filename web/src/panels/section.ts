@@ -92,7 +92,7 @@ export function sectionPanel(session: Session, clock: Clock): { element: HTMLEle
   new ResizeObserver(anew).observe(canvas);
   clock.on(() => session.dragging !== "body" && sheet.ask());
   const { legend, choice, reason } = verdicts(session);
-  const bar = make("div", { className: "bar" }, count, ` ${texts.section.crossings} `, stop, coloring, choice, note);
+  const bar = make("div", { className: "bar" }, count, make("span", { className: "counted" }, make("span", {}, texts.section.crossings), stop), coloring, choice, note);
   const element = panel(texts.section.title, texts.section.help, make("div", { className: "stage" }, canvas, tip), bar, reason);
   element.querySelector("header")!.append(legend);
   return { element, sheet };

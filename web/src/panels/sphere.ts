@@ -3,17 +3,17 @@ import { castBall, apply, grainOf, lookingAt, turned, unit, type Turn, type Vec 
 import { Pixels, Sheet, type Pen, type Size } from "../draw/canvas";
 import { drag } from "../draw/press";
 import { make, panel } from "../draw/dom";
-import { ink, strong, tint, type Ink, type Rgb } from "../draw/theme";
+import { ink, type Ink, type Rgb } from "../draw/theme";
 import { valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
 import { Labels } from "./labels";
 import { potential } from "./potential";
-import { typeOf } from "../state/names";
-import { circlesOf } from "./regions";
+import { colorOf } from "./regions";
 import { texts } from "../texts";
 
-/** How bright the pieces of U are: all have the hue of their region. */
-const PIECES = [1, 0.8, 0.9, 0.7, 0.95];
+/** U while its region is not known, and the directions that the energy does not allow: neither is like the ground of a region. */
+const UNKNOWN: Record<"light" | "dark", Rgb> = { light: [190, 196, 202], dark: [120, 130, 140] };
+const FORBIDDEN: Record<"light" | "dark", Rgb> = { light: [168, 175, 184], dark: [96, 104, 114] };
 /** Level lines between the lowest and the highest energy on the sphere. */
 const LEVELS = 14;
 
@@ -85,19 +85,19 @@ function paint(pen: Pen, size: Size, session: Session, turn: Turn, labels: Label
   const extremes = [Infinity, -Infinity] as [number, number];
   for (const { h: value } of session.critical) extremes.splice(0, 2, Math.min(extremes[0], value), Math.max(extremes[1], value));
   const step = Number.isFinite(extremes[0]) && extremes[1] > extremes[0] ? (extremes[1] - extremes[0]) / LEVELS : Infinity;
-  const dark = colors.dark;
+  const theme = colors.dark ? "dark" : "light";
   const region = session.drawn?.document.regions.find(({ id }) => id === session.known.region);
-  const hue: Rgb = region ? strong(tint(typeOf(region), circlesOf(region), dark), dark) : dark ? [120, 130, 140] : [190, 196, 202];
+  const color = region ? colorOf(region, colors.dark) : UNKNOWN[theme];
   castBall(scratch.sized(rays, rays), radius / grain, turn, (g, light, out, at) => {
     const value = u(g);
     const inside = value <= h;
     const part = inside ? (labels.at(g) ?? 0) : -1;
-    const piece = PIECES[Math.max(0, part) % PIECES.length]!;
-    const base = inside ? hue : dark ? [64, 72, 82] : [214, 219, 225];
-    const band = step < Infinity && Math.abs(value / step - Math.round(value / step)) < 0.06 ? 0.86 : 1;
+    const base = inside ? color : FORBIDDEN[theme];
+    const band = step < Infinity && Math.abs(value / step - Math.round(value / step)) < 0.06 ? (colors.dark && inside ? 1.4 : 0.86) : 1;
     const lit = session.hover.component === undefined || session.hover.component === part ? 1 : 0.6;
-    const shade = (inside ? 0.75 + 0.35 * light : 0.85 + 0.2 * light) * band * (inside ? lit * piece : 1);
-    for (let i = 0; i < 3; i++) out[at + i] = Math.min(255, base[i]! * shade + (inside ? 22 * light : 0));
+    // The side away from the light is darker; the rest of U has the very colour of its region.
+    const shade = (inside ? Math.min(1, 0.8 + 0.3 * light) * lit : 0.85 + 0.2 * light) * band;
+    for (let i = 0; i < 3; i++) out[at + i] = Math.min(255, base[i]! * shade);
     out[at + 3] = 255;
   });
   scratch.draw(pen, (size.width - side) / 2, (size.height - side) / 2, side, side);

@@ -314,6 +314,80 @@ test("after a change of theme nothing keeps the old colours", async () => {
   await changed.close();
 });
 
+/** How many pixels of a canvas have a colour, such as "rgb(1, 2, 3)". */
+const pixelsOf = (page: Page, id: string, color: string): Promise<number> =>
+  page.getByTestId(id).evaluate((element, color) => {
+    const canvas = element as HTMLCanvasElement;
+    const { data } = canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height);
+    const wanted = color.match(/\d+/g)!.map(Number);
+    let found = 0;
+    for (let at = 0; at < data.length; at += 4) if (wanted.every((value, i) => data[at + i] === value)) found++;
+    return found;
+  }, color);
+
+test("U has the very colour of its region", async () => {
+  for (const [theme, h, l, name] of [["light", "3.8", "3.25", "R5"], ["dark", "3.8", "3.25", "R5"], ["light", "12", "2", "R4"], ["dark", "12", "2", "R4"]] as const) {
+    const page = await open(`A=2,1.1,1&r=0.94868,0,0.61623&h=${h}&l=${l}&theme=${theme}`);
+    await page.mouse.move(1, 1);
+    const swatch = (region: string) => page.locator(`[data-region="${region}"] .swatch`).evaluate((element) => getComputedStyle(element).backgroundColor);
+    const [own, other] = [await swatch(name), await swatch("R6")];
+    // A tenth of the ball at least, the rest being in shade, under lines, or forbidden.
+    const ball = await page.getByTestId("sphere").evaluate((element) => Math.PI * (0.45 * Math.min((element as HTMLCanvasElement).width, (element as HTMLCanvasElement).height)) ** 2);
+    expect(await pixelsOf(page, "sphere", own), `${name} ${theme}`).toBeGreaterThan(ball / 10);
+    expect(await pixelsOf(page, "diagram", own), `${name} ${theme}`).toBeGreaterThan(100);
+    expect(await pixelsOf(page, "sphere", other), `${name} ${theme}`).toBeLessThan(ball / 1000);
+    await page.close();
+  }
+});
+
+test("no choice box or button is cut", async () => {
+  for (const width of [360, 390, 768, 1024, 1280, 1440]) {
+    for (const coloring of ["lyapunov", "verdict"]) {
+      const page = await open(`${POINT}&coloring=${coloring}`, { viewport: { width, height: 900 }, hasTouch: width < 500, isMobile: width < 500 });
+      const cut = await page.evaluate(() => {
+        const boxes = [...document.querySelectorAll<HTMLElement>("button, select, input")].filter((element) => element.checkVisibility() && element.getBoundingClientRect().width > 0);
+        const outside = boxes.filter((element) => {
+          const { left, right } = element.getBoundingClientRect();
+          for (let around = element.parentElement; around; around = around.parentElement) {
+            const frame = around.getBoundingClientRect();
+            if (getComputedStyle(around).overflowX !== "visible" && (left < frame.left - 0.5 || right > frame.right + 0.5)) return true;
+          }
+          return left < 0 || right > innerWidth;
+        });
+        // As wide as its text, but for the list of bodies, whose notes end in "…".
+        const narrow = boxes.filter((element) => {
+          if (element instanceof HTMLButtonElement) return element.scrollWidth > element.clientWidth + 1;
+          if (!(element instanceof HTMLSelectElement) || element.dataset.testid === "presets") return false;
+          const wide = element.getBoundingClientRect().width;
+          element.style.minWidth = "max-content";
+          const whole = element.getBoundingClientRect().width;
+          element.style.minWidth = "";
+          return whole > wide + 0.5;
+        });
+        return [...outside, ...narrow].map((element) => element.dataset.testid ?? element.ariaLabel ?? element.textContent);
+      });
+      expect(cut, `${width}, ${coloring}`).toEqual([]);
+      await page.close();
+    }
+  }
+});
+
+test("the first printed page is full: numbers at the left, the diagram, the point and the balls at the right", async () => {
+  // A4 with the margins of the browser, in its pixels.
+  const page = await open(POINT, { viewport: { width: 718, height: 1047 } });
+  await page.emulateMedia({ media: "print" });
+  const box = async (id: string) => (await page.getByTestId(id).boundingBox())!;
+  const [triangle, diagram, sphere, section] = await Promise.all(["triangle", "diagram", "sphere", "section"].map(box));
+  expect(triangle!.x + triangle!.width).toBeLessThan(diagram!.x);
+  expect(sphere!.y + sphere!.height).toBeLessThan(1047);
+  expect(sphere!.y + sphere!.height).toBeGreaterThan(0.75 * 1047);
+  expect(sphere!.x).toBeGreaterThan(triangle!.x + triangle!.width);
+  expect(section!.y).toBeGreaterThan(sphere!.y + sphere!.height);
+  const rows = (await page.getByTestId("region-row").last().boundingBox())!;
+  expect(rows.x + rows.width).toBeLessThan(diagram!.x);
+  await page.close();
+});
+
 test("on paper canvases keep their shape, and there are no buttons", async () => {
   const page = await open(POINT);
   await page.emulateMedia({ media: "print" });
