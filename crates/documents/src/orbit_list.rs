@@ -80,7 +80,8 @@ fn found_or_missing(list: &OrbitList) -> String {
         };
         return format!(
             "evidence, not a proof: on each of {} cells of P, from nine samples each, the return has no fixed point, or one \
-             whose index is the winding number round the cell{within}",
+             whose index is the winding number round the cell; an orbit is missed if all its points lie in strips \
+             between lines of tangency, narrower than the samples are apart{within}",
             list.effort[0]
         );
     }

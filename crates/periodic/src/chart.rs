@@ -7,7 +7,7 @@
 use std::collections::HashMap;
 
 use bifdiag_dynamics::field::{Dimension, HeavyTop, State, cross, dot};
-use bifdiag_dynamics::section::SectionCondition;
+use bifdiag_dynamics::section::{Monitor, SectionCondition};
 use nalgebra::{Matrix4, SMatrix, Vector4};
 
 use crate::flow::{Phase as Point, Space};
@@ -283,9 +283,10 @@ pub struct Cover {
     pub singular: Vec<Point>,
 }
 
-/// Covers the components of P in which the seeds lie, from chart to chart; at most `most` charts.
+/// Covers the components of P in which the seeds lie, from chart to chart; at most `most` charts, and no more once the work is
+/// stopped.
 #[must_use]
-pub fn cover(surface: &Surface, seeds: &[Point], most: usize) -> Cover {
+pub fn cover(surface: &Surface, seeds: &[Point], most: usize, monitor: &Monitor) -> Cover {
     let mut cover = Cover { charts: Vec::new(), closed: true, singular: Vec::new() };
     let mut grid = Grid::default();
     for seed in seeds {
@@ -293,7 +294,7 @@ pub fn cover(surface: &Surface, seeds: &[Point], most: usize) -> Cover {
     }
     let mut next = 0;
     while next < cover.charts.len() {
-        if cover.charts.len() > most {
+        if cover.charts.len() > most || monitor.is_stopped() {
             cover.closed = false;
             break;
         }

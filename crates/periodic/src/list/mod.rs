@@ -124,7 +124,7 @@ pub fn list(setting: &SectionSetting, options: &ListOptions, monitor: &Monitor) 
     for start in setting.spread_watched(SEEDS, 0, monitor)? {
         seeds.push(surface.point(&setting.state(start)?));
     }
-    let cover = cover(&surface, &seeds, CHARTS);
+    let cover = cover(&surface, &seeds, CHARTS, monitor);
     let longest = longest(top);
     let map = SectionMap::new(&surface, setting.torus(), longest, monitor);
     let turns = (options.crossings.min(MOST_CROSSINGS) / 2) as usize;
