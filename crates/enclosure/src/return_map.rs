@@ -19,7 +19,7 @@ use thiserror::Error;
 use crate::bound::{exp, frobenius, norm, up};
 use crate::field::{Equations, FREE, QuadraticField};
 use crate::scalar::{DoubleDouble, Scalar};
-use crate::set::{self, FlowSet, ROUNDINGS, inverse_bound};
+use crate::set::{self, FlowSet, ROUNDINGS, Shape};
 use crate::start::ExactStart;
 use crate::step::Step;
 
@@ -174,7 +174,7 @@ pub fn returns(
                 continue;
             }
             let ends = piece.narrowed(ends, sign);
-            let (state, derivative) = piece.cross(ends, &flow.matrix()).ok_or(wide)?;
+            let (state, derivative) = piece.cross(ends, &flow).ok_or(wide)?;
             let scaled = |i: usize| if i < 3 { Interval::ONE } else { Interval::point(1.0 / seconds) };
             let clock = Interval::point(seconds) * (now + Interval { lo: ends[0], hi: ends[1] });
             found.push(Return {
@@ -327,7 +327,7 @@ impl Crossing<'_> {
     }
 
     /// Where the motions cross between two times of the step, and the derivative of that by the start.
-    fn cross(&self, [a, b]: [f64; 2], flow: &Matrix) -> Option<([Interval; FREE], Matrix)> {
+    fn cross(&self, [a, b]: [f64; 2], flow: &FlowDerivative) -> Option<([Interval; FREE], Matrix)> {
         let t = a + 0.5 * (b - a);
         let time = RBig::try_from(t).ok()?;
         let set = self.step.at(&time);
@@ -374,7 +374,7 @@ impl Crossing<'_> {
         });
         let (last, rest) = self.flow(t);
         let last = last.map(|row| row.map(|x| Interval::point(x) + ball(rest)));
-        Some((state, product(&turned, &product(&last, flow))))
+        Some((state, flow.then(&product(&turned, &last))))
     }
 }
 
@@ -384,31 +384,35 @@ fn ball(r: f64) -> Interval {
     if r.is_finite() { Interval { lo: -r, hi: r } } else { Interval::LINE }
 }
 
-/// The derivative of the flow over many steps: P(1 + E), ‖E‖ ≤ `error`. With W = M + Δ for the next step and P′ = MP, rounded,
-/// WP(1 + E) = P′(1 + F)(1 + E), F = P′⁻¹(MP − P′ + ΔP): what is not known is never multiplied by the sizes of all steps, as it
-/// would be in a product of matrices of intervals.
+/// The derivative of the flow over many steps: a matrix P whose columns are each off by a vector of a shape. In a step with
+/// the derivative M + Δ, ‖Δ‖ ≤ δ, a column p + e becomes Mp + Me + Δ(p + e): what is not known is mapped with the motions, as
+/// in a set of states, and a ball of radius δ‖p + e‖ is added. Nothing is multiplied by the sizes of all steps, as it would
+/// be in a product of matrices of intervals.
 struct FlowDerivative {
     matrix: set::Matrix<FREE>,
-    error: f64,
+    beside: Shape<FREE>,
 }
 
 impl FlowDerivative {
     fn start() -> Self {
-        Self { matrix: set::identity(), error: 0.0 }
+        Self { matrix: set::identity(), beside: Shape::new([0.0; FREE]) }
     }
 
     fn followed(&self, (map, rest): &(set::Matrix<FREE>, f64)) -> Self {
-        let matrix = set::product(map, &self.matrix);
-        let inverse = inverse_bound(&matrix);
         let size = frobenius(&self.matrix);
-        let beside = up(inverse * (ROUNDINGS * frobenius(map) * size + rest * size));
-        Self { matrix, error: up(self.error + beside + self.error * beside) }
+        let (beside, rounding) = self.beside.image(map);
+        let ball = ROUNDINGS * frobenius(map) * size + rest * (size + norm(&self.beside.component_radii()));
+        Self { matrix: set::product(map, &self.matrix), beside: beside.widened(up(ball + rounding)) }
     }
 
-    fn matrix(&self) -> Matrix {
-        self.matrix.map(|row| {
-            let beside = ball(norm(&row) * self.error);
-            row.map(|x| Interval::point(x) + beside)
+    /// Its product with a matrix that follows it.
+    fn then(&self, map: &Matrix) -> Matrix {
+        std::array::from_fn(|i| {
+            let along = |column: [f64; FREE]| {
+                (0..FREE).fold(Interval::ZERO, |sum, m| sum + map[i][m] * Interval::point(column[m]))
+            };
+            let beside = ball(self.beside.reach(|column| along(column).magnitude()));
+            std::array::from_fn(|j| along(self.matrix.map(|row| row[j])) + beside)
         })
     }
 }

@@ -231,21 +231,6 @@ fn transposed<const N: usize>(matrix: &Matrix<N>) -> Matrix<N> {
     std::array::from_fn(|i| std::array::from_fn(|j| matrix[j][i]))
 }
 
-/// An upper bound of ‖1 − GF‖.
-fn inverse_defect<const N: usize>(inverse: &Matrix<N>, frame: &Matrix<N>) -> f64 {
-    let product = product(inverse, frame);
-    let defect: Matrix<N> =
-        std::array::from_fn(|i| std::array::from_fn(|j| product[i][j] - f64::from(u8::from(i == j))));
-    up(frobenius(&defect) + ROUNDINGS * N as f64 * frobenius(inverse) * frobenius(frame))
-}
-
-/// A bound of ‖M⁻¹‖, infinite if none is found: M⁻¹ = (1 − D)⁻¹G with D = 1 − GM.
-pub(crate) fn inverse_bound<const N: usize>(matrix: &Matrix<N>) -> f64 {
-    let Some(inverse) = inverse(matrix) else { return f64::INFINITY };
-    let defect = inverse_defect(&inverse, matrix);
-    if defect < 0.5 { up(frobenius(&inverse) / (1.0 - defect)) } else { f64::INFINITY }
-}
-
 /// The inverse, rounded, by Gauss and Jordan with pivots.
 pub(crate) fn inverse<const N: usize>(matrix: &Matrix<N>) -> Option<Matrix<N>> {
     let (mut left, mut right) = (*matrix, identity());

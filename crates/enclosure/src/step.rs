@@ -25,8 +25,9 @@ use crate::field::{QuadraticField, Series};
 use crate::scalar::Scalar;
 use crate::set::{FlowSet, Matrix, Shape};
 
-/// Terms of the polynomial of the variation: it needs only a few digits, since what it multiplies is small.
-const VARIATION_ORDER: usize = 12;
+/// Terms of the polynomial of the variation. What it multiplies in a set of motions is small, and a few digits would do; the
+/// derivative of a return is a product of those of all steps, where expansion and contraction multiply what is missing.
+const VARIATION_ORDER: usize = 20;
 
 /// Coefficients whose roundings are bounded term by term.
 const FIRST: usize = 6;

@@ -61,6 +61,23 @@ fn what_is_not_so_is_not_proved() {
     assert_eq!(prove(body, other, start, 1, longest), Err(ProofError::NotContracting));
 }
 
+/// The flow expands by a thousand on the way and contracts again: its derivative must not be multiplied by both.
+#[test]
+fn an_orbit_with_a_large_multiplier_is_proved() {
+    let setting = setting(["2", "2", "1"], ["1", "0", "0"], ["2.158", "2.048"]);
+    let start = [
+        -0.734_366_331_339_215_4,
+        0.0,
+        -0.678_753_346_194_660_5,
+        -1.112_424_373_262_758,
+        0.0,
+        -0.610_156_836_283_500_5,
+    ];
+    let proof = prove(setting.body(), setting.point(), start, 2, 20.0).unwrap();
+    assert!(proof.period[0] < 9.316_844_826_6 && 9.316_844_826_5 < proof.period[1], "{proof:?}");
+    assert!(proof.trace[0] < 285.368_1 && 285.368_0 < proof.trace[1], "{proof:?}");
+}
+
 /// On resonant tori of Lagrange's top every orbit is one of a continuum; none is listed as isolated.
 #[test]
 fn continua_of_an_integrable_top_are_listed_once() {
