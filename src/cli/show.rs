@@ -38,6 +38,8 @@ pub struct ShowArguments {
 
 /// Significant digits.
 const DIGITS: usize = 6;
+/// Events at places that differ by less, relative to numbers above 1, are at one point.
+const SAME: f64 = 1e-12;
 
 pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
     let Some(subject) = arguments.body.optional_subject()? else {
@@ -302,10 +304,17 @@ fn show_event(report: &mut Report, document: &AtlasDocument, event: &EventDocume
     for curve in curves() {
         report.line(format!("  {}: {}", curve.id, words::motion(curve)));
     }
+    // Where several events fall on one point, the curves of all of them do.
+    let is_here = |other: &&EventDocument| {
+        let same = |x: f64, y: f64| (x - y).abs() <= SAME * x.abs().max(1.0);
+        same(event.h, other.h) && same(event.l, other.l)
+    };
+    let all = document.events.iter().filter(is_here).flat_map(|other| other.curves.clone()).collect();
+    let here = EventDocument { curves: all, ..event.clone() };
     let near: Vec<&str> = document
         .regions
         .iter()
-        .filter(|region| words::touches(region, event))
+        .filter(|region| words::touches(region, &here))
         .map(|region| region.id.as_str())
         .collect();
     report.line(format!("  regions that meet there: {}", near.join(", ")));

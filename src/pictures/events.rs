@@ -60,7 +60,8 @@ pub fn events(scene: &EventScene<'_>) -> Map {
         (shown(stretch), existence.possible(&[[from, l[0]], [to, l[0]], [to, l[1]], [from, l[1]]]))
     };
     // Where no body exists nothing is painted.
-    let pieces = tracks.stretches.iter().map(strip).filter(|(_, corners)| corners.len() > 2).collect();
+    let pieces: Vec<_> = tracks.stretches.iter().map(strip).filter(|(_, corners)| corners.len() > 2).collect();
+    let impossible = existence.impossible([range, *l]);
     let strips = Subdivision { pieces, seen: Vec::new(), borders: Vec::new() };
     let order = counted_by(&[], Some(&strips), Shown::Class);
     let entry = |shown: &Option<Shows>| order.iter().position(|counted| Some(counted.shows) == shown.as_ref());
@@ -73,10 +74,10 @@ pub fn events(scene: &EventScene<'_>) -> Map {
         ordered: false,
         unknown: "class not decided".to_owned(),
         bodies: areas(&strips, entry, Shown::Class),
-        impossible: existence.impossible([range, *l]),
+        key: key(&order, impossible.is_empty()),
+        impossible,
         lines: scene.lines(),
         notes: Vec::new(),
-        key: key(&order),
     };
     scene.add_borders(&mut map);
     map
@@ -154,9 +155,14 @@ impl EventScene<'_> {
     }
 }
 
-/// The classes by their numbers in the picture, under a heading.
-fn key(order: &[Counted<'_>]) -> Vec<Vec<String>> {
-    let heading = ["number", "class", "regions", "share of the range"].map(str::to_owned).to_vec();
+/// The classes by their numbers in the picture, under a heading; empty without classes. Shares are of the whole range, or of
+/// the part of it in which bodies exist.
+fn key(order: &[Counted<'_>], is_whole: bool) -> Vec<Vec<String>> {
+    if order.is_empty() {
+        return Vec::new();
+    }
+    let share_of = if is_whole { "share of the range" } else { "share of the range in which bodies exist" };
+    let heading = ["number", "class", "regions", share_of].map(str::to_owned).to_vec();
     let row = |(number, counted): (usize, &Counted<'_>)| {
         let regions = match counted.shows {
             Shows::Class(_, regions) | Shows::Count(regions) => regions,

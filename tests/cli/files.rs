@@ -77,6 +77,20 @@ fn a_stretch_in_the_caption_ends_where_the_curve_leaves_the_picture() {
     }
 }
 
+/// A straightened diagram shows all energies: its curves end at the largest l.
+#[test]
+fn a_stretch_of_a_straightened_diagram_ends_at_its_edge() {
+    let place = tempdir().unwrap();
+    bifdiag("--A 3,5,8 --r 0,1,0.5 --view straight --out here").inside(place.path()).succeeds();
+    let caption = fs::read_to_string(place.path().join("here/diagram.caption.txt")).unwrap();
+    let ends: Vec<&str> = ["S1.2, ", "G0.2, ", "G1.1, "]
+        .into_iter()
+        .map(|id| caption.lines().rfind(|line| line.starts_with(id)).unwrap())
+        .map(|row| row.split(" … ").nth(1).unwrap().split_whitespace().next().unwrap())
+        .collect();
+    assert_eq!(ends, ["17.55"; 3], "{caption}");
+}
+
 #[test]
 fn pictures_are_as_wide_and_as_fine_as_is_asked() {
     let place = tempdir().unwrap();

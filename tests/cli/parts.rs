@@ -598,3 +598,15 @@ fn mass_and_arm_are_used_together() {
         assert!(high - low < 3.0 * (most - least), "{ranges:?} {ends:?}");
     }
 }
+
+/// A range of the centre of mass that holds the fixed point leaves it on the axis.
+#[test]
+fn an_axis_is_permanent_on_both_sides_of_the_fixed_point() {
+    for part in [
+        "--inertia-com 0.021,0.034,0.047,0,0,0 --com 0,0,-0.08±0.08 --mass 1.5 --g 9.80665",
+        "--inertia-com 0.02,0.02,0.01,0,0,0 --com 0,0,0±0.01 --mass 1 --g 9.81",
+    ] {
+        let found = bifdiag(&format!("critical-spin {part} --axis z")).succeeds();
+        found.printing("the axis is permanent for all of them");
+    }
+}

@@ -163,6 +163,15 @@ fn a_sample_that_lies_elsewhere_is_marked() {
     fast.printing("~(2.00002").printing("~(1.99999").printing(" (0.19245, 0.87738) ").printing("may lie outside it");
 }
 
+/// A cusp on the line of a pole, which crosses there: both events are at one point.
+#[test]
+fn the_same_regions_meet_at_events_of_one_point() {
+    for event in ["E1", "E2"] {
+        let shown = bifdiag(&format!("show {event} --A 3,5.5,8 --r 0,1,0.5")).succeeds();
+        shown.printing("regions that meet there: R2, R3, R5, R6");
+    }
+}
+
 #[test]
 fn another_section_condition_has_no_signature() {
     let line = "section --body paper --h 5.3 --l 3.25 --orbits 1 --crossings 2 --json";

@@ -599,3 +599,10 @@ fn errors_name_what_is_wrong() {
     let spins = bifdiag("critical-spin --A 2,2,2 --r 1,0,0 --axis z").succeeds();
     assert!(spins.stdout().contains("the axis that was given is steady at no spin"), "{}", spins.stdout());
 }
+
+/// The bound and the refused l are not printed as one number.
+#[test]
+fn a_refused_momentum_differs_from_its_bound() {
+    let line = "spin-down --A 3,5.5,8 --r 0,1,0.5 --from G1.2 --l 5.67261339225";
+    bifdiag(line).refused().telling("--l 5.6726133922: the curve G1.2 has l above 5.6726133923");
+}

@@ -133,3 +133,51 @@ fn free_bodies_with_equal_moments_turn_steadily_about_a_circle_of_axes() {
         reply.printing("it is one of a circle of steady rotations").printing("frequency of small oscillations: 0.");
     }
 }
+
+/// At |ω| = √½ or √2 a pair leaves the axis: neither the axis of the pair nor its type is that of a rounded spin, and the
+/// regions are those of the same rotation at a rational spin.
+#[test]
+fn a_fork_at_an_irrational_spin_is_judged_as_at_a_rational_one() {
+    for (irrational, rational) in [
+        (
+            "--A 3,5,8 --r 0,1,0 --omega 0.5,0.5,0 --vertical 1,1,0",
+            "--A 3,5,8 --r 0,2,0 --omega 0.6,0.8,0 --vertical 1,1,0",
+        ),
+        (
+            "--A 2,3,4 --r 2,0,0 --omega 1,1,0 --vertical=-1,1,0",
+            "--A 2,3,4 --r 1,0,0 --omega 0.6,0.8,0 --vertical=-1,1,0",
+        ),
+        (
+            "--A 2,2,1 --r 0,0,0.5 --omega 0.5,0,0.5 --vertical=-1,0,-1",
+            "--A 2,2,1 --r 0,0,1 --omega 0.6,0,0.8 --vertical=-1,0,-1",
+        ),
+        (
+            "--A 3,5,8 --r 0,1,0 --omega 0.5,0.5,0 --vertical 0,1,0",
+            "--A 3,5,8 --r 0,2,0 --omega 0.6,0.8,0 --vertical 0,1,0",
+        ),
+    ] {
+        let [found, expected] = [irrational, rational]
+            .map(|line| bifdiag(&format!("state {line} --json")).succeeds().json()["nearest"].clone());
+        for field in ["axis", "stability", "nonlinear", "regions", "one_of"] {
+            assert_eq!(found[field], expected[field], "{irrational}: {field}");
+        }
+    }
+}
+
+/// The equations know ratios alone.
+#[test]
+fn tiny_and_huge_bodies_turn_as_bodies_of_size_one() {
+    let state = |size: &str| {
+        let body = format!("--A 1{size},2{size},2.5{size} --r 0,0,1{size} --axis z");
+        let found = bifdiag(&format!("state {body} --json --spin")).and("1 rad/s").succeeds().json();
+        ["growth_time_s", "frequencies_hz"].map(|field| found["steady"][field].clone())
+    };
+    let [growth, frequencies] = state("");
+    assert!(
+        (growth.as_f64().unwrap() - 1.540_221).abs() < 1e-6 && frequencies[1].as_f64().unwrap() > 0.086,
+        "{frequencies}"
+    );
+    for size in ["e-90", "e-140", "e90", "e140"] {
+        assert_eq!(state(size), [growth.clone(), frequencies.clone()], "{size}");
+    }
+}

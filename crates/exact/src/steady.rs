@@ -7,6 +7,7 @@ use bifdiag_diagram::atlas::Spot;
 use bifdiag_diagram::region_changes::{RotationChange, rotation_changes};
 use bifdiag_diagram::topology::Margin;
 use bifdiag_equilibria::critical::Multiplicity;
+use bifdiag_equilibria::curves::CurveName;
 use bifdiag_equilibria::permanent::{
     AxisKind, AxisRotation, Judged, MEANT, PermanentAxis, SteadyRotation, angle_between, nearest_steady, permanent_axis,
 };
@@ -66,12 +67,12 @@ impl Steady {
     /// The steady rotation whose axis is nearest to that of the question.
     #[must_use]
     pub fn nearest(solver: &Solver, question: &SpinQuestion) -> Option<Self> {
-        let SpinQuestion { up, exact_up, omega, .. } = question;
+        let SpinQuestion { up, exact_up, omega, squared } = question;
         let body = solver.body();
         if let AxisKind::Permanent { axis, .. } = AxisKind::of(body, *up) {
             return Self::about(solver, question, axis, 0.0);
         }
-        let found = nearest_steady(body, omega, exact_up)?;
+        let found = nearest_steady(body, [omega, squared], exact_up)?;
         let up = found.gamma.map(|x| 0.0 - x);
         match permanent_axis(body, up).filter(|axis| angle_between(axis.direction, up) <= SAME) {
             Some(axis) => Self::about(solver, question, axis, found.angle),
@@ -87,7 +88,7 @@ impl Steady {
         let changes = changes_beside(&rotation_changes(&rotation, solver.atlas()), squared);
         let Some(judged) = rotation.stability_at(squared) else {
             let up = axis.direction.map(|x| RBig::try_from(x).unwrap_or_default());
-            let found = SteadyRotation { angle, ..nearest_steady(body, omega, &up)? };
+            let found = SteadyRotation { angle, ..nearest_steady(body, [omega, squared], &up)? };
             return Some(Self { changes, ..Self::beyond(solver, omega, found) });
         };
         let (frequencies, growth) = rotation.frequencies_and_growth(squared);
@@ -154,18 +155,23 @@ fn changes_beside(changes: &[RotationChange], squared: &RBig) -> [Option<Rotatio
 fn beside(solver: &Solver, [h, l]: [&Number; 2], size: f64, is_exact: bool) -> Option<[Spot; 2]> {
     /// By how much of the step a point may miss its curve.
     const MISSED: f64 = 1e-3;
-    let curve = solver.classify(h, l).ok().map(|found| found.margin.nearest);
-    let near = |step: RBig| {
+    let curve = solver.classify(h, l).ok().and_then(|found| found.margin.nearest);
+    let near = |step: RBig, curve: Option<&CurveName>| {
         let distance = step.to_f64().value().abs();
         let h = Number::from_rational(h.value() + step);
-        let is_beside = |margin: &Margin| match &curve {
-            Some(curve) => margin.nearest == *curve,
+        let is_beside = |margin: &Margin| match curve {
+            Some(curve) => margin.nearest.as_ref() == Some(curve),
             None => (margin.h - distance).abs() <= MISSED * distance,
         };
         let found = solver.classify(&h, l).ok().filter(|found| is_beside(&found.margin))?;
         Some(solver.spot(&h, l, &found.answer)).filter(|spot| matches!(spot, Spot::Region(_) | Spot::Forbidden))
     };
     let steps = if is_exact { &STEPS[..] } else { &STEPS[..ROUNDED] };
-    let region = |side: f64| steps.iter().filter_map(|step| RBig::try_from(side * step * size).ok()).find_map(near);
+    let region = |side: f64| {
+        let steps = || steps.iter().filter_map(move |step| RBig::try_from(side * step * size).ok());
+        let of_its_curve = steps().find_map(|step| near(step, curve.as_ref()));
+        // Where curves meet at an irrational l, which of them is the nearest depends on the last digit that is kept.
+        of_its_curve.or_else(|| steps().rev().find_map(|step| near(step, None)))
+    };
     Some([region(-1.0)?, region(1.0)?])
 }

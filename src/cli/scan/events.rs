@@ -94,7 +94,6 @@ fn columns(document: &EventTracksDocument) -> Result<Columns, Failure> {
 
 fn add(report: &mut Report, document: &EventTracksDocument) {
     let parameter = document.vary.parameter;
-    let border = |number: u32| document.borders.get(number as usize).and_then(|border| border.at.first());
     report.line(format!(
         "{parameter} from {} to {}: {}; {} between them",
         document.vary.from,
@@ -109,7 +108,22 @@ fn add(report: &mut Report, document: &EventTracksDocument) {
     report.line("");
     if document.events.is_empty() {
         report.line("no events");
+    } else {
+        add_events(report, document);
     }
+    report
+        .line("borders are sought between neighbouring bodies of different classes; two within one step may be missed");
+    for border in &document.borders {
+        let Some(at) = border.at.first() else { continue };
+        let error = if border.reached { String::new() } else { format!(" ± {}", significant(at.error, 1)) };
+        report.line(format!("{parameter} = {}{error}: {}", significant(at.value, DIGITS), border.event.text));
+    }
+}
+
+/// The table of events.
+fn add_events(report: &mut Report, document: &EventTracksDocument) {
+    let parameter = document.vary.parameter;
+    let border = |number: u32| document.borders.get(number as usize).and_then(|border| border.at.first());
     let mut table = Table::new(&["event", "from", "to", "l"]);
     for event in &document.events {
         let end = |side: usize| match event.between[side].and_then(border) {
@@ -128,11 +142,4 @@ fn add(report: &mut Report, document: &EventTracksDocument) {
         "l: the smallest and the largest among the bodies examined; at a border or special body, which is not, it may be \
          infinite",
     );
-    report
-        .line("borders are sought between neighbouring bodies of different classes; two within one step may be missed");
-    for border in &document.borders {
-        let Some(at) = border.at.first() else { continue };
-        let error = if border.reached { String::new() } else { format!(" ± {}", significant(at.error, 1)) };
-        report.line(format!("{parameter} = {}{error}: {}", significant(at.value, DIGITS), border.event.text));
-    }
 }

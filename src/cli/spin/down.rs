@@ -82,12 +82,13 @@ pub fn run(arguments: &SpinDownArguments, timings: &Timings) -> Result<(), Failu
             let right = "it begins and ends at the same l in doubles: give --from another curve";
             return Err(Failure::input(format!("--from {id}: {right}")));
         }
-        let range = if upper.is_finite() {
-            format!("above {}, up to {}", significant(lower, DIGITS), significant(upper, DIGITS))
-        } else {
-            format!("above {}", significant(lower, DIGITS))
-        };
-        return Err(Failure::input(format!("--l {}: the curve {id} has l {range}", significant(l, DIGITS))));
+        // With so many digits that the refused l is not one of the ends.
+        let parts =
+            |digits: &usize| [lower, upper].iter().all(|end| significant(*end, *digits) != significant(l, *digits));
+        let digits = (DIGITS..=17).find(parts).unwrap_or(DIGITS);
+        let [lower, upper, l] = [lower, upper, l].map(|l| significant(l, digits));
+        let range = if upper == "inf" { format!("above {lower}") } else { format!("above {lower}, up to {upper}") };
+        return Err(Failure::input(format!("--l {l}: the curve {id} has l {range}")));
     }
     let command = subject.command("spin-down").option("from", &id).option("l", format!("{l:?}"));
     let document = bifdiag_documents::spin_down(&subject, command, &atlas, from, l);

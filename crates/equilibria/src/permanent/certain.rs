@@ -43,19 +43,23 @@ const GRAVITY: usize = 10;
 /// Into how many pieces numbers that enter tensor and weight are cut, so that both change together.
 const PIECES: u8 = 8;
 
-/// The parts of a box in smaller boxes; `None` where the axis of the rotation, which points up along `up` in the part's frame,
-/// may not be permanent for one of them.
-pub(super) fn boxes(
-    measured: &MeasuredPart,
-    units: &Units,
-    rotation: &AxisRotation,
-    up: [f64; 3],
-) -> Option<Vec<AxisBox>> {
+/// What is known of an axis over all parts of a box.
+pub(super) enum Permanence {
+    /// It is permanent for each of them, which these smaller boxes hold.
+    Boxed(Vec<AxisBox>),
+    /// It is permanent for each of them, but the centre of mass may lie on either side of the fixed point.
+    EitherSide,
+    /// It may not be permanent for one of them.
+    Unknown,
+}
+
+/// Of the axis of a rotation, which points up along `up` in the part's frame.
+pub(super) fn permanence(measured: &MeasuredPart, units: &Units, rotation: &AxisRotation, up: [f64; 3]) -> Permanence {
     let moves_tensor = |k: usize| k < COM || (k <= MASS && measured.about_com);
     let exact =
         |weight| AxisBox::new(&rotation.moments.each_ref().map(|moment| [moment.clone(), moment.clone()]), weight);
     let boxes = if measured.uncertain().any(|k| k < MASS || moves_tensor(k)) {
-        let found = along_coordinates(measured, units, up)?;
+        let Some(found) = along_coordinates(measured, units, up) else { return Permanence::Unknown };
         // Principal moments of a diagonal tensor are its entries; of another one they are rounded.
         let is_diagonal = measured.inputs[PRODUCTS..COM].iter().all(|product| product.value.is_zero());
         let is_exact = is_diagonal && !measured.uncertain().any(moves_tensor);
@@ -66,7 +70,7 @@ pub(super) fn boxes(
         vec![exact(exactly(&-&rotation.weight) * share(MASS) * share(GRAVITY))]
     };
     let has_sign = |found: &AxisBox| found.weight.is_positive().is_some() || found.weight == Interval::ZERO;
-    boxes.iter().all(has_sign).then_some(boxes)
+    if boxes.iter().all(has_sign) { Permanence::Boxed(boxes) } else { Permanence::EitherSide }
 }
 
 fn exactly(value: &RBig) -> Interval {

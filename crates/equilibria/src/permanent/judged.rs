@@ -3,6 +3,8 @@
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
 use bifdiag_numbers::wide::{Interval384, Wide};
+use dashu_base::BitTest;
+use dashu_int::IBig;
 use dashu_ratio::RBig;
 
 use super::rotation::{AxisRotation, sign_of, value_at};
@@ -118,19 +120,27 @@ impl AxisRotation {
     /// The frequencies |Im λ|, in rad over the unit of time, and the largest rate of growth Re λ at a spin with s = Ω².
     #[must_use]
     pub fn frequencies_and_growth(&self, s: &RBig) -> ([f64; 2], f64) {
-        let [_, a, b] = self.moments.each_ref().map(|x| x.to_f64().value());
-        // Exact up to here: beside a root of the discriminant nothing of its sign is lost.
-        let at = |c: &[RBig]| c.iter().rev().fold(RBig::ZERO, |sum, c| sum * s + c).to_f64().value();
-        let [first, second, whole] = self.polynomials().map(|c| at(&c));
-        let (half, product) = (0.5 * whole / (a * b), first * second / (a * b));
-        let discriminant = at(&self.discriminant()) / (4.0 * a * a * b * b);
+        let [_, a, b] = &self.moments;
+        let [first, second, whole] = self.polynomials().map(|polynomial| value_at(&polynomial, s));
+        // λ⁴ + 2 half λ² + product = 0, exact up to here: beside a root of the discriminant nothing of its sign is lost. In units
+        // of 2ᵏ for λ no square leaves the range of doubles.
+        let half = whole / (RBig::from(2) * a * b);
+        let product = first * second / (a * b);
+        let discriminant = &half * &half - &product;
+        if half.is_zero() && product.is_zero() {
+            return ([0.0; 2], 0.0);
+        }
+        let k = exponent(&half).max(exponent(&product) / 2) / 2;
+        let [half, product, discriminant] = [(half, 2 * k), (product, 4 * k), (discriminant, 4 * k)]
+            .map(|(x, power)| scaled(x, -power).to_f64().value());
+        let size = |x: f64| libm::ldexp(x, i32::try_from(k).unwrap_or(0));
         if discriminant < 0.0 {
             // λ² = −half ± i im. The smaller part of λ from the product of both, im/2.
             let im = (-discriminant).sqrt();
             let large = (0.5 * ((half * half + im * im).sqrt() + half.abs())).sqrt();
             let small = 0.5 * im / large;
             let (frequency, growth) = if half < 0.0 { (small, large) } else { (large, small) };
-            return ([frequency; 2], growth);
+            return ([size(frequency); 2], size(growth));
         }
         // Negative squares are frequencies, positive ones rates of growth: the larger one without cancellation, the other
         // from the product.
@@ -138,6 +148,21 @@ impl AxisRotation {
         let larger = -(half + if half < 0.0 { -root } else { root });
         let smaller = if larger == 0.0 { 0.0 } else { product / larger };
         let squares = if discriminant == 0.0 { [-half; 2] } else { [larger, smaller] };
-        (squares.map(|x| (-x).max(0.0).sqrt()), squares.into_iter().fold(0.0, f64::max).sqrt())
+        let growth = squares.into_iter().fold(0.0, f64::max).sqrt();
+        (squares.map(|x| size((-x).max(0.0).sqrt())), size(growth))
     }
+}
+
+/// About log₂ |x|; for 0 as for a very small number.
+fn exponent(x: &RBig) -> isize {
+    if x.is_zero() {
+        return isize::MIN / 4;
+    }
+    x.numerator().bit_len().cast_signed() - x.denominator().bit_len().cast_signed()
+}
+
+/// 2ᵏx.
+fn scaled(x: RBig, k: isize) -> RBig {
+    let factor = RBig::from(IBig::ONE << k.unsigned_abs());
+    if k < 0 { x / factor } else { x * factor }
 }

@@ -14,7 +14,7 @@ use bifdiag_numbers::sequence;
 use bifdiag_schema::SpinType;
 use dashu_ratio::RBig;
 
-use super::certain;
+use super::certain::{self, Permanence};
 use super::path::{NominalBody, Path};
 use super::rotation::AxisRotation;
 use super::square::{BoxedBody, basis, kind_of_all};
@@ -69,9 +69,10 @@ pub fn settled_types_of_part(part: &Part, measured: &MeasuredPart, up: [f64; 3],
     };
     let nominal = boxed(&measured.nominal()).middle();
     let settled = |measured: &MeasuredPart| match near {
-        Near::Axis(rotation) => match certain::boxes(measured, &part.units, rotation, up) {
-            Some(boxes) => SettledTypes { ranges: ranges_over(rotation, &boxes), tilt: None },
-            None => settled_types(&boxed(measured), up),
+        Near::Axis(rotation) => match certain::permanence(measured, &part.units, rotation, up) {
+            Permanence::Boxed(boxes) => SettledTypes { ranges: ranges_over(rotation, &boxes), tilt: None },
+            Permanence::EitherSide => SettledTypes { tilt: None, ..settled_types(&boxed(measured), up) },
+            Permanence::Unknown => settled_types(&boxed(measured), up),
         },
         Near::NominalRotation { slowest } => settled_types_beside(&boxed(measured), nominal, up, slowest),
     };

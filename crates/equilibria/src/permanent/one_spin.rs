@@ -40,7 +40,8 @@ impl OneSpin {
         let omega = exact_omega.to_f64().value();
         let (a, r) = (body.moments_f64(), body.center_f64());
         let l = omega * dot(up, [0, 1, 2].map(|k| a[k] * up[k]));
-        let found = nearest_steady(body, &exact_omega, &exact_up).filter(|found| found.angle <= MEANT);
+        let squared = &exact_omega * &exact_omega;
+        let found = nearest_steady(body, [&exact_omega, &squared], &exact_up).filter(|found| found.angle <= MEANT);
         Some(Self {
             end: AxisEnd::of_squared_spin(s),
             omega,

@@ -9,7 +9,7 @@ use dashu_ratio::RBig;
 
 use super::cone::angle_between;
 use crate::critical::{Equilibrium, Multiplicity, RelativeEquilibria};
-use bifdiag_body::{Body, BodyAxis, Number};
+use bifdiag_body::{Body, Number};
 
 /// A steady rotation, and what is known of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,9 +27,9 @@ pub struct SteadyRotation {
 }
 
 /// The steady rotation at the spin Ω ≥ 0 whose upward direction −γ is nearest to `up`, of any length, in principal axes;
-/// `None` where numbers leave the range of `f64`.
+/// `None` where numbers leave the range of `f64`. Given are Ω and Ω², which may be rational where Ω is not.
 #[must_use]
-pub fn nearest_steady(body: &Body, omega: &RBig, up: &[RBig; 3]) -> Option<SteadyRotation> {
+pub fn nearest_steady(body: &Body, [omega, squared]: [&RBig; 2], up: &[RBig; 3]) -> Option<SteadyRotation> {
     let (a, r, spin) = (body.moments_f64(), body.center_f64(), omega.to_f64().value());
     let down = normalised(up.each_ref().map(|x| -x.to_f64().value()));
     let exact = exact_place(body, omega, up);
@@ -37,8 +37,7 @@ pub fn nearest_steady(body: &Body, omega: &RBig, up: &[RBig; 3]) -> Option<Stead
     let (gamma, angle, l) = if let Some([_, l]) = &exact {
         (down, 0.0, Number::from_rational(l.clone()))
     } else {
-        let candidates =
-            directions(body, spin * spin, down).into_iter().map(|gamma| (gamma, angle_between(gamma, down)));
+        let candidates = directions(body, squared, down).into_iter().map(|gamma| (gamma, angle_between(gamma, down)));
         let (gamma, angle) = candidates.min_by(|(_, p), (_, q)| p.total_cmp(q))?;
         let moment = (0..3).map(|k| a[k] * gamma[k] * gamma[k]).sum::<f64>();
         (gamma, angle, Number::from_f64(spin * moment).ok()?)
@@ -148,11 +147,11 @@ fn exact_cross(v: &[RBig; 3], w: &[RBig; 3]) -> [RBig; 3] {
 }
 
 /// All γ with (sA − ν)γ = −r for some ν; of a circle or sphere of them the one nearest to `down`.
-fn directions(body: &Body, s: f64, down: [f64; 3]) -> Vec<[f64; 3]> {
+fn directions(body: &Body, s: &RBig, down: [f64; 3]) -> Vec<[f64; 3]> {
     let r = body.center_f64();
-    // s(A_i − A_k), each rounded from the exact moments.
-    let moment = |k: BodyAxis| body.moments()[k].value();
-    let apart = BodyAxis::ALL.map(|i| BodyAxis::ALL.map(|k| s * (moment(i) - moment(k)).to_f64().value()));
+    // s(A_i − A_k), each rounded from the exact one.
+    let exact = |i: usize, k: usize| s * (body.moments()[i].value() - body.moments()[k].value());
+    let apart = [0, 1, 2].map(|i| [0, 1, 2].map(|k| exact(i, k).to_f64().value()));
     let mut found: Vec<[f64; 3]> = multipliers(&apart, r)
         .into_iter()
         .map(|from_pole| normalised(std::array::from_fn(|k| if r[k] == 0.0 { 0.0 } else { r[k] / from_pole[k] })))
@@ -164,7 +163,9 @@ fn directions(body: &Body, s: f64, down: [f64; 3]) -> Vec<[f64; 3]> {
             continue;
         }
         let fixed: [f64; 3] = std::array::from_fn(|k| if shares.contains(&k) { 0.0 } else { r[k] / apart[axis][k] });
-        let missing = 1.0 - dot(fixed, fixed);
+        // Exact: where it is 0 the direction is that of an axis on which the centre of mass lies.
+        let taken = (0..3).filter(|k| !shares.contains(k)).map(|k| body.center()[k].value() / exact(axis, k));
+        let missing = (RBig::ONE - taken.fold(RBig::ZERO, |sum, x| sum + &x * &x)).to_f64().value();
         if missing < 0.0 {
             continue;
         }
@@ -233,7 +234,8 @@ mod tests {
 
     fn nearest(body: &Body, omega: f64, up: [f64; 3]) -> SteadyRotation {
         let rational = |x: f64| RBig::try_from(x).unwrap();
-        nearest_steady(body, &rational(omega), &up.map(rational)).unwrap()
+        let omega = rational(omega);
+        nearest_steady(body, [&omega, &(&omega * &omega)], &up.map(rational)).unwrap()
     }
 
     /// s Aγ + r is along γ, and every relative equilibrium at the l of a steady rotation is one at its own spin.
@@ -259,7 +261,8 @@ mod tests {
                     assert!(found.angle < 1e-7, "{a:?} {r:?} {point:?} {found:?}");
                     assert_eq!(found.equilibrium.stability, point.stability, "{found:?}");
                     compared += 1;
-                    for gamma in directions(&body, point.omega * point.omega, point.gamma) {
+                    let squared = RBig::try_from(point.omega * point.omega).unwrap();
+                    for gamma in directions(&body, &squared, point.gamma) {
                         let force: [f64; 3] =
                             std::array::from_fn(|k| point.omega * point.omega * moments[k] * gamma[k] + center[k]);
                         let along = dot(force, gamma);
@@ -287,7 +290,7 @@ mod tests {
         let up = [-3, -4, 0].map(RBig::from);
         let omega = exact_spin(&body, &up).unwrap();
         assert_eq!(omega, RBig::ONE);
-        let found = nearest_steady(&body, &omega, &up).unwrap();
+        let found = nearest_steady(&body, [&omega, &RBig::ONE], &up).unwrap();
         let [h, l] = ["-0.54", "1.64"].map(|text| text.parse::<Number>().unwrap().value().clone());
         assert_eq!([found.place[0].value(), found.place[1].value()], [&h, &l]);
         assert!(found.is_exact && found.angle == 0.0);

@@ -154,6 +154,11 @@ pub(super) fn columns(atlas: &AtlasDocument) -> Vec<String> {
 fn seen(scene: &Scene<'_>, panel: &Panel, stroke: &Stroke) -> Option<[f64; 2]> {
     let window = &panel.view.window;
     let points = panel.traces[stroke.curve].part(stroke.l[0], stroke.l[1]);
+    if panel.straight.is_some() {
+        // All h are seen, at the l of the traces.
+        let (first, last) = (points.first()?, points.last()?);
+        return (first[1] < last[1]).then_some([first[1], last[1]]);
+    }
     let shown = |point: &[f64; 2]| contains(window, *point);
     let (first, last) = (points.iter().position(shown)?, points.iter().rposition(shown)?);
     let enters = |from: [f64; 2], to: [f64; 2]| {
