@@ -62,7 +62,7 @@ fn regular_precessions_are_said_to_be_left_out() {
     bifdiag("periodic --A 1.5,1,1 --r 1,0,0 --h 0.2 --l 1")
         .succeeds()
         .printing("that cross P, at most 2 times in a period:\n\nnone that is isolated")
-        .printing("regular precessions lie in P");
+        .printing("precessions lie in P, do not cross it");
     let paper = bifdiag("periodic --body paper --h 2.6 --l 3.25").succeeds().stdout();
     assert!(!paper.contains("regular precessions"), "{paper}");
 }

@@ -146,13 +146,14 @@ fn only_pairs_that_oscillate_have_frequencies() {
 #[test]
 fn the_spins_of_campbells_diagram_are_checked() {
     let directory = tempfile::tempdir().unwrap();
-    let run = |to: &str| {
-        let run = bifdiag("campbell --A 1,2,3 --r 0,0,1 --axis z --to").and(to);
+    let run = |moments: &str, to: &str| {
+        let run = bifdiag(&format!("campbell --A {moments} --r 0,0,1 --axis z --to")).and(to);
         run.inside(directory.path()).refused().printing_nothing()
     };
-    run("0 rpm").telling("the largest spin must be greater than 0");
-    run("-10 rpm").telling("the largest spin must be greater than 0");
-    run("1e149 rad/s").telling("overflow");
+    run("1,2,3", "0 rpm").telling("the largest spin must be greater than 0");
+    run("1,2,3", "-10 rpm").telling("the largest spin must be greater than 0");
+    // A frequency of 1e449.
+    run("1e-150,1e-150,1e150", "1e149 rad/s").telling("overflow");
     let other = bifdiag("campbell --A 1,2,3 --r 0,1,0 --axis 0,1,0.1 --to").and("1 Hz").refused();
     other.telling("the nearest permanent axis is (0, 1, 0), 5.71° away");
 }
