@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 const ORDER: [(&str, &str); 16] = [
     (
         "crates/numbers/src",
-        "number decimal sign enclosure interval directed fixed_float wide root polynomial vector symmetric bernstein form sequence table",
+        "number decimal sign enclosure interval directed fixed_float wide root power polynomial vector symmetric bernstein form sequence table",
     ),
     (
         "crates/schema/src",

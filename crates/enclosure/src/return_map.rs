@@ -366,9 +366,7 @@ impl Crossing<'_> {
         let delay = at_middle / rate;
         let (images, rest) = self.step.image(&time);
         let state = std::array::from_fn(|i| {
-            let along = images.reach(|v| {
-                (0..FREE).fold(Interval::ZERO, |sum, m| sum + turned[i][m] * Interval::point(v[m])).magnitude()
-            });
+            let along = images.reach(|v| applied(&turned[i], &v).magnitude());
             let beside = (0..FREE).map(|m| turned[i][m].magnitude()).sum::<f64>() * rest;
             p[i] - delay * f[i] + ball(up(along) + up(beside))
         });
@@ -408,13 +406,15 @@ impl FlowDerivative {
     /// Its product with a matrix that follows it.
     fn then(&self, map: &Matrix) -> Matrix {
         std::array::from_fn(|i| {
-            let along = |column: [f64; FREE]| {
-                (0..FREE).fold(Interval::ZERO, |sum, m| sum + map[i][m] * Interval::point(column[m]))
-            };
-            let beside = ball(self.beside.reach(|column| along(column).magnitude()));
-            std::array::from_fn(|j| along(self.matrix.map(|row| row[j])) + beside)
+            let beside = ball(self.beside.reach(|column| applied(&map[i], &column).magnitude()));
+            std::array::from_fn(|j| applied(&map[i], &self.matrix.map(|row| row[j])) + beside)
         })
     }
+}
+
+/// ⟨row, v⟩.
+fn applied(row: &[Interval; FREE], v: &[f64; FREE]) -> Interval {
+    row.iter().zip(v).fold(Interval::ZERO, |sum, (c, x)| sum + *c * Interval::point(*x))
 }
 
 fn product(left: &Matrix, right: &Matrix) -> Matrix {

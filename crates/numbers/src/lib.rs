@@ -9,6 +9,7 @@ pub mod form;
 pub mod interval;
 mod number;
 pub mod polynomial;
+pub mod power;
 pub mod root;
 pub mod sequence;
 mod sign;

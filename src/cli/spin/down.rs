@@ -15,7 +15,7 @@ use crate::Curves;
 use crate::cli::export::{FileSet, PictureArguments, WidthArgument, answer};
 use crate::cli::failure::{Failure, failed, no_such_curve};
 use crate::cli::input::{BodyArguments, head, motion_units, values};
-use crate::cli::terminal::{Report, Table, Timings, significant};
+use crate::cli::terminal::{Report, Table, Timings, significant, told_apart};
 
 pub const SPIN_DOWN_EXAMPLES: &str = "\
 Examples:
@@ -82,13 +82,12 @@ pub fn run(arguments: &SpinDownArguments, timings: &Timings) -> Result<(), Failu
             let right = "it begins and ends at the same l in doubles: give --from another curve";
             return Err(Failure::input(format!("--from {id}: {right}")));
         }
-        // With so many digits that the refused l is not one of the ends.
-        let parts =
-            |digits: &usize| [lower, upper].iter().all(|end| significant(*end, *digits) != significant(l, *digits));
-        let digits = (DIGITS..=17).find(parts).unwrap_or(DIGITS);
-        let [lower, upper, l] = [lower, upper, l].map(|l| significant(l, digits));
+        let is_below = l <= lower;
+        let [refused, end] = told_apart([l, if is_below { lower } else { upper }], DIGITS);
+        let (lower, upper) =
+            if is_below { (end, significant(upper, DIGITS)) } else { (significant(lower, DIGITS), end) };
         let range = if upper == "inf" { format!("above {lower}") } else { format!("above {lower}, up to {upper}") };
-        return Err(Failure::input(format!("--l {l}: the curve {id} has l {range}")));
+        return Err(Failure::input(format!("--l {refused}: the curve {id} has l {range}")));
     }
     let command = subject.command("spin-down").option("from", &id).option("l", format!("{l:?}"));
     let document = bifdiag_documents::spin_down(&subject, command, &atlas, from, l);

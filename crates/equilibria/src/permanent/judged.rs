@@ -2,9 +2,8 @@
 
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
+use bifdiag_numbers::power::{exponent, times_power_of_two};
 use bifdiag_numbers::wide::{Interval384, Wide};
-use dashu_base::BitTest;
-use dashu_int::IBig;
 use dashu_ratio::RBig;
 
 use super::rotation::{AxisRotation, sign_of, value_at};
@@ -127,12 +126,10 @@ impl AxisRotation {
         let half = whole / (RBig::from(2) * a * b);
         let product = first * second / (a * b);
         let discriminant = &half * &half - &product;
-        if half.is_zero() && product.is_zero() {
-            return ([0.0; 2], 0.0);
-        }
-        let k = exponent(&half).max(exponent(&product) / 2) / 2;
-        let [half, product, discriminant] = [(half, 2 * k), (product, 4 * k), (discriminant, 4 * k)]
-            .map(|(x, power)| scaled(x, -power).to_f64().value());
+        let sizes = [(&half, 2), (&product, 4)].into_iter().filter(|(x, _)| !x.is_zero());
+        let Some(k) = sizes.map(|(x, degree)| exponent(x) / degree).max() else { return ([0.0; 2], 0.0) };
+        let [half, product, discriminant] = [(half, 2), (product, 4), (discriminant, 4)]
+            .map(|(x, degree)| times_power_of_two(x, -degree * k).to_f64().value());
         let size = |x: f64| libm::ldexp(x, i32::try_from(k).unwrap_or(0));
         if discriminant < 0.0 {
             // λ² = −half ± i im. The smaller part of λ from the product of both, im/2.
@@ -151,18 +148,4 @@ impl AxisRotation {
         let growth = squares.into_iter().fold(0.0, f64::max).sqrt();
         (squares.map(|x| size((-x).max(0.0).sqrt())), size(growth))
     }
-}
-
-/// About log₂ |x|; for 0 as for a very small number.
-fn exponent(x: &RBig) -> isize {
-    if x.is_zero() {
-        return isize::MIN / 4;
-    }
-    x.numerator().bit_len().cast_signed() - x.denominator().bit_len().cast_signed()
-}
-
-/// 2ᵏx.
-fn scaled(x: RBig, k: isize) -> RBig {
-    let factor = RBig::from(IBig::ONE << k.unsigned_abs());
-    if k < 0 { x / factor } else { x * factor }
 }

@@ -3,7 +3,6 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use dashu_base::BitTest;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
@@ -11,6 +10,7 @@ use super::integer::Polynomial;
 use crate::Sign;
 use crate::enclosure::{Enclosure, horner};
 use crate::interval::Interval;
+use crate::power::exponent;
 use crate::root::narrowed;
 
 /// Bits of a root that intervals of doubles give, less a safety margin.
@@ -192,12 +192,6 @@ impl Root {
     pub fn polynomial(&self) -> &Polynomial {
         &self.polynomial
     }
-}
-
-/// k with 2ᵏ⁻¹ < x < 2ᵏ⁺¹, x > 0.
-fn exponent(x: &RBig) -> i64 {
-    let length = |bits: usize| i64::try_from(bits).unwrap_or(i64::MAX);
-    length(x.numerator().bit_len()) - length(x.denominator().bit_len())
 }
 
 impl Polynomial {

@@ -7,8 +7,8 @@ use super::panel::Panel;
 use super::scene::Scene;
 use super::stroke::{Stroke, curve_width};
 use super::trace::trace;
-use bifdiag_page::{Heading, Symbol, body_line, short_number, short_time, text_width};
-use bifdiag_schema::{AtlasDocument, CurveDocument, WindowDocument, small_motions};
+use bifdiag_page::{Heading, Point, Symbol, body_line, clip_polyline, short_number, short_time, text_width};
+use bifdiag_schema::{AtlasDocument, CurveDocument, small_motions};
 
 /// Font size of the notes.
 pub(super) const NOTE_SIZE: f64 = 11.0;
@@ -159,33 +159,23 @@ fn seen(scene: &Scene<'_>, panel: &Panel, stroke: &Stroke) -> Option<[f64; 2]> {
         let (first, last) = (points.first()?, points.last()?);
         return (first[1] < last[1]).then_some([first[1], last[1]]);
     }
-    let shown = |point: &[f64; 2]| contains(window, *point);
+    let shown = |point: &[f64; 2]| panel.position(*point).is_some();
     let (first, last) = (points.iter().position(shown)?, points.iter().rposition(shown)?);
-    let enters = |from: [f64; 2], to: [f64; 2]| {
-        let between = [from[1].min(to[1]), from[1].max(to[1])];
+    // Between two points of which one is seen, by finer ones.
+    let between = |l: [f64; 2]| {
         let curve = &scene.atlas.curves[stroke.curve];
-        let mut points = trace(scene, curve, between, FINE * (window.h[1] - window.h[0])).unwrap_or_default().points;
-        if from[1] > to[1] {
-            points.reverse();
-        }
-        points.windows(2).find(|pair| contains(window, pair[1])).map_or(to[1], |pair| entry(window, pair[0], pair[1]))
+        let fine = trace(scene, curve, l, FINE * (window.h[1] - window.h[0])).unwrap_or_default();
+        clip_polyline(&panel.view.positions(&fine.points), &panel.view.rect)
     };
-    let start = if first > 0 { enters(points[first - 1], points[first]) } else { points[first][1] };
-    let end = points.get(last + 1).map_or(points[last][1], |beyond| enters(*beyond, points[last]));
+    let l_of = |at: &Point| panel.view.point(*at)[1];
+    let enters = first.checked_sub(1).and_then(|before| {
+        between([points[before][1], points[first][1]]).first().and_then(|part| part.first()).map(l_of)
+    });
+    let leaves = points
+        .get(last + 1)
+        .and_then(|beyond| between([points[last][1], beyond[1]]).last().and_then(|part| part.last()).map(l_of));
+    let (start, end) = (enters.unwrap_or(points[first][1]), leaves.unwrap_or(points[last][1]));
     (start < end).then_some([start, end])
-}
-
-fn contains(window: &WindowDocument, [h, l]: [f64; 2]) -> bool {
-    (window.h[0]..=window.h[1]).contains(&h) && (window.l[0]..=window.l[1]).contains(&l)
-}
-
-/// The l at which the line from a point outside a window to one inside enters it.
-fn entry(window: &WindowDocument, outside: [f64; 2], inside: [f64; 2]) -> f64 {
-    let share = |axis: usize, range: [f64; 2]| {
-        let side = outside[axis].clamp(range[0], range[1]);
-        if side == outside[axis] { 0.0 } else { (side - outside[axis]) / (inside[axis] - outside[axis]) }
-    };
-    outside[1] + share(0, window.h).max(share(1, window.l)) * (inside[1] - outside[1])
 }
 
 fn cells(scene: &Scene<'_>, curve: &CurveDocument, l: [f64; 2]) -> Option<Vec<String>> {

@@ -3,6 +3,7 @@
 //! Coordinates are doubles, hence integers over a common power of two. Over the tetrahedron of the origin and a triangle
 //! a, b, c with d = det(a, b, c) and s = a + b + c: ∫ dV = d/6, ∫ x dV = d s/24, ∫ x xᵀ dV = d (a aᵀ + b bᵀ + c cᵀ + s sᵀ)/120.
 
+use bifdiag_numbers::power::times_power_of_two;
 use bifdiag_numbers::symmetric::Symmetric;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
@@ -47,10 +48,7 @@ impl VolumeIntegrals {
         }
         // Each coordinate brings one factor 2^exponent.
         let scaled = |sum: IBig, over: i64, degree: i64| {
-            let shift = exponent * degree;
-            let power = IBig::ONE << usize::try_from(shift.unsigned_abs()).unwrap_or(0);
-            let value = RBig::from(sum) / RBig::from(over);
-            if shift >= 0 { value * RBig::from(power) } else { value / RBig::from(power) }
+            times_power_of_two(RBig::from(sum) / RBig::from(over), exponent * degree)
         };
         Self {
             volume: scaled(volume, 6, 3),
