@@ -155,11 +155,47 @@ fn a_fork_at_an_irrational_spin_is_judged_as_at_a_rational_one() {
             "--A 3,5,8 --r 0,1,0 --omega 0.5,0.5,0 --vertical 0,1,0",
             "--A 3,5,8 --r 0,2,0 --omega 0.6,0.8,0 --vertical 0,1,0",
         ),
+        // Axes that are steady at this spin only: a pair leaves them, hanging and upright, and two of them meet.
+        (
+            "--A 4,3,2 --r 0,3,8 --omega 2,1,0 --vertical 0,-0.6,-0.8",
+            "--A 4,3,2 --r 0,15,40 --omega 3,4,0 --vertical 0,-0.6,-0.8",
+        ),
+        (
+            "--A 2,3,4 --r 0,3,8 --omega 2,1,0 --vertical 0,0.6,0.8",
+            "--A 2,3,4 --r 0,15,40 --omega 3,4,0 --vertical 0,0.6,0.8",
+        ),
+        (
+            "--A 2,3,4 --r 0,27,64 --omega 10,5,0 --vertical 0,-3,4",
+            "--A 2,3,4 --r 0,135,320 --omega 15,20,0 --vertical 0,-3,4",
+        ),
     ] {
         let [found, expected] = [irrational, rational]
             .map(|line| bifdiag(&format!("state {line} --json")).succeeds().json()["nearest"].clone());
         for field in ["axis", "stability", "nonlinear", "regions", "one_of"] {
             assert_eq!(found[field], expected[field], "{irrational}: {field}");
+        }
+    }
+}
+
+/// A pair leaves the axis, or it ends in a cusp, at Ω² = 1 in some unit of time, whatever Ω is in another one.
+#[test]
+fn an_axis_that_is_steady_at_one_spin_is_judged_in_every_unit_of_time() {
+    for (body, centers, kind) in [
+        ("4,3,2", ["0,0.6,1.6", "0,0.3,0.8", "0,1.2,3.2", "0,6,16", "0,3,8"], "stable (minimum of energy): zero"),
+        (
+            "2.4,2,3",
+            [
+                "0,9/1375,-1088/1375",
+                "0,45/1375,-5440/1375",
+                "0,18/1375,-2176/1375",
+                "0,27/1375,-3264/1375",
+                "0,63/1375,-7616/1375",
+            ],
+            "open (degenerate): zero",
+        ),
+    ] {
+        for center in centers {
+            bifdiag(&format!("critical-spin --A {body} --r {center} --axis 0,-3,-4")).succeeds().printing(kind);
         }
     }
 }

@@ -30,6 +30,19 @@ pub struct SteadyRotation {
 /// `None` where numbers leave the range of `f64`. Given are Ω and Ω², which may be rational where Ω is not.
 #[must_use]
 pub fn nearest_steady(body: &Body, [omega, squared]: [&RBig; 2], up: &[RBig; 3]) -> Option<SteadyRotation> {
+    if omega * omega == *squared {
+        return nearest_at(body, omega, up);
+    }
+    // With 1/Ω as the unit of time the body is (A, r/Ω²) and turns with spin 1: rational.
+    let center = body.center().each_ref().map(|r| Number::from_rational(r.value() / squared));
+    let found = nearest_at(&Body::new(body.moments().clone(), center).ok()?, &RBig::ONE, up)?;
+    let [h, l] = found.place.each_ref().map(Number::value);
+    let place = [h * squared, l * omega].map(Number::from_rational);
+    Some(SteadyRotation { place, equilibrium: found.equilibrium.clone().sped_up(omega.to_f64().value()), ..found })
+}
+
+/// The same for a rational spin.
+fn nearest_at(body: &Body, omega: &RBig, up: &[RBig; 3]) -> Option<SteadyRotation> {
     let (a, r, spin) = (body.moments_f64(), body.center_f64(), omega.to_f64().value());
     let down = normalised(up.each_ref().map(|x| -x.to_f64().value()));
     let exact = exact_place(body, omega, up);
@@ -37,7 +50,8 @@ pub fn nearest_steady(body: &Body, [omega, squared]: [&RBig; 2], up: &[RBig; 3])
     let (gamma, angle, l) = if let Some([_, l]) = &exact {
         (down, 0.0, Number::from_rational(l.clone()))
     } else {
-        let candidates = directions(body, squared, down).into_iter().map(|gamma| (gamma, angle_between(gamma, down)));
+        let candidates =
+            directions(body, &(omega * omega), down).into_iter().map(|gamma| (gamma, angle_between(gamma, down)));
         let (gamma, angle) = candidates.min_by(|(_, p), (_, q)| p.total_cmp(q))?;
         let moment = (0..3).map(|k| a[k] * gamma[k] * gamma[k]).sum::<f64>();
         (gamma, angle, Number::from_f64(spin * moment).ok()?)
@@ -79,21 +93,17 @@ pub fn equally_near_steady(
     axes.filter(is_other).collect()
 }
 
-/// The spin Ω ≥ 0 at which rotation with `up` pointing up is steady, where axis and spin are rational: then
-/// [`nearest_steady`] is exact at it. `None` too for an axis that is principal.
+/// Ω² at which rotation with `up` pointing up is steady, where the axis is rational: then [`nearest_steady`] is exact at it.
+/// `None` too for an axis that is principal.
 #[must_use]
-pub(super) fn exact_spin(body: &Body, up: &[RBig; 3]) -> Option<RBig> {
+pub(super) fn exact_squared_spin(body: &Body, up: &[RBig; 3]) -> Option<RBig> {
     let Balance { left, right } = Balance::of(body, up)?;
     let squared = inner(&left, &left);
     if squared.is_zero() {
         return None;
     }
     let s = inner(&left, &right) / squared;
-    if s < RBig::ZERO || (0..3).any(|k| &s * &left[k] != right[k]) {
-        return None;
-    }
-    let omega = Real::root_of(&s, 1);
-    omega.is_exact().then_some(omega.lo)
+    (s >= RBig::ZERO && (0..3).all(|k| &s * &left[k] == right[k])).then_some(s)
 }
 
 /// h and l of rotation with n = `up` pointing up, if it is steady at exactly this spin and |n| is rational.
@@ -288,13 +298,12 @@ mod tests {
     fn a_rational_axis_is_judged_at_its_own_momentum() {
         let body = Body::parse(&["1", "2", "3"], &["1.2", "0.8", "0"]).unwrap();
         let up = [-3, -4, 0].map(RBig::from);
-        let omega = exact_spin(&body, &up).unwrap();
-        assert_eq!(omega, RBig::ONE);
-        let found = nearest_steady(&body, [&omega, &RBig::ONE], &up).unwrap();
+        assert_eq!(exact_squared_spin(&body, &up), Some(RBig::ONE));
+        let found = nearest_steady(&body, [&RBig::ONE; 2], &up).unwrap();
         let [h, l] = ["-0.54", "1.64"].map(|text| text.parse::<Number>().unwrap().value().clone());
         assert_eq!([found.place[0].value(), found.place[1].value()], [&h, &l]);
         assert!(found.is_exact && found.angle == 0.0);
         assert_eq!(found.equilibrium.stability.word(), "zero");
-        assert_eq!(exact_spin(&body, &[-1, -1, 0].map(RBig::from)), None);
+        assert_eq!(exact_squared_spin(&body, &[-1, -1, 0].map(RBig::from)), None);
     }
 }
