@@ -200,6 +200,21 @@ fn an_axis_that_is_steady_at_one_spin_is_judged_in_every_unit_of_time() {
     }
 }
 
+/// Where |n| is irrational, so is Ω² = |n| |n × r|/|n × An|: the forks and the cusp were found by hand.
+#[test]
+fn an_axis_that_is_steady_at_a_spin_with_an_irrational_square_is_judged_exactly() {
+    for (line, kind) in [
+        ("--A 2,3,4 --r 0,1,2 --axis 0,1,1", "unstable: zero"),
+        ("--A 2,3,4 --r 0,3,6 --axis 0,5,5", "unstable: zero"),
+        ("--A 4,3,2 --r 0,1,2 --axis 0,-1,-1", "stable (minimum of energy): zero"),
+        ("--A 4,3,2 --r 0,1/7,2/7 --axis 0,-2,-2", "stable (minimum of energy): zero"),
+        ("--A 2.4,2,3 --r 0,1,-9 --axis 0,-1,-1", "open (degenerate): zero"),
+        ("--A 2.4,2,3 --r 0,5,-45 --axis 0,-1,-1", "open (degenerate): zero"),
+    ] {
+        bifdiag(&format!("critical-spin {line}")).succeeds().printing(kind);
+    }
+}
+
 /// The equations know ratios alone.
 #[test]
 fn tiny_and_huge_bodies_turn_as_bodies_of_size_one() {

@@ -248,3 +248,29 @@ fn the_legend_tells_what_solid_thin_and_dashed_lines_mean() {
         assert!(picture.contains(reply), "{reply}");
     }
 }
+
+/// Over Ω², D₄ is an inverse moment of inertia: the body is the same, in other units of mass and of time.
+#[test]
+fn arnolds_determinant_is_in_the_units_of_the_body() {
+    let determinants = |moments: &str, center: &str, l: &str| -> Vec<f64> {
+        let found = bifdiag(&format!("critical --A {moments} --r {center} --l {l} --json")).succeeds().json();
+        let all = list(&found["critical"]).iter().map(|point| &point["nonlinear"]["D4_over_s"]);
+        all.filter(|value| !value.is_null()).map(number).collect()
+    };
+    let one = determinants("2,1.1,1", "0.94868,0,0.61623", "3.25");
+    assert_eq!(one.len(), 2, "{one:?}");
+    for (factor, body) in [
+        (0.5, ["1,0.55,0.5", "0.47434,0,0.308115", "1.625"]),
+        (2.0, ["4,2.2,2", "1.89736,0,1.23246", "6.5"]),
+        (4.0, ["8,4.4,4", "3.79472,0,2.46492", "13"]),
+        (10.0, ["20,11,10", "9.4868,0,6.1623", "32.5"]),
+        // Twice as fast.
+        (1.0, ["2,1.1,1", "3.79472,0,2.46492", "6.5"]),
+    ] {
+        let found = determinants(body[0], body[1], body[2]);
+        assert_eq!(found.len(), one.len(), "{body:?}");
+        for (found, one) in found.iter().zip(&one) {
+            assert!((found * factor / one - 1.0).abs() < 1e-9, "{body:?} {found} {one}");
+        }
+    }
+}

@@ -14,7 +14,9 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("--r 1,0,0", &["--A is missing", "such as --A 2,1.1,1"]),
     ("--A 2,1,1 --r 1,0,0 --body paper", &["--A and --body both describe the body", "give one of"]),
     ("--body paper --inertia 1,1,1,0,0,0", &["--body and --inertia both describe the body"]),
-    ("--A 2,1,1 --r 1,0,0 --mass 3", &["--A and --mass both describe the body"]),
+    ("--A 2,1,1 --r 1,0,0 --mass 3", &["--mass is for a part (--inertia, --inertia-com or --part)", "with --A"]),
+    ("critical-spin --A 5,1,1 --r 1,0,0 --unphysical", &["--unphysical is for a part", "leave it out with --A"]),
+    ("--A 2,1,1 --r 1,0,0 --mass 3 --inertia 1,1,1,0,0,0", &["--A and --inertia both describe the body"]),
     ("--body paper --body euler", &["'--body <NAME>' cannot be used multiple times"]),
     // The moments.
     ("--A", &["a value is required for '--A <A1,A2,A3>'"]),

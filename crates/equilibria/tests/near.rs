@@ -4,7 +4,7 @@
 #![allow(clippy::cast_possible_truncation)]
 
 use bifdiag_body::{Body, BodyAxis, Tensor};
-use bifdiag_equilibria::critical::Equilibrium;
+use bifdiag_equilibria::critical::{Equilibrium, ExactSpin};
 use bifdiag_equilibria::permanent::{
     AxisRotation, BoxedBody, SettledTypes, angle_between, equally_near, nearest_permanent, nearest_steady,
     settled_types,
@@ -102,8 +102,7 @@ fn every_body_of_the_box_has_the_type_outside_the_ranges() {
             for _ in 0..6 {
                 let (body, up) = case.member(&mut random);
                 let rational = |x: f64| RBig::try_from(x).unwrap();
-                let steady =
-                    nearest_steady(&body, [omega, omega * omega].map(rational).each_ref(), &up.map(rational)).unwrap();
+                let steady = nearest_steady(&body, &ExactSpin::rational(rational(omega)), &up.map(rational)).unwrap();
                 assert!(steady.angle <= found.tilt.unwrap() + 1e-9, "{:?} {omega} {steady:?}", case.nominal);
                 assert_eq!(
                     kind(&steady.equilibrium),

@@ -6,7 +6,7 @@ use bifdiag_body::{Body, Number};
 use bifdiag_diagram::atlas::Spot;
 use bifdiag_diagram::region_changes::{RotationChange, rotation_changes};
 use bifdiag_diagram::topology::Margin;
-use bifdiag_equilibria::critical::Multiplicity;
+use bifdiag_equilibria::critical::{ExactSpin, Multiplicity};
 use bifdiag_equilibria::curves::CurveName;
 use bifdiag_equilibria::permanent::{
     AxisKind, AxisRotation, Judged, MEANT, PermanentAxis, SteadyRotation, angle_between, nearest_steady, permanent_axis,
@@ -33,10 +33,8 @@ pub struct SpinQuestion {
     pub up: [f64; 3],
     /// The same, exact, of any length.
     pub exact_up: [RBig; 3],
-    /// Ω, to 60 digits at least.
-    pub omega: RBig,
-    /// Ω², exact.
-    pub squared: RBig,
+    /// Ω ≥ 0, with a rational square.
+    pub spin: ExactSpin,
 }
 
 /// A steady rotation.
@@ -67,28 +65,29 @@ impl Steady {
     /// The steady rotation whose axis is nearest to that of the question.
     #[must_use]
     pub fn nearest(solver: &Solver, question: &SpinQuestion) -> Option<Self> {
-        let SpinQuestion { up, exact_up, omega, squared } = question;
+        let SpinQuestion { up, exact_up, spin } = question;
         let body = solver.body();
         if let AxisKind::Permanent { axis, .. } = AxisKind::of(body, *up) {
             return Self::about(solver, question, axis, 0.0);
         }
-        let found = nearest_steady(body, [omega, squared], exact_up)?;
+        let found = nearest_steady(body, spin, exact_up)?;
         let up = found.gamma.map(|x| 0.0 - x);
         match permanent_axis(body, up).filter(|axis| angle_between(axis.direction, up) <= SAME) {
             Some(axis) => Self::about(solver, question, axis, found.angle),
-            None => Some(Self::beyond(solver, omega, found)),
+            None => Some(Self::beyond(solver, &spin.omega, found)),
         }
     }
 
     /// Rotation about an axis that is permanent at every spin, at an angle to that of the question: exact, along its curve.
     fn about(solver: &Solver, question: &SpinQuestion, axis: PermanentAxis, angle: f64) -> Option<Self> {
-        let (body, SpinQuestion { omega, squared, .. }) = (solver.body(), question);
+        let (body, spin) = (solver.body(), &question.spin);
+        let ExactSpin { omega, squared, .. } = spin;
         // γ points down.
         let rotation = AxisRotation::about(body, axis, Sign::Negative)?;
         let changes = changes_beside(&rotation_changes(&rotation, solver.atlas()), squared);
         let Some(judged) = rotation.stability_at(squared) else {
             let up = axis.direction.map(|x| RBig::try_from(x).unwrap_or_default());
-            let found = SteadyRotation { angle, ..nearest_steady(body, [omega, squared], &up)? };
+            let found = SteadyRotation { angle, ..nearest_steady(body, spin, &up)? };
             return Some(Self { changes, ..Self::beyond(solver, omega, found) });
         };
         let (frequencies, growth) = rotation.frequencies_and_growth(squared);

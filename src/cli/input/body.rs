@@ -108,7 +108,14 @@ impl BodyArguments {
         read: impl Fn(&PartArguments) -> Result<Option<GivenPart>, Failure>,
     ) -> Result<Option<MeasuredSubject>, Failure> {
         if let (Some(first), Some(second)) = (self.plain.given().next(), self.part.given().next()) {
-            return Err(two_bodies(first, second, ", --inertia, --inertia-com, --part"));
+            return Err(self.part.source().map_or_else(
+                || {
+                    Failure::input(format!(
+                        "{second} is for a part (--inertia, --inertia-com or --part); leave it out with {first}"
+                    ))
+                },
+                |source| two_bodies(first, source, ", --inertia, --inertia-com, --part"),
+            ));
         }
         if let Some(subject) = self.plain.optional_subject()? {
             return Ok(Some((subject, None)));

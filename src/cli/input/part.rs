@@ -110,6 +110,11 @@ impl GivenPart {
 }
 
 impl PartArguments {
+    /// The option that says which part it is, if one is given.
+    pub fn source(&self) -> Option<&'static str> {
+        self.given().find(|option| ["--inertia", "--inertia-com", "--part"].contains(option))
+    }
+
     /// The options that are given, by name.
     pub fn given(&self) -> impl Iterator<Item = &'static str> + use<> {
         let options = [

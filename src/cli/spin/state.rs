@@ -3,9 +3,10 @@
 use bifdiag_body::Number;
 use bifdiag_body::part::Spin;
 use bifdiag_documents::{CommandLine, StateQuestion, Subject};
+use bifdiag_equilibria::critical::ExactSpin;
 use bifdiag_equilibria::permanent::{AxisKind, angle_between, equally_near_steady};
 use bifdiag_exact::{self as exact, Accuracy, Solver, SpinQuestion};
-use bifdiag_numbers::symmetric::{self, Real};
+use bifdiag_numbers::symmetric;
 use bifdiag_schema::{AxisEnd, StateDocument, SteadyDocument};
 use clap::Args;
 use dashu_ratio::RBig;
@@ -49,9 +50,6 @@ pub struct StateArguments {
     #[arg(long, help_heading = "Output")]
     pub json: bool,
 }
-
-/// Digits of a spin that is not rational.
-const DIGITS: usize = 60;
 
 /// An axis farther than this, in radians, from the given one is reported.
 const OTHER: f64 = 1e-12;
@@ -110,18 +108,13 @@ impl<'a> State<'a> {
         }
     }
 
-    /// |ω| in rad/s, exact where it is rational, and its square, exact.
-    fn spin(&self) -> [RBig; 2] {
+    /// |ω|, in a unit of time given in seconds.
+    fn spin(&self, unit: &RBig) -> ExactSpin {
         match self.turning {
-            Turning::About { spin, .. } => {
-                let omega = spin.absolute().exact_rad_per_s();
-                let squared = &omega * &omega;
-                [omega, squared]
-            }
+            Turning::About { spin, .. } => ExactSpin::rational(spin.absolute().exact_rad_per_s() * unit),
             Turning::Omega(omega) => {
                 let omega = omega.values();
-                let squared = symmetric::dot(&omega, &omega);
-                [Real::root_of(&squared, DIGITS).lo, squared]
+                ExactSpin::of_square(symmetric::dot(&omega, &omega) * unit.sqr())
             }
         }
     }
@@ -147,19 +140,17 @@ impl<'a> State<'a> {
 
     /// In principal axes and the body's units.
     fn question(&self, subject: &Subject) -> SpinQuestion {
-        let ([omega, squared], unit) = (self.spin(), subject.unit_of_time());
         SpinQuestion {
             up: subject.to_principal(self.vertical.direction),
             exact_up: self.vertical.in_principal_axes(subject),
-            omega: omega * &unit,
-            squared: squared * &unit * &unit,
+            spin: self.spin(&subject.unit_of_time()),
         }
     }
 
     fn asked(&self, subject: &Subject) -> StateQuestion {
         let spin = match self.turning {
             Turning::About { spin, .. } => bifdiag_documents::asked_spin(&spin.absolute()),
-            Turning::Omega(_) => bifdiag_documents::spin(self.spin()[0].to_f64().value()),
+            Turning::Omega(_) => bifdiag_documents::spin(self.spin(&RBig::ONE).omega.to_f64().value()),
         };
         StateQuestion { command: self.command(subject), omega: self.omega, vertical: self.vertical.direction, spin }
     }
@@ -253,7 +244,7 @@ fn other_text(
         "at this spin the axis of the nearest steady rotation is {}, {angle}° from the vertical",
         listed(nearest.axis)
     ));
-    let others = equally_near_steady(&subject.body, &question.omega, question.up, (steady.axis, steady.angle));
+    let others = equally_near_steady(&subject.body, &question.spin, question.up, (steady.axis, steady.angle));
     if let Some(others) = as_near(subject, others) {
         report.line(format!("{others}; what follows refers to the first"));
     }

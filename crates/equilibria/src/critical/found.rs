@@ -90,7 +90,7 @@ impl RelativeEquilibria<'_> {
         let profile = self.profile()?;
         let points = match question.fixed {
             Fixed::Momentum { l, .. } => profile.points(question.branch, l)?,
-            Fixed::Spin(omega) => profile.points_at_spin(question.branch, omega)?,
+            Fixed::Spin(spin) => profile.points_at_spin(question.branch, &spin.fourth)?,
         };
         for exact in &points {
             let x = match question.fixed {
@@ -176,9 +176,9 @@ impl RelativeEquilibria<'_> {
             let x = match question.fixed {
                 Fixed::Momentum { x, .. } => x,
                 // l = JΩ, and J is the same along the whole curve.
-                Fixed::Spin(omega) => {
+                Fixed::Spin(spin) => {
                     let j = self.set.curves[id].point(&self.set.frame, 1.0).j;
-                    let momentum = j * omega.to_f64().value() / self.set.frame.frequency_unit;
+                    let momentum = j * spin.omega.to_f64().value() / self.set.frame.frequency_unit;
                     0.5 * momentum * momentum
                 }
             };
@@ -217,7 +217,7 @@ impl RelativeEquilibria<'_> {
             },
             is_fold: site.is_fold,
             stability: kind,
-            nonlinear,
+            nonlinear: nonlinear.in_unit(frame.momentum_unit / frame.frequency_unit),
             friction: Friction::new(reduced, kind, site.setting, is_set(*orbit)),
             eigenvalues: reduced.eigenvalues(kind, is_set(*orbit), frame.frequency_unit),
             curve: Some(site.curve),

@@ -2,6 +2,7 @@
 
 mod beyond;
 mod continuation;
+mod exact_spin;
 mod families;
 mod found;
 
@@ -22,6 +23,7 @@ use bifdiag_numbers::table::Id;
 use bifdiag_numbers::vector::{dot, norm};
 
 pub use bifdiag_schema::Multiplicity;
+pub use exact_spin::ExactSpin;
 pub use families::{AxisCount, FamilyPoint, SteadyFamily, SteadyStretch, axis_counts};
 
 /// A relative equilibrium: the body turns about the vertical γ with constant angular velocity ω γ.
@@ -53,19 +55,6 @@ pub struct Equilibrium {
     pub curve: Option<CurveName>,
     /// Its branch in words.
     pub branch_name: Arc<str>,
-}
-
-impl Equilibrium {
-    /// The same motion of a body with the same moments, `factor` times as fast, under a weight stronger by its square.
-    #[must_use]
-    pub(crate) fn sped_up(mut self, factor: f64) -> Self {
-        self.h *= factor * factor;
-        self.l *= factor;
-        self.omega *= factor;
-        self.eigenvalues.pairs = self.eigenvalues.pairs.map(|pair| pair.map(|part| factor * part));
-        self.eigenvalues.error *= factor;
-        self
-    }
 }
 
 /// All relative equilibria at one l.
@@ -150,7 +139,7 @@ enum Fixed<'a> {
     /// l, and x = l²/2, rounded, in the frame's units.
     Momentum { l: &'a Number, x: f64 },
     /// Ω ≠ 0.
-    Spin(&'a RBig),
+    Spin(&'a ExactSpin),
 }
 
 impl Fixed<'_> {
@@ -158,7 +147,7 @@ impl Fixed<'_> {
     fn sign(self) -> f64 {
         match self {
             Self::Momentum { l, .. } => l.to_f64().signum(),
-            Self::Spin(omega) => f64::from(i8::from(*omega > RBig::ZERO) - i8::from(*omega < RBig::ZERO)),
+            Self::Spin(spin) => f64::from(i8::from(spin.omega > RBig::ZERO) - i8::from(spin.omega < RBig::ZERO)),
         }
     }
 }
@@ -238,10 +227,19 @@ impl<'a> RelativeEquilibria<'a> {
     /// # Errors
     /// [`CriticalError::Spin`] when l of one of them leaves the range of `f64`.
     pub fn at_spin(&self, omega: &RBig) -> Result<Equilibria, CriticalError> {
+        self.at_exact_spin(&ExactSpin::rational(omega.clone()))
+    }
+
+    /// The same for a spin that may be irrational.
+    ///
+    /// # Errors
+    /// [`CriticalError::Spin`] when l of one of them leaves the range of `f64`.
+    pub fn at_exact_spin(&self, spin: &ExactSpin) -> Result<Equilibria, CriticalError> {
+        let omega = &spin.omega;
         if omega.is_zero() {
             return Ok(self.all_at_rest());
         }
-        let mut found = self.everywhere(Fixed::Spin(omega));
+        let mut found = self.everywhere(Fixed::Spin(spin));
         for equilibrium in &mut found.list {
             let least = f64::MIN_POSITIVE * self.set.frame.momentum_unit;
             abscissa(&self.set.frame, equilibrium.l.abs().max(least)).map_err(|error| self.beyond(omega, error))?;

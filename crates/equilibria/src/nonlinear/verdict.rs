@@ -71,6 +71,14 @@ impl Nonlinear {
         Self { verdict, why, arnold: None, near: None, proved: true }
     }
 
+    /// The same of a body whose moments are those that were judged times `moment_unit`, a power of two, at the same spin in
+    /// its own unit of time: D₄/Ω² is an inverse moment of inertia.
+    pub(crate) fn in_unit(self, moment_unit: f64) -> Self {
+        let scaled =
+            |Determinant { value, error }| Determinant { value: value / moment_unit, error: error / moment_unit };
+        Self { arnold: self.arnold.map(scaled), ..self }
+    }
+
     /// None so far: a normal form would decide, and was not requested.
     pub(crate) fn deferred() -> Self {
         Self { proved: false, ..Self::of((NonlinearVerdict::Open, Reason::Degenerate)) }

@@ -1,18 +1,14 @@
 //! Rotation about an axis of Staude's cone, which is steady at one spin.
 
 use bifdiag_body::Body;
-use bifdiag_numbers::symmetric::Real;
 use bifdiag_numbers::vector::dot;
 use bifdiag_schema::AxisEnd;
 use dashu_ratio::RBig;
 
 use super::axis::MEANT;
 use super::cone::NearestAxis;
-use super::steady::{exact_squared_spin, nearest_steady};
-use crate::critical::Equilibrium;
-
-/// Of an irrational spin.
-const DIGITS: usize = 60;
+use super::steady::nearest_steady;
+use crate::critical::{Equilibrium, ExactSpin};
 
 /// The spin at which rotation about an axis is steady.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,17 +33,14 @@ impl OneSpin {
         let up = axis.axis.map(|x| s.signum() * x);
         let rational = |x: f64| RBig::try_from(x).unwrap_or_default();
         let exact_up = exact.each_ref().map(|x| x * rational(s.signum()));
-        let (exact_up, exact_omega, squared) = if let Some(squared) = exact_squared_spin(body, &exact_up) {
-            (exact_up, Real::root_of(&squared, DIGITS).lo, squared)
-        } else {
-            let omega = rational(s.abs().sqrt());
-            let squared = &omega * &omega;
-            (up.map(rational), omega, squared)
+        let (exact_up, spin) = match ExactSpin::of_steady(body, &exact_up) {
+            Some(spin) => (exact_up, spin),
+            None => (up.map(rational), ExactSpin::rational(rational(s.abs().sqrt()))),
         };
-        let omega = exact_omega.to_f64().value();
+        let omega = spin.omega.to_f64().value();
         let (a, r) = (body.moments_f64(), body.center_f64());
         let l = omega * dot(up, [0, 1, 2].map(|k| a[k] * up[k]));
-        let found = nearest_steady(body, [&exact_omega, &squared], &exact_up).filter(|found| found.angle <= MEANT);
+        let found = nearest_steady(body, &spin, &exact_up).filter(|found| found.angle <= MEANT);
         Some(Self {
             end: AxisEnd::of_squared_spin(s),
             omega,

@@ -8,7 +8,7 @@ use bifdiag_numbers::vector::{dot, norm, normalised};
 use dashu_ratio::RBig;
 
 use super::cone::angle_between;
-use crate::critical::{Equilibrium, Multiplicity, RelativeEquilibria};
+use crate::critical::{Equilibrium, ExactSpin, Multiplicity, RelativeEquilibria};
 use bifdiag_body::{Body, Number};
 
 /// A steady rotation, and what is known of it.
@@ -27,37 +27,20 @@ pub struct SteadyRotation {
 }
 
 /// The steady rotation at the spin Ω ≥ 0 whose upward direction −γ is nearest to `up`, of any length, in principal axes;
-/// `None` where numbers leave the range of `f64`. Given are Ω and Ω², which may be rational where Ω is not.
+/// `None` where numbers leave the range of `f64`.
 #[must_use]
-pub fn nearest_steady(body: &Body, [omega, squared]: [&RBig; 2], up: &[RBig; 3]) -> Option<SteadyRotation> {
-    if omega * omega == *squared {
-        return nearest_at(body, omega, up);
-    }
-    // With 1/Ω as the unit of time the body is (A, r/Ω²) and turns with spin 1: rational.
-    let center = body.center().each_ref().map(|r| Number::from_rational(r.value() / squared));
-    let found = nearest_at(&Body::new(body.moments().clone(), center).ok()?, &RBig::ONE, up)?;
-    let [h, l] = found.place.each_ref().map(Number::value);
-    let place = [h * squared, l * omega].map(Number::from_rational);
-    Some(SteadyRotation { place, equilibrium: found.equilibrium.clone().sped_up(omega.to_f64().value()), ..found })
-}
-
-/// The same for a rational spin.
-fn nearest_at(body: &Body, omega: &RBig, up: &[RBig; 3]) -> Option<SteadyRotation> {
-    let (a, r, spin) = (body.moments_f64(), body.center_f64(), omega.to_f64().value());
+pub fn nearest_steady(body: &Body, spin: &ExactSpin, up: &[RBig; 3]) -> Option<SteadyRotation> {
+    let (a, r, omega) = (body.moments_f64(), body.center_f64(), spin.omega.to_f64().value());
     let down = normalised(up.each_ref().map(|x| -x.to_f64().value()));
-    let exact = exact_place(body, omega, up);
-    let is_exact = exact.is_some();
-    let (gamma, angle, l) = if let Some([_, l]) = &exact {
-        (down, 0.0, Number::from_rational(l.clone()))
+    let (gamma, angle) = if spin.is_steady(body, up) {
+        (down, 0.0)
     } else {
-        let candidates =
-            directions(body, &(omega * omega), down).into_iter().map(|gamma| (gamma, angle_between(gamma, down)));
-        let (gamma, angle) = candidates.min_by(|(_, p), (_, q)| p.total_cmp(q))?;
-        let moment = (0..3).map(|k| a[k] * gamma[k] * gamma[k]).sum::<f64>();
-        (gamma, angle, Number::from_f64(spin * moment).ok()?)
+        let candidates = directions(body, spin, down).into_iter().map(|gamma| (gamma, angle_between(gamma, down)));
+        candidates.min_by(|(_, p), (_, q)| p.total_cmp(q))?
     };
-    let all = RelativeEquilibria::new(body).ok()?.at(&l).ok()?;
-    let turning = 0.5 * spin * l.to_f64();
+    let all = RelativeEquilibria::new(body).ok()?.at_exact_spin(spin).ok()?;
+    let moment = (0..3).map(|k| a[k] * gamma[k] * gamma[k]).sum::<f64>();
+    let turning = 0.5 * omega * omega * moment;
     let h = turning - dot(gamma, r);
     let size = turning.abs() + norm(r);
     let distance = |found: &Equilibrium| {
@@ -69,70 +52,42 @@ fn nearest_at(body: &Body, omega: &RBig, up: &[RBig; 3]) -> Option<SteadyRotatio
         (found.h - h).abs() / size.max(f64::MIN_POSITIVE) + apart
     };
     let equilibrium = all.list.into_iter().min_by(|p, q| distance(p).total_cmp(&distance(q)))?;
-    let h = match exact {
-        Some([h, _]) => Number::from_rational(h),
-        None => Number::from_f64(equilibrium.h).ok()?,
-    };
-    (distance(&equilibrium) < 1e-6).then_some(SteadyRotation { gamma, angle, place: [h, l], is_exact, equilibrium })
+    let exact = exact_place(body, spin, up);
+    let is_exact = exact.is_some();
+    let rounded = || Some([Number::from_f64(equilibrium.h).ok()?, Number::from_f64(equilibrium.l).ok()?]);
+    let place = exact.or_else(rounded)?;
+    (distance(&equilibrium) < 1e-6).then_some(SteadyRotation { gamma, angle, place, is_exact, equilibrium })
 }
 
 /// The other steady axes at a spin that are as near to a direction as one of them, at this angle in radians.
 #[must_use]
 pub fn equally_near_steady(
     body: &Body,
-    omega: &RBig,
+    spin: &ExactSpin,
     up: [f64; 3],
     (nearest, angle): ([f64; 3], f64),
 ) -> Vec<[f64; 3]> {
     /// Angles that differ by less are the same.
     const TIE: f64 = 1e-11;
-    let found = RelativeEquilibria::new(body).ok().and_then(|all| Some(all.at_spin(omega).ok()?.list));
+    let found = RelativeEquilibria::new(body).ok().and_then(|all| Some(all.at_exact_spin(spin).ok()?.list));
     let axes = found.unwrap_or_default().into_iter().map(|point| point.gamma.map(|x| 0.0 - x));
     let is_other =
         |axis: &[f64; 3]| (angle_between(*axis, up) - angle).abs() < TIE && angle_between(*axis, nearest) > TIE;
     axes.filter(is_other).collect()
 }
 
-/// Ω² at which rotation with `up` pointing up is steady, where the axis is rational: then [`nearest_steady`] is exact at it.
-/// `None` too for an axis that is principal.
-#[must_use]
-pub(super) fn exact_squared_spin(body: &Body, up: &[RBig; 3]) -> Option<RBig> {
-    let Balance { left, right } = Balance::of(body, up)?;
-    let squared = inner(&left, &left);
-    if squared.is_zero() {
+/// h and l of rotation with n = `up` pointing up, if it is steady at exactly this spin and |n| and Ω² are rational; l to 60
+/// digits where Ω is not.
+fn exact_place(body: &Body, spin: &ExactSpin, up: &[RBig; 3]) -> Option<[Number; 2]> {
+    if !spin.is_steady(body, up) || &spin.squared * &spin.squared != spin.fourth {
         return None;
     }
-    let s = inner(&left, &right) / squared;
-    (s >= RBig::ZERO && (0..3).all(|k| &s * &left[k] == right[k])).then_some(s)
-}
-
-/// h and l of rotation with n = `up` pointing up, if it is steady at exactly this spin and |n| is rational.
-fn exact_place(body: &Body, omega: &RBig, up: &[RBig; 3]) -> Option<[RBig; 2]> {
-    let Balance { left, right } = Balance::of(body, up)?;
-    let s = omega * omega;
-    if (0..3).any(|k| &s * &left[k] != right[k]) {
-        return None;
-    }
-    let (length, turned) = (length(up)?, turned(body, up));
-    let l = omega * inner(up, &turned) / inner(up, up);
-    Some([omega * &l / RBig::from(2) + inner(up, &center(body)) / length, l])
-}
-
-/// Rotation with n pointing up: with γ = −n/|n|, sAγ + r is along γ where s(n × An) = |n|(n × r).
-struct Balance {
-    /// n × An.
-    left: [RBig; 3],
-    /// |n|(n × r).
-    right: [RBig; 3],
-}
-
-impl Balance {
-    /// `None` where |n| is 0 or not rational.
-    fn of(body: &Body, up: &[RBig; 3]) -> Option<Self> {
-        let length = length(up)?;
-        let right = exact_cross(up, &center(body)).map(|x| x * &length);
-        Some(Self { left: exact_cross(up, &turned(body, up)), right })
-    }
+    let (moments, center) = (body.moments(), body.center());
+    let sum = |term: &dyn Fn(usize) -> RBig| (0..3).map(term).fold(RBig::ZERO, |sum, x| sum + x);
+    let moment = sum(&|k| moments[k].value() * up[k].sqr()) / inner(up, up);
+    let height = sum(&|k| center[k].value() * &up[k]) / length(up)?;
+    let h = &spin.squared * &moment / RBig::from(2) + height;
+    Some([h, &spin.omega * moment].map(Number::from_rational))
 }
 
 /// |n|, where it is rational and not 0.
@@ -141,27 +96,12 @@ fn length(n: &[RBig; 3]) -> Option<RBig> {
     (length.is_exact() && !length.lo.is_zero()).then_some(length.lo)
 }
 
-fn turned(body: &Body, n: &[RBig; 3]) -> [RBig; 3] {
-    std::array::from_fn(|k| body.moments()[k].value() * &n[k])
-}
-
-fn center(body: &Body) -> [RBig; 3] {
-    body.center().each_ref().map(|x| x.value().clone())
-}
-
-fn exact_cross(v: &[RBig; 3], w: &[RBig; 3]) -> [RBig; 3] {
-    [0, 1, 2].map(|k| {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        &v[i] * &w[j] - &v[j] * &w[i]
-    })
-}
-
 /// All γ with (sA − ν)γ = −r for some ν; of a circle or sphere of them the one nearest to `down`.
-fn directions(body: &Body, s: &RBig, down: [f64; 3]) -> Vec<[f64; 3]> {
+fn directions(body: &Body, spin: &ExactSpin, down: [f64; 3]) -> Vec<[f64; 3]> {
     let r = body.center_f64();
     // s(A_i − A_k), each rounded from the exact one.
-    let exact = |i: usize, k: usize| s * (body.moments()[i].value() - body.moments()[k].value());
-    let apart = [0, 1, 2].map(|i| [0, 1, 2].map(|k| exact(i, k).to_f64().value()));
+    let between = |i: usize, k: usize| body.moments()[i].value() - body.moments()[k].value();
+    let apart = [0, 1, 2].map(|i| [0, 1, 2].map(|k| (&spin.squared * between(i, k)).to_f64().value()));
     let mut found: Vec<[f64; 3]> = multipliers(&apart, r)
         .into_iter()
         .map(|from_pole| normalised(std::array::from_fn(|k| if r[k] == 0.0 { 0.0 } else { r[k] / from_pole[k] })))
@@ -174,8 +114,9 @@ fn directions(body: &Body, s: &RBig, down: [f64; 3]) -> Vec<[f64; 3]> {
         }
         let fixed: [f64; 3] = std::array::from_fn(|k| if shares.contains(&k) { 0.0 } else { r[k] / apart[axis][k] });
         // Exact: where it is 0 the direction is that of an axis on which the centre of mass lies.
-        let taken = (0..3).filter(|k| !shares.contains(k)).map(|k| body.center()[k].value() / exact(axis, k));
-        let missing = (RBig::ONE - taken.fold(RBig::ZERO, |sum, x| sum + &x * &x)).to_f64().value();
+        let taken = (0..3).filter(|k| !shares.contains(k)).map(|k| body.center()[k].value() / between(axis, k));
+        let missing = &spin.fourth - taken.fold(RBig::ZERO, |sum, x| sum + x.sqr());
+        let missing = if missing.is_zero() { 0.0 } else { (missing / &spin.fourth).to_f64().value() };
         if missing < 0.0 {
             continue;
         }
@@ -244,8 +185,7 @@ mod tests {
 
     fn nearest(body: &Body, omega: f64, up: [f64; 3]) -> SteadyRotation {
         let rational = |x: f64| RBig::try_from(x).unwrap();
-        let omega = rational(omega);
-        nearest_steady(body, [&omega, &(&omega * &omega)], &up.map(rational)).unwrap()
+        nearest_steady(body, &ExactSpin::rational(rational(omega)), &up.map(rational)).unwrap()
     }
 
     /// s Aγ + r is along γ, and every relative equilibrium at the l of a steady rotation is one at its own spin.
@@ -271,8 +211,8 @@ mod tests {
                     assert!(found.angle < 1e-7, "{a:?} {r:?} {point:?} {found:?}");
                     assert_eq!(found.equilibrium.stability, point.stability, "{found:?}");
                     compared += 1;
-                    let squared = RBig::try_from(point.omega * point.omega).unwrap();
-                    for gamma in directions(&body, &squared, point.gamma) {
+                    let spin = ExactSpin::rational(RBig::try_from(point.omega).unwrap());
+                    for gamma in directions(&body, &spin, point.gamma) {
                         let force: [f64; 3] =
                             std::array::from_fn(|k| point.omega * point.omega * moments[k] * gamma[k] + center[k]);
                         let along = dot(force, gamma);
@@ -298,12 +238,16 @@ mod tests {
     fn a_rational_axis_is_judged_at_its_own_momentum() {
         let body = Body::parse(&["1", "2", "3"], &["1.2", "0.8", "0"]).unwrap();
         let up = [-3, -4, 0].map(RBig::from);
-        assert_eq!(exact_squared_spin(&body, &up), Some(RBig::ONE));
-        let found = nearest_steady(&body, [&RBig::ONE; 2], &up).unwrap();
+        let spin = ExactSpin::of_steady(&body, &up).unwrap();
+        assert_eq!(spin, ExactSpin::rational(RBig::ONE));
+        let found = nearest_steady(&body, &spin, &up).unwrap();
         let [h, l] = ["-0.54", "1.64"].map(|text| text.parse::<Number>().unwrap().value().clone());
         assert_eq!([found.place[0].value(), found.place[1].value()], [&h, &l]);
         assert!(found.is_exact && found.angle == 0.0);
         assert_eq!(found.equilibrium.stability.word(), "zero");
-        assert_eq!(exact_squared_spin(&body, &[-1, -1, 0].map(RBig::from)), None);
+        // Ω⁴ = 2 (2/5)², and no spin beside the plane of the centre of mass.
+        let fourth = |up: [i32; 3]| ExactSpin::of_steady(&body, &up.map(RBig::from)).map(|spin| spin.fourth);
+        assert_eq!(fourth([-1, -1, 0]), Some(RBig::from_parts(8.into(), 25u8.into())));
+        assert_eq!([fourth([-1, -1, 1]), fourth([1, 1, 0])], [None, None]);
     }
 }

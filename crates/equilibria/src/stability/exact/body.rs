@@ -76,12 +76,13 @@ impl ExactBody {
         &l * &l / RBig::from(2) * units
     }
 
-    /// Ω² in the units of the integers.
+    /// Ω⁴ in the units of the integers.
     #[must_use]
-    pub fn squared_spin(&self, omega: &RBig) -> RBig {
+    pub fn fourth_power_of_spin(&self, fourth: &RBig) -> RBig {
         // s' = (M/N) s.
-        let omega = omega / &self.frequency_unit;
-        &omega * &omega * RBig::from(self.unit_r.clone()) / RBig::from(self.unit_a.clone())
+        let ratio = RBig::from(self.unit_r.clone()) / RBig::from(self.unit_a.clone());
+        let unit = self.frequency_unit.sqr();
+        fourth / unit.sqr() * ratio.sqr()
     }
 
     /// A difference of multipliers in the frame's units.
@@ -180,12 +181,12 @@ impl Forms {
         slope(&self.p, &self.product)
     }
 
-    /// p − s²D²: its roots are the multipliers of the steady rotations with Ω² = s, since s² = P (Theorem 3.2 of
+    /// p − s²D²: its roots are the multipliers of the steady rotations with Ω⁴ = s², since s² = P (Theorem 3.2 of
     /// docs/mathematics.md).
     #[must_use]
-    pub fn at_spin(&self, s: &RBig) -> Polynomial {
-        let (over, under) = (s.numerator(), IBig::from(s.denominator().clone()));
-        self.p.scaled(&(&under * &under)).minus(&self.product.squared().scaled(&(over * over)))
+    pub fn at_spin(&self, fourth: &RBig) -> Polynomial {
+        let (over, under) = (fourth.numerator(), IBig::from(fourth.denominator().clone()));
+        self.p.scaled(&under).minus(&self.product.squared().scaled(over))
     }
 }
 

@@ -127,13 +127,13 @@ impl FamilyChart {
         Polynomial::from_rationals(&rational::sub(&fourth, &[RBig::ZERO, RBig::from(4) * x * x * z_max]))
     }
 
-    /// The polynomial whose roots are the steady rotations with Ω² = s.
+    /// The polynomial whose roots are the steady rotations with this Ω⁴.
     #[must_use]
-    pub fn at_spin(&self, body: &ExactBody, forms: &Forms, s: &RBig) -> Polynomial {
+    pub fn at_spin(&self, body: &ExactBody, forms: &Forms, fourth: &RBig) -> Polynomial {
         match &self.coordinate {
-            // z = 1/s²
-            Coordinate::Over { z_max, .. } => Polynomial::from_rationals(&[-RBig::ONE, s * s * z_max]),
-            coordinate => coordinate.mapped(body, &forms.at_spin(s)),
+            // z = 1/Ω⁴
+            Coordinate::Over { z_max, .. } => Polynomial::from_rationals(&[-RBig::ONE, fourth * z_max]),
+            coordinate => coordinate.mapped(body, &forms.at_spin(fourth)),
         }
     }
 

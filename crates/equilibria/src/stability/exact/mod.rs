@@ -69,11 +69,11 @@ impl StabilityProfile {
         ExactPoint::all(&self.body, chart, profile, &condition)
     }
 
-    /// The same at one spin Ω ≠ 0.
+    /// The same at one spin Ω ≠ 0, from Ω⁴.
     #[must_use]
-    pub fn points_at_spin(&self, branch: Branch, omega: &RBig) -> Option<Vec<ExactPoint>> {
+    pub fn points_at_spin(&self, branch: Branch, fourth: &RBig) -> Option<Vec<ExactPoint>> {
         let (chart, profile) = self.on(branch)?;
-        let condition = chart.at_spin(&self.body, self.forms.as_ref()?, &self.body.squared_spin(omega));
+        let condition = chart.at_spin(&self.body, self.forms.as_ref()?, &self.body.fourth_power_of_spin(fourth));
         ExactPoint::all(&self.body, chart, profile, &condition)
     }
 
