@@ -27,6 +27,8 @@ fn an_axis_of_staudes_cone_is_steady_at_one_spin() {
     let off = bifdiag(&format!("critical-spin {body} --axis 1,2,3 --json")).succeeds().json();
     assert_eq!(off["steady"], json!([]));
     bifdiag(&format!("critical-spin {body} --axis 1,2,3")).succeeds().printing("is steady at no spin");
+    let turned = bifdiag("campbell --A 1,2,2.5 --r 0,-1,0 --axis 1,1.2,0 --to 30rpm").refused();
+    turned.telling("rotation about it is steady at one spin only, with its other end up");
 }
 
 /// Equal moments make more axes principal than those of the frame; the middle between two planes of the cone is not on it.

@@ -19,7 +19,7 @@ pub struct ComparedBodyDocument {
     pub regions: usize,
     /// Number of its events.
     pub events: usize,
-    /// The largest number of relative equilibria at one l.
+    /// The largest number of relative equilibria at one l; a critical circle or sphere counts once.
     pub critical_points_max: usize,
 }
 

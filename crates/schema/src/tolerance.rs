@@ -67,9 +67,9 @@ pub struct SpinRangeDocument {
     pub rpm: [Option<f64>; 2],
     /// Types other than these that some of the sampled parts have inside.
     pub between: Vec<SpinType>,
-    /// The single input that moves the change most: with `relative` that of the nominal part, from samples, else by
-    /// bounds; `null` if there is none.
+    /// The single input that moves the change most: with `relative` that of the nominal part (the last of several), when it
+    /// alone is at either end of its tolerance, else by bounds; `null` if there is none.
     pub most: Option<String>,
-    /// How far it moves it, in rpm.
+    /// How far it moves it, in rpm; `null` where the change vanishes with it.
     pub most_rpm: Option<f64>,
 }

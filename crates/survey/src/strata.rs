@@ -80,7 +80,7 @@ impl SpecialStratum {
 }
 
 /// Bodies next to a special one that are classified.
-const BESIDE: usize = 48;
+pub const BESIDE: usize = 48;
 /// How far they are: √(|ΔA|² + |Δr|²) at most this, for A with the sum 2 and |r| = 1.
 pub const BESIDE_DISTANCE: f64 = 1e-6;
 

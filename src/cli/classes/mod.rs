@@ -8,6 +8,7 @@ use bifdiag_schema::{ClassDocument, ClassesDocument, StandingDocument};
 use bifdiag_survey::border::class_of;
 use bifdiag_survey::nearest::{NearestOptions, nearest};
 use bifdiag_survey::space::{BodySet, ReducedBody};
+use bifdiag_survey::strata::BESIDE;
 use clap::Args;
 
 use super::export::answer;
@@ -165,7 +166,10 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
                 format!("{}{share}", beside.class)
             })
             .collect();
-        report.line(format!("generic bodies beside it (at a distance of 1e-6) have the class {}", beside.join(", ")));
+        report.line(format!(
+            "{BESIDE} random generic bodies beside it (at a distance of 1e-6) have the class {}; rare classes may be missing",
+            beside.join(", ")
+        ));
     }
     if document.borders.is_empty() {
         report.line("no border of its class was found");

@@ -230,8 +230,12 @@ fn not_permanent(subject: &Subject, given: [f64; 3], families: &[SteadyFamily]) 
 /// At how many spins rotation about an axis is steady that is not permanent.
 fn steady_at(subject: &Subject, given: [f64; 3]) -> &'static str {
     match AxisKind::of(&subject.body, subject.to_principal(given)) {
-        AxisKind::AtOneSpin(axis) if axis.squared_spin != Some(0.0) => "one spin only",
-        AxisKind::AtOneSpin(_) | AxisKind::Principal | AxisKind::Other(_) => "no spin",
+        AxisKind::AtOneSpin(axis) => match axis.squared_spin {
+            Some(s) if s < 0.0 => "one spin only, with its other end up",
+            Some(0.0) => "no spin",
+            _ => "one spin only",
+        },
+        AxisKind::Principal | AxisKind::Other(_) => "no spin",
         // Which of both was not found.
         AxisKind::Permanent { .. } | AxisKind::Unknown => "one spin at most",
     }

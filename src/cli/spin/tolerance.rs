@@ -107,7 +107,8 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
     report.line(classes(tolerance));
     if !tolerance.ranges.is_empty() {
         report.line(format!(
-            "what is found inside a range, and which single input moves it most, come from {} sampled parts",
+            "what is found inside a range comes from {} sampled parts; what matters most is said of the last change of the \
+            nominal part in it",
             tolerance.sampled_parts
         ));
     }
@@ -175,7 +176,11 @@ fn table(ranges: &[SpinRangeDocument], inside: bool) -> String {
             word(range.from),
             word(range.to),
             range.most.clone().unwrap_or_else(|| "-".to_owned()),
-            range.most_rpm.map_or_else(|| "-".to_owned(), |rpm| format!("{} rpm", significant(rpm, 3))),
+            match (&range.most, range.most_rpm) {
+                (_, Some(rpm)) => format!("{} rpm", significant(rpm, 3)),
+                (Some(_), None) => "the change vanishes".to_owned(),
+                (None, None) => "-".to_owned(),
+            },
         ];
         if inside {
             let between: Vec<&str> = range.between.iter().map(|kind| kind.word()).collect();

@@ -196,6 +196,25 @@ impl AxisRotation {
         changes
     }
 
+    /// The spins Ω > 0 at which K_A, K_B and the discriminant vanish, its smaller root first; a double one is both.
+    pub(super) fn thresholds(&self) -> [Option<f64>; 4] {
+        let roots = |coefficients: &[RBig]| {
+            let polynomial = Polynomial::from_rationals(coefficients);
+            let mut roots =
+                if polynomial.is_zero() { Vec::new() } else { polynomial.positive_roots().unwrap_or_default() };
+            roots.iter_mut().for_each(|root| root.refine(120));
+            roots
+        };
+        let spin = |root: &Root| root.hi.to_f64().value().sqrt();
+        let [first, second, _] = self.polynomials().map(|stiffness| roots(&stiffness).first().map(spin));
+        let [lower, upper] = match &roots(&self.discriminant())[..] {
+            // The other root is 0.
+            [root] if root.odd => [None, Some(spin(root))],
+            found => [found.first(), found.last()].map(|root| root.map(spin)),
+        };
+        [first, second, lower, upper]
+    }
+
     /// The type at the slowest spins.
     #[must_use]
     pub fn slowest_type(&self) -> SpinType {

@@ -38,8 +38,8 @@ pub struct SpinRange {
     pub omega: [f64; 2],
     /// Types other than these two that some of the sampled parts have inside.
     pub between: Vec<SpinType>,
-    /// The input that moves what changes in the range most by itself, and how far in Ω; `None` where the nominal part changes
-    /// nowhere in it.
+    /// The input that by itself moves the change of the nominal part in the range, the last of several, most, and how far in
+    /// Ω: infinitely far where that change vanishes with it; `None` where the nominal part changes nowhere in it.
     pub most: Option<(&'static str, f64)>,
 }
 
@@ -73,7 +73,8 @@ pub fn spin_ranges(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> Vec<SpinR
         between.dedup();
         between.retain(|found| Some(*found) != range.from && Some(*found) != range.to);
         range.between = between;
-        range.most = most(&nominal, &sampled, within);
+        let last = nominal.iter().rfind(|change| within(change));
+        range.most = last.and_then(|change| most(rotation, tolerances, change));
     }
     // Where discriminant and stiffness vanish together the ends round.
     found.retain(|range| range.from != range.to || !range.between.is_empty() || range.from.is_none());
@@ -127,33 +128,28 @@ fn varied(rotation: &AxisRotation, steps: [i8; 4], tolerances: &[RBig; 4]) -> Ax
     varied
 }
 
-/// The input that by itself moves the changes in a range most. Where a part has the changes of the nominal one, the last in the
-/// range counts; else, as where the tolerance of one moment parts two that are equal, the first or the last, whichever moves
-/// farther.
-fn most(
-    nominal: &[SpinChange],
-    sampled: &[Vec<SpinChange>],
-    within: impl Fn(&SpinChange) -> bool,
-) -> Option<(&'static str, f64)> {
-    let types = |found: &[SpinChange]| found.iter().map(|c| [c.from, c.to]).collect::<Vec<_>>();
-    let ends = |found: &[SpinChange]| {
-        let inside: Vec<f64> = found.iter().filter(|change| within(change)).map(|change| change.omega).collect();
-        Some([*inside.first()?, *inside.last()?])
+/// The input that by itself moves the last of some changes of the nominal part most, and how far in Ω: infinitely far where
+/// with it the condition whose root the change is (K_A, K_B or the discriminant) has none. Of equals the first.
+fn most(rotation: &AxisRotation, tolerances: &[RBig; 4], change: &SpinChange) -> Option<(&'static str, f64)> {
+    let is_here = |omega: &f64| (omega - change.omega).abs() <= change.error_bound;
+    let held: Vec<usize> = rotation
+        .thresholds()
+        .iter()
+        .enumerate()
+        .filter(|(_, at)| at.as_ref().is_some_and(is_here))
+        .map(|(k, _)| k)
+        .collect();
+    let moved_to = |part: AxisRotation| {
+        let found = part.thresholds();
+        let moved = held.iter().map(move |&k| found[k].map_or(f64::INFINITY, |omega| (omega - change.omega).abs()));
+        moved.fold(0.0, f64::max)
     };
-    let last = nominal.iter().rposition(&within)?;
-    let from = ends(nominal)?;
     let mut most: Option<(&'static str, f64)> = None;
-    for (number, found) in sampled.iter().enumerate() {
-        let steps = steps(number);
-        let [input] = (0..4).filter(|&k| steps[k] != 0).collect::<Vec<_>>()[..] else { continue };
-        let moved = if types(found) == types(nominal) {
-            (found[last].omega - nominal[last].omega).abs()
-        } else {
-            let Some(to) = ends(found) else { continue };
-            (to[0] - from[0]).abs().max((to[1] - from[1]).abs())
-        };
-        if moved > most.map_or(0.0, |(_, far)| far) {
-            most = Some((INPUTS[input], moved));
+    for (input, name) in INPUTS.into_iter().enumerate() {
+        let alone = [-1, 1].map(|step| std::array::from_fn(|k| if k == input { step } else { 0 }));
+        let moved = alone.map(|steps| moved_to(varied(rotation, steps, tolerances))).into_iter().fold(0.0, f64::max);
+        if moved > most.map_or(change.error_bound, |(_, far)| far) {
+            most = Some((name, moved));
         }
     }
     most
@@ -292,6 +288,26 @@ mod tests {
         let [least, most] = [(0.99, 1.01), (1.01, 0.99)].map(|(more, less): (f64, f64)| nominal * more / less);
         assert!(last.omega[0] <= least && least - last.omega[0] < 0.1 * (nominal - least), "{found:?}");
         assert!(last.omega[1] >= most && last.omega[1] - most < 0.1 * (most - nominal), "{found:?}");
+    }
+
+    /// Upright about the middle axis, where a part with a larger first moment has a change that the nominal one lacks:
+    /// s = r/(A₂ − A₁), which A₁ moves to 9.409 and 9.696 rpm and A₂ to 9.275 and 9.849.
+    #[test]
+    fn a_change_is_compared_with_itself() {
+        let body = Body::parse(&["1", "2", "2.5"], &["0", "-1", "0"]).unwrap();
+        let rotation = AxisRotation::new(&body, BodyAxis::ALL[1], Sign::Positive).unwrap();
+        let (input, moved) = spin_ranges(&rotation, &alike(&percent(3)))[0].most.unwrap();
+        assert_eq!(input, INPUTS[0]);
+        assert!((moved - ((1.0_f64 / 0.94).sqrt() - 1.0)).abs() < 1e-12, "{moved}");
+    }
+
+    /// The stiffness K_B = −1 + s(C − B) of a body with C slightly above B has no root where B is above C.
+    #[test]
+    fn an_input_without_which_there_is_no_change_matters_most() {
+        let body = Body::parse(&["1", "0.5", "0.995"], &["1", "0", "0"]).unwrap();
+        let rotation = AxisRotation::new(&body, BodyAxis::ALL[0], Sign::Negative).unwrap();
+        let found = spin_ranges(&rotation, &[RBig::ZERO, RBig::ZERO, percent(1), RBig::ZERO]);
+        assert_eq!(found.last().unwrap().most, Some((INPUTS[2], f64::INFINITY)), "{found:?}");
     }
 
     /// Of a symmetric part the ends of the minimum come apart when one of the equal moments is larger: 95.493 rpm becomes 94.092.
