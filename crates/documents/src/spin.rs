@@ -124,9 +124,9 @@ fn note(subject: &Subject, tolerances: Tolerances<'_>, found: &AxisSpins) -> Opt
         let right = "give one share for all, such as 1%";
         return Some(format!("tolerances by name are for an axis that is permanent at every spin; {right}"));
     }
-    let [plus, _] = &found.beside;
+    let [plus, _] = found.beside.as_ref()?;
     if plus.is_empty() {
-        return found.has_families.then(|| NONE_NEAREST.to_owned());
+        return Some(NONE_NEAREST.to_owned());
     }
     (plus.len() > 1).then(|| {
         let listed = match tolerances {

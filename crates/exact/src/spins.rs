@@ -59,10 +59,9 @@ pub struct AxisSpins {
     pub one_spin: Option<OneSpin>,
     /// For a permanent axis: both ends.
     pub ends: Option<[EndUp; 2]>,
-    /// Of another axis: the families of steady rotations nearest to its ends at fast spins, several if they are equally near.
-    pub beside: [Vec<SteadyFamily>; 2],
-    /// Of another axis: all families are known.
-    pub has_families: bool,
+    /// For another axis: the families of steady rotations nearest to each of its ends at fast spins, several if they are
+    /// equally near, none if all become perpendicular to it; `None` where the families of the body are not all known.
+    pub beside: Option<[Vec<SteadyFamily>; 2]>,
     /// The isolated relative equilibria of the body to which Arnold's theorem does not apply; `None` where not all were found.
     pub exceptions: Option<Vec<(BranchName, VerdictChange)>>,
     /// The regions of the body are known; a permanent axis needs its neighbours.
@@ -83,8 +82,7 @@ impl AxisSpins {
             itself,
             one_spin,
             ends: None,
-            beside: [Vec::new(), Vec::new()],
-            has_families: false,
+            beside: None,
             exceptions,
             has_regions: false,
         };
@@ -94,9 +92,10 @@ impl AxisSpins {
             spins.ends = EndUp::both(body, axis, solver.atlas());
         } else {
             let families = prepared.as_ref().and_then(RelativeEquilibria::families);
-            spins.has_families = families.is_some();
-            let families = families.unwrap_or_default();
-            spins.beside = [up, up.map(|x| -x)].map(|up| fastest_along(body, &families, up));
+            let nearest = |families: Vec<SteadyFamily>| {
+                [up, up.map(|x| -x)].map(|up| fastest_along(body, &families, up))
+            };
+            spins.beside = families.map(nearest);
         }
         spins
     }
@@ -104,13 +103,13 @@ impl AxisSpins {
     /// The one family that is nearest to each end at fast spins.
     #[must_use]
     pub fn nearest(&self) -> Option<[&SteadyFamily; 2]> {
-        let [[plus], [minus]] = self.beside.each_ref().map(Vec::as_slice) else { return None };
+        let [[plus], [minus]] = self.beside.as_ref()?.each_ref().map(Vec::as_slice) else { return None };
         Some([plus, minus])
     }
 
     /// The families beside the axis, each once: of a circle of axes the other end is shown by the same.
     pub fn families(&self) -> impl Iterator<Item = &SteadyFamily> {
-        let [plus, minus] = &self.beside;
+        let [plus, minus] = self.beside.as_ref().map_or([&[][..]; 2], |both| both.each_ref().map(Vec::as_slice));
         plus.iter().chain(minus.iter().filter(|family| family.axes != Multiplicity::Circle))
     }
 }
