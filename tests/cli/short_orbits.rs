@@ -56,6 +56,18 @@ fn a_list_at_a_point_says_that_it_is_not_checked() {
     }
 }
 
+/// Close to a curve no square fits P: the list names the curve and its distance, which is the margin that `classify` finds.
+#[test]
+fn a_list_beside_a_curve_says_which_one_is_too_near() {
+    let [list, point] = ["periodic --json", "classify --no-region --json"]
+        .map(|command| bifdiag(&format!("{command} --body paper --h 1.6397 --l 3.25")).succeeds().json());
+    assert_eq!((&list["complete"], &point["margin"]["nearest"]), (&false.into(), &"G2.1".into()));
+    let margin = point["margin"]["h"].as_f64().unwrap();
+    let why = list["why"].as_str().unwrap();
+    let expected = format!("P is singular on the curve G2.1, which is {margin:.2e} away in h (choose h farther away)");
+    assert!(why.contains(&expected), "{why}\n{expected}");
+}
+
 /// A regular precession is a periodic orbit that lies in P.
 #[test]
 fn regular_precessions_are_said_to_be_left_out() {

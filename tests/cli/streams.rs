@@ -141,6 +141,37 @@ fn interrupts_end_every_command_within_a_second() {
     assert_eq!(names(place.path()), Some(vec!["s.csv.partial".to_owned()]), "what can be taken up again, and no more");
 }
 
+/// The section has to be covered for seconds here, and searched for a minute; no motion is followed in the first of these.
+#[test]
+fn a_terminal_shows_how_far_the_search_for_orbits_has_come_until_it_is_interrupted() {
+    use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
+
+    let controller = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).unwrap();
+    grantpt(&controller).unwrap();
+    unlockpt(&controller).unwrap();
+    let name = ptsname(&controller, Vec::new()).unwrap();
+    let terminal = File::options().read(true).write(true).open(name.to_str().unwrap()).unwrap();
+    let command = "periodic --body paper --h 4.645785 --l 3.25";
+    let mut child =
+        Command::new(PROGRAM).args(command.split_whitespace()).stdout(Stdio::null()).stderr(terminal).spawn().unwrap();
+    let (mut controller, mut shown) = (File::from(controller), Vec::new());
+    let is_shown = |shown: &[u8]| {
+        let text = String::from_utf8_lossy(shown);
+        text.contains(" with the rim checked") || text.contains("% of the area decided")
+    };
+    // When the program ends, and with it the last writer, reading fails.
+    let mut room = [0; 4096];
+    while !is_shown(&shown) {
+        let count = controller.read(&mut room).unwrap();
+        shown.extend_from_slice(&room[..count]);
+    }
+    let reply = Instant::now();
+    signal(&child, "-INT");
+    let status = child.wait().unwrap();
+    assert_eq!(status.code(), Some(1));
+    assert!(reply.elapsed() < Duration::from_secs(1), "{:?}", reply.elapsed());
+}
+
 /// It used to halve intervals without end.
 #[test]
 fn a_section_of_a_very_heavy_body_comes_to_its_end() {

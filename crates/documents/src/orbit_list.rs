@@ -1,8 +1,8 @@
 //! All short periodic orbits at one point, as a document.
 
 use bifdiag_body::{Body, IntegrableCase, Number};
-use bifdiag_numbers::decimal::{self, counted};
-use bifdiag_periodic::list::{CHARTS, Gap, OrbitList};
+use bifdiag_numbers::decimal::{self, counted, significant};
+use bifdiag_periodic::list::{CHARTS, Gap, NearCurve, OrbitList};
 use bifdiag_periodic::proof::OrbitProof;
 use bifdiag_schema::{Ends, OrbitEnclosureDocument, PeriodicDocument, PeriodicOrbitDocument};
 use dashu_ratio::RBig;
@@ -71,6 +71,16 @@ pub(crate) fn why(body: &Body, list: &OrbitList) -> String {
     found_or_missing(list) + in_section + "; `bifdiag verify` does not check this list"
 }
 
+/// The curve that bends P.
+fn beside(near: &NearCurve) -> String {
+    let NearCurve { curve, margin, within } = near;
+    format!(
+        ", all within {} of where P is singular on the curve {curve}, which is {} away in h (choose h farther away)",
+        significant(*within, 2),
+        significant(*margin, 3)
+    )
+}
+
 fn found_or_missing(list: &OrbitList) -> String {
     if list.gaps.is_empty() {
         let within = if list.slow == 0 {
@@ -86,16 +96,20 @@ fn found_or_missing(list: &OrbitList) -> String {
         );
     }
     let gaps = list.gaps.iter().map(|gap| match gap {
-        Gap::Cover { singular: 0 } => format!("P is not covered: more than {CHARTS} squares would be needed"),
-        Gap::Cover { singular } => {
-            format!("P is not covered: {} too sharply bent", counted(*singular, "place is", "places are"))
+        Gap::Cover { singular: 0, .. } => format!("P is not covered: more than {CHARTS} squares would be needed"),
+        Gap::Cover { singular, near } => {
+            let places = counted(*singular, "place is", "places are");
+            format!("P is not covered: {places} too sharply bent{}", near.as_ref().map_or_else(String::new, beside))
         }
-        Gap::Cells { count, gamma: [x, y, z], at_tangency } => {
+        Gap::Cells { count, spent, gamma: [x, y, z], at_tangency } => {
             let kind = if *at_tangency { " on the line of tangency" } else { "" };
-            format!(
-                "{}{kind} could not be decided, one of them at gamma = {x:.6},{y:.6},{z:.6}",
-                counted(*count, "cell", "cells")
-            )
+            let cells = counted(*count, "cell", "cells");
+            let fate = if *spent {
+                format!("were still open when the search ended after {} cells", list.effort[0])
+            } else {
+                "could not be decided".to_owned()
+            };
+            format!("{cells}{kind} {fate}, one of them at gamma = {x:.6},{y:.6},{z:.6}")
         }
         Gap::Points { count } => {
             format!("{} found at some of the crossings only", counted(*count, "orbit was", "orbits were"))

@@ -76,25 +76,15 @@ impl AxisSpins {
         let prepared = RelativeEquilibria::new(body).ok();
         let exceptions = prepared.as_ref().and_then(RelativeEquilibria::exceptions);
         let one_spin = if let AxisKind::AtOneSpin(axis) = &itself { OneSpin::of(body, axis, exact) } else { None };
-        let mut spins = Self {
-            up,
-            kind,
-            itself,
-            one_spin,
-            ends: None,
-            beside: None,
-            exceptions,
-            has_regions: false,
-        };
+        let mut spins = Self { up, kind, itself, one_spin, ends: None, beside: None, exceptions, has_regions: false };
         if let AxisKind::Permanent { axis, .. } = kind {
             let solver = Solver::new(body.clone(), Accuracy::Exact);
             spins.has_regions = solver.atlas().is_some();
             spins.ends = EndUp::both(body, axis, solver.atlas());
         } else {
             let families = prepared.as_ref().and_then(RelativeEquilibria::families);
-            let nearest = |families: Vec<SteadyFamily>| {
-                [up, up.map(|x| -x)].map(|up| fastest_along(body, &families, up))
-            };
+            let nearest =
+                |families: Vec<SteadyFamily>| [up, up.map(|x| -x)].map(|up| fastest_along(body, &families, up));
             spins.beside = families.map(nearest);
         }
         spins

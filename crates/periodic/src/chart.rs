@@ -283,10 +283,16 @@ pub struct Cover {
     pub singular: Vec<Point>,
 }
 
-/// Covers the components of P in which the seeds lie, from chart to chart; at most `most` charts, and no more once the work is
-/// stopped.
+/// Covers the components of P in which the seeds lie, from chart to chart, with at most `most` charts; stops early when the monitor
+/// says so. `watch` is called with the charts so far and how many of their rims have been checked.
 #[must_use]
-pub fn cover(surface: &Surface, seeds: &[Point], most: usize, monitor: &Monitor) -> Cover {
+pub fn cover(
+    surface: &Surface,
+    seeds: &[Point],
+    most: usize,
+    monitor: &Monitor,
+    watch: &mut dyn FnMut([usize; 2]),
+) -> Cover {
     let mut cover = Cover { charts: Vec::new(), closed: true, singular: Vec::new() };
     let mut grid = Grid::default();
     for seed in seeds {
@@ -308,6 +314,7 @@ pub fn cover(surface: &Surface, seeds: &[Point], most: usize, monitor: &Monitor)
             cover.add(surface, &mut grid, y);
         }
         next += 1;
+        watch([cover.charts.len(), next]);
     }
     cover
 }

@@ -3,7 +3,7 @@
 use bifdiag_body::{Body, Number};
 use bifdiag_dynamics::poincare::SectionSetting;
 use bifdiag_dynamics::section::Monitor;
-use bifdiag_periodic::list::{ListOptions, ListedOrbit, OrbitList, list};
+use bifdiag_periodic::list::{Gap, ListOptions, ListedOrbit, OrbitList, Stage, list, list_watched};
 use bifdiag_periodic::proof::{ProofError, prove};
 
 fn number(text: &str) -> Number {
@@ -146,4 +146,43 @@ fn a_sharply_bent_section_is_covered() {
     let list = found(&setting, 2);
     assert!(list.gaps.is_empty(), "{:?}", list.gaps);
     assert_eq!((list.orbits.len(), &list.index_sums[..]), (2, &[2][..]));
+}
+
+/// Just above the lowest energy P is so small that no square fits: the list names the curve, and how far away it is.
+#[test]
+fn a_cover_that_fails_beside_a_curve_names_it() {
+    let setting = setting(PAPER.0, PAPER.1, ["1.6397", "3.25"]);
+    let options = ListOptions { crossings: 2, cells: 1 };
+    let list = list(&setting, &options, &Monitor::default()).unwrap();
+    let near = list.gaps.iter().find_map(|gap| if let Gap::Cover { near, .. } = gap { *near } else { None }).unwrap();
+    assert_eq!(near.curve.to_string(), "G2.1");
+    assert!((near.margin - 5.9155e-7).abs() < 1e-10 && near.within < 0.01, "{near:?}");
+    let spent = list.gaps.iter().any(|gap| matches!(gap, Gap::Cells { spent: true, .. }));
+    assert!(spent, "{:?}", list.gaps);
+}
+
+/// The squares of the cover are checked one after the other, then every cell is decided, then orbits are proved.
+#[test]
+fn the_stages_of_a_list_are_reported_in_order() {
+    let setting = setting(GENERIC.0, GENERIC.1, ["0.2", "0.5"]);
+    let mut stages = Vec::new();
+    let options = ListOptions::default();
+    let list = list_watched(&setting, &options, &Monitor::default(), &mut |stage| stages.push(stage)).unwrap();
+    let is_cover = |stage: &&Stage| matches!(stage, Stage::Cover { .. });
+    let covers = stages.iter().take_while(is_cover).count();
+    let Stage::Cover { squares, checked } = stages[covers - 1] else { panic!("{:?}", stages[covers - 1]) };
+    assert_eq!((checked, checked), (squares, covers));
+    let cells = stages.iter().skip(covers).take_while(|stage| matches!(stage, Stage::Cells { .. })).count();
+    let Stage::Cells { examined, open: 0, decided } = stages[covers + cells - 1] else {
+        panic!("{:?}", stages[covers + cells - 1])
+    };
+    assert!(list.gaps.is_empty() && examined == list.effort[0] && (decided - 1.0).abs() < 1e-9, "{decided}");
+    let shares: Vec<f64> = stages
+        .iter()
+        .filter_map(|stage| if let Stage::Cells { decided, .. } = stage { Some(*decided) } else { None })
+        .collect();
+    assert!(shares.is_sorted() && shares[0] < 0.9, "{shares:?}");
+    let found = list.orbits.len();
+    let proofs: Vec<Stage> = (0..found).map(|tried| Stage::Proofs { tried, found }).collect();
+    assert_eq!(stages[covers + cells..], proofs);
 }

@@ -1,15 +1,16 @@
 //! `bifdiag periodic`: every periodic orbit with few crossings of the section at one point.
 
-use std::sync::Arc;
 use std::sync::atomic::Ordering;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use bifdiag_body::Number;
 use bifdiag_documents::Subject;
 use bifdiag_dynamics::poincare::SectionSetting;
 use bifdiag_dynamics::section::{Monitor, SectionError};
-use bifdiag_periodic::list::{ListError, ListOptions, MOST_CROSSINGS, OrbitList, list};
+use bifdiag_periodic::list::{ListError, ListOptions, MOST_CROSSINGS, OrbitList, Stage, list_watched};
 use bifdiag_schema::{PeriodicDocument, PeriodicOrbitDocument};
 use clap::Args;
+use indicatif::HumanCount;
 
 use crate::cli::export::answer;
 use crate::cli::failure::{Failure, failed};
@@ -57,13 +58,32 @@ pub fn listed(
     quiet: bool,
 ) -> Result<OrbitList, Failure> {
     let options = ListOptions { crossings, ..ListOptions::default() };
-    let progress = Progress::open("motions followed", quiet);
-    let work = || progress.watching(&monitor.orbits, || list(setting, &options, monitor));
-    timings.stage("orbits", work).map_err(|error| match error {
+    let stage = Mutex::new(None);
+    let mut watch = |now| *stage.lock().unwrap_or_else(PoisonError::into_inner) = Some(now);
+    let look = || stage.lock().unwrap_or_else(PoisonError::into_inner).map(in_words);
+    let search = || Progress::of_stages(quiet).telling(look, || list_watched(setting, &options, monitor, &mut watch));
+    timings.stage("orbits", search).map_err(|error| match error {
         ListError::Setting(error) => poincare_failure(error),
         ListError::Section(SectionError::Interrupted) => Failure::work("interrupted"),
         error => failed("the orbits could not be found")(error),
     })
+}
+
+/// A stage of the search, in words.
+fn in_words(stage: Stage) -> String {
+    let count = |number: usize| HumanCount(number as u64);
+    match stage {
+        Stage::Cover { squares, checked } => {
+            format!("covering P: {} squares, {} with the rim checked", count(squares), count(checked))
+        }
+        Stage::Cells { examined, open, decided } => {
+            // Rounded down: all of it is decided only when no cell is open.
+            let percent = (decided * 1e4).floor() / 1e2;
+            let (examined, open) = (count(examined), count(open));
+            format!("searching P: {examined} cells examined, {open} open, {percent:.2}% of the area decided")
+        }
+        Stage::Proofs { tried, found } => format!("proving the orbits found: {tried} of {found} tried"),
+    }
 }
 
 /// h and l, which have to be given; and a number of crossings that is possible.
@@ -138,4 +158,18 @@ fn table(orbits: &[PeriodicOrbitDocument]) -> Table {
 /// For people.
 pub fn yes(is: bool) -> String {
     if is { "yes" } else { "no" }.to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_is_decided_only_when_no_cell_is_open() {
+        let stage = Stage::Cells { examined: 123_456, open: 3, decided: 0.999_999 };
+        let expected = "searching P: 123,456 cells examined, 3 open, 99.99% of the area decided";
+        assert_eq!(in_words(stage), expected);
+        let expected = "covering P: 1,234 squares, 56 with the rim checked";
+        assert_eq!(in_words(Stage::Cover { squares: 1234, checked: 56 }), expected);
+    }
 }

@@ -24,7 +24,7 @@ const PERIOD: Duration = Duration::from_millis(100);
 pub struct Progress {
     /// `None` where no progress is shown.
     bar: Option<ProgressBar>,
-    /// What is counted.
+    /// What is counted; empty where the message says it.
     things: String,
     /// When the last line was written.
     last_line: Mutex<Instant>,
@@ -48,6 +48,11 @@ impl Progress {
     /// Of work whose end is not known; `things` are counted.
     pub fn open(things: &str, quiet: bool) -> Self {
         Self::styled(None, &format!("{{spinner}} {{human_pos}} {things}{{pace}}"), things, quiet)
+    }
+
+    /// Of work that goes through several stages: a message says how far it has come.
+    pub fn of_stages(quiet: bool) -> Self {
+        Self::styled(None, "{spinner} {msg}", "", quiet)
     }
 
     fn styled(total: Option<u64>, template: &str, things: &str, quiet: bool) -> Self {
@@ -100,6 +105,9 @@ impl Progress {
         let mut last_line = self.last_line.lock().unwrap_or_else(PoisonError::into_inner);
         if last_line.elapsed() > BETWEEN_LINES {
             *last_line = Instant::now();
+            if self.things.is_empty() {
+                return say(&bar.message());
+            }
             let of = bar.length().map_or_else(String::new, |total| format!(" of {total}"));
             let pace = match (bar.per_sec(), bar.length()) {
                 (0.0, _) => String::new(),
@@ -132,6 +140,19 @@ impl Progress {
             self.add(0);
         };
         self.looking(look, work)
+    }
+
+    /// Does the work while a message says how far it has come, once that is known.
+    pub fn telling<T>(&self, stage: impl Fn() -> Option<String> + Sync, work: impl FnOnce() -> T) -> T {
+        let look = || {
+            if let Some(message) = stage() {
+                self.message(message);
+                self.add(0);
+            }
+        };
+        let result = self.looking(look, work);
+        self.finish();
+        result
     }
 
     /// Does the work, calling the observer from time to time.

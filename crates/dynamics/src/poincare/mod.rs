@@ -14,7 +14,7 @@ use bifdiag_body::{Body, Number};
 use bifdiag_diagram::accessible::{AccessibleRegion, component_of};
 use bifdiag_diagram::fast::classify;
 use bifdiag_diagram::topology::Component;
-use bifdiag_diagram::topology::{Answer, Classification};
+use bifdiag_diagram::topology::{Answer, Classification, Margin};
 use bifdiag_equilibria::critical::critical;
 
 /// A body and a point (h, l) that have a section: r ≠ 0, and (h, l) is accessible and on no curve.
@@ -23,6 +23,7 @@ pub struct SectionSetting {
     body: Body,
     torus: PpTorus,
     components: Vec<Component>,
+    margin: Margin,
     region: AccessibleRegion,
     energy: Number,
     momentum: Number,
@@ -131,16 +132,24 @@ impl SectionSetting {
         if body.flags().euler {
             return Err(PoincareError::WeightlessBody);
         }
-        let components = components_at(body, [h, l], &classify(body, h, l)?)?;
+        let found = classify(body, h, l)?;
+        let components = components_at(body, [h, l], &found)?;
         let torus = PpTorus::new(&HeavyTop::new(body))?;
         let region = AccessibleRegion::new(body, h.to_f64(), l.to_f64())?;
-        Ok(Self { body: body.clone(), torus, components, region, energy: h.clone(), momentum: l.clone() })
+        let (margin, energy, momentum) = (found.margin, h.clone(), l.clone());
+        Ok(Self { body: body.clone(), torus, components, margin, region, energy, momentum })
     }
 
     /// The body.
     #[must_use]
     pub fn body(&self) -> &Body {
         &self.body
+    }
+
+    /// The distance in h to the nearest curve.
+    #[must_use]
+    pub fn margin(&self) -> &Margin {
+        &self.margin
     }
 
     /// The PP-torus.

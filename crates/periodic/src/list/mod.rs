@@ -6,6 +6,8 @@ pub mod search;
 
 mod curves;
 mod group;
+mod near;
+mod stage;
 
 use bifdiag_dynamics::field::HeavyTop;
 use bifdiag_dynamics::poincare::{PoincareError, SectionSetting};
@@ -16,6 +18,9 @@ use crate::chart::{Cover, Surface, cover};
 use crate::orbit::{OrbitError, PeriodicOrbit};
 use crate::proof::{OrbitProof, ProofError, prove};
 use crate::section_map::SectionMap;
+pub use near::NearCurve;
+pub use stage::Stage;
+
 use search::{Found, OpenCell, SearchOptions, search};
 
 /// What to look for, and how hard.
@@ -52,13 +57,17 @@ pub struct ListedOrbit {
 pub enum Gap {
     /// The cover of P has a rim.
     Cover {
-        /// Points at which no chart was possible.
+        /// Points at which no chart was possible; if there are none, too many squares would be needed.
         singular: usize,
+        /// The curve that bends P there, if one is near.
+        near: Option<NearCurve>,
     },
     /// Cells that could not be decided.
     Cells {
         /// How many.
         count: usize,
+        /// The search ended because [`ListOptions::cells`] were examined.
+        spent: bool,
         /// The direction γ of one of them.
         gamma: [f64; 3],
         /// They all meet the line of tangency.
@@ -118,25 +127,40 @@ const SWINGS: f64 = 100.0;
 /// # Errors
 /// [`ListError`].
 pub fn list(setting: &SectionSetting, options: &ListOptions, monitor: &Monitor) -> Result<OrbitList, ListError> {
+    list_watched(setting, options, monitor, &mut |_| {})
+}
+
+/// The same; `watch` is called as the work goes on.
+///
+/// # Errors
+/// [`ListError`].
+pub fn list_watched(
+    setting: &SectionSetting,
+    options: &ListOptions,
+    monitor: &Monitor,
+    watch: &mut dyn FnMut(Stage),
+) -> Result<OrbitList, ListError> {
     let top = setting.torus().top();
     let surface = Surface::new(top, setting.h(), setting.l());
     let mut seeds = Vec::with_capacity(SEEDS);
     for start in setting.spread_watched(SEEDS, 0, monitor)? {
         seeds.push(surface.point(&setting.state(start)?));
     }
-    let cover = cover(&surface, &seeds, CHARTS, monitor);
+    let mut covered = |[squares, checked]: [usize; 2]| watch(Stage::Cover { squares, checked });
+    let cover = cover(&surface, &seeds, CHARTS, monitor, &mut covered);
     let longest = longest(top);
     let map = SectionMap::new(&surface, setting.torus(), longest, monitor);
     let turns = (options.crossings.min(MOST_CROSSINGS) / 2) as usize;
     let search_options = SearchOptions { turns, levels: LEVELS, cells: options.cells };
-    let found = search(&map, &cover, &search_options)?;
-    let mut gaps = gaps(&cover, &found);
+    let found = search(&map, &cover, &search_options, watch)?;
+    let mut gaps = gaps(setting, &surface, &cover, &found);
     let grouped = group::orbits(&map, &found.points, turns)?;
     if grouped.incomplete > 0 {
         gaps.push(Gap::Points { count: grouped.incomplete });
     }
     let mut orbits = Vec::with_capacity(grouped.cycles.len());
-    for cycle in &grouped.cycles {
+    for (tried, cycle) in grouped.cycles.iter().enumerate() {
+        watch(Stage::Proofs { tried, found: grouped.cycles.len() });
         let state = surface.state(&cycle.start);
         // Of an orbit with several maxima the description takes one, the list the highest, at which it is proved.
         let orbit = PeriodicOrbit { start: state, ..PeriodicOrbit::new(top, &state, cycle.period)? };
@@ -166,14 +190,16 @@ pub(crate) fn longest(top: &HeavyTop) -> f64 {
     SWINGS * std::f64::consts::TAU * (largest / top.center_norm()).sqrt()
 }
 
-fn gaps(cover: &Cover, found: &Found) -> Vec<Gap> {
+fn gaps(setting: &SectionSetting, surface: &Surface, cover: &Cover, found: &Found) -> Vec<Gap> {
     let mut gaps = Vec::new();
     if !cover.closed {
-        gaps.push(Gap::Cover { singular: cover.singular.len() });
+        let near = NearCurve::of(setting, surface, &cover.singular);
+        gaps.push(Gap::Cover { singular: cover.singular.len(), near });
     }
     if let Some(OpenCell { middle, .. }) = found.open.first() {
         let at_tangency = found.open.iter().all(|cell| cell.at_tangency);
-        gaps.push(Gap::Cells { count: found.open.len(), gamma: [middle[0], middle[1], middle[2]], at_tangency });
+        let gamma = [middle[0], middle[1], middle[2]];
+        gaps.push(Gap::Cells { count: found.open.len(), spent: found.spent, gamma, at_tangency });
     }
     gaps
 }

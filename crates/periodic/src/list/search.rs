@@ -5,6 +5,7 @@ use nalgebra::Vector2;
 
 use super::cell::{Cell, REACH, Samples, Verdict, judge};
 use super::newton::{FixedPoint, Guess, newton};
+use super::stage::Stage;
 use crate::chart::{BEYOND, Chart, Cover};
 use crate::flow::Phase as Point;
 use crate::section_map::{BothWays, SectionMap};
@@ -51,6 +52,8 @@ pub struct Found {
     pub on_curves: Vec<OnCurve>,
     /// What is left.
     pub open: Vec<OpenCell>,
+    /// It is left because no more cells may be examined.
+    pub spent: bool,
     /// Cells that were looked at.
     pub cells: usize,
     /// Motions that were followed.
@@ -76,11 +79,16 @@ const BATCH: usize = 4096;
 /// |det(DRᵐ − 1)| below this part of its square norm: 1 is a double multiplier.
 const PARABOLIC: f64 = 3e-5;
 
-/// Searches a cover.
+/// Searches a cover; `watch` is called as the work goes on.
 ///
 /// # Errors
 /// Those of [`SectionMap::images`].
-pub fn search(map: &SectionMap<'_>, cover: &Cover, options: &SearchOptions) -> Result<Found, SectionError> {
+pub fn search(
+    map: &SectionMap<'_>,
+    cover: &Cover,
+    options: &SearchOptions,
+    watch: &mut dyn FnMut(Stage),
+) -> Result<Found, SectionError> {
     let all = (1 << options.turns) - 1;
     let mut found = Found::default();
     let mut level: Vec<Cell> = Vec::new();
@@ -91,22 +99,35 @@ pub fn search(map: &SectionMap<'_>, cover: &Cover, options: &SearchOptions) -> R
             level.push(Cell { chart, at, half, open: all });
         }
     }
+    let whole = area(&level);
+    let mut undecided_area = whole;
     for depth in 0..=options.levels + FURTHER {
         let mut left = Vec::new();
+        let mut to_examine = level.len();
         for batch in level.chunks(BATCH) {
             let undecided = look(map, cover, options, batch, depth, &mut found)?;
+            undecided_area += area(undecided.iter().map(|(cell, ..)| cell)) - area(batch);
             left.extend(
                 undecided.into_iter().map(|(cell, open, samples)| (cell, open_cell(cover, &cell, open, samples))),
             );
+            to_examine -= batch.len();
+            let decided = 1.0 - (undecided_area / whole).clamp(0.0, 1.0);
+            watch(Stage::Cells { examined: found.cells, open: to_examine + left.len(), decided });
         }
         let is_deep = depth >= options.levels && (left.len() > FEW || depth == options.levels + FURTHER);
-        if is_deep || found.cells + 4 * left.len() > options.cells {
+        found.spent = !is_deep && found.cells + 4 * left.len() > options.cells;
+        if is_deep || found.spent {
             found.open = left.into_iter().map(|(_, open)| open).collect();
             break;
         }
         level = left.iter().flat_map(|(cell, open)| cell.parts(open.turns)).collect();
     }
     Ok(found)
+}
+
+/// The area of cells, in the tangent planes.
+fn area<'a>(cells: impl IntoIterator<Item = &'a Cell>) -> f64 {
+    cells.into_iter().map(|cell| 4.0 * cell.half * cell.half).sum()
 }
 
 fn open_cell(cover: &Cover, cell: &Cell, turns: u32, samples: Option<Samples>) -> OpenCell {
