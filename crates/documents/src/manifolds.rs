@@ -32,7 +32,8 @@ pub fn manifolds(
         let orbits = counted(found.left_out.len(), "orbit", "orbits");
         let sizes = found.left_out.iter().filter_map(|place| list.orbits.get(*place));
         let sizes: Vec<String> = sizes.map(|listed| format!("{:.6}", listed.orbit.multipliers[0][0])).collect();
-        missing.push(format!("the manifolds of {orbits} were not followed, of multiplier {}", sizes.join(", ")));
+        let multipliers = if sizes.len() == 1 { "multiplier" } else { "multipliers" };
+        missing.push(format!("the manifolds of {orbits} were not followed ({multipliers} {})", sizes.join(", ")));
     }
     let of_list = why(body, list);
     ManifoldsDocument {
@@ -65,8 +66,8 @@ pub fn equilibrium_manifolds(
     let command = subject.command("periodic manifolds").option("from", curve).option("l", l.text());
     let missing = missing(found);
     let what = if found.manifolds.iter().all(|manifold| manifold.are_motions) {
-        "motions that agree in all points to 10⁻¹⁰ are the same, or part by less, as they may where the body is not integrable and \
-         turns many times while it leaves"
+        "motions that agree at all points to 10⁻¹⁰ are the same, or differ by less, as they may where the body is not integrable \
+         and turns many times while it leaves"
     } else {
         "crossings of these curves outside 10⁻³ of the equilibria, but for pairs between neighbouring points, which are 0.02 apart \
          at most; longer curves have more"

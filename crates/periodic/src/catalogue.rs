@@ -1,4 +1,4 @@
-//! All families of a body: from every equilibrium with an imaginary pair, at one l or one h after the other.
+//! All families of a body: from every equilibrium with an imaginary pair, at one value of l or h after another.
 
 use bifdiag_body::{Body, Number};
 use bifdiag_dynamics::field::HeavyTop;
@@ -20,30 +20,30 @@ pub struct Catalogue<'a> {
     known: RelativeEquilibria<'a>,
 }
 
-/// Why the equilibria of a body are not known.
+/// Why the equilibria of a body could not be found.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum CatalogueError {
-    /// The curves of critical values are not.
+    /// The curves of critical values could not be computed.
     #[error(transparent)]
     Curves(#[from] EquilibriaError),
-    /// Those at an l are not.
+    /// The equilibria at one l could not be computed.
     #[error(transparent)]
     Critical(#[from] CriticalError),
 }
 
-/// Which orbits of a family are wanted.
+/// A filter for the orbits of a family.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wanted {
-    /// Only those that are linearly stable, with multipliers on the unit circle beside 1 and −1.
+    /// Only linearly stable orbits: multipliers on the unit circle other than 1 and −1.
     pub stable: bool,
-    /// Only those with a period between these, both included.
+    /// Only orbits with a period between these two, inclusive.
     pub period: Option<[f64; 2]>,
-    /// Only those that cross P at most so many times in a period.
+    /// Only orbits that cross P at most this many times in a period.
     pub crossings: Option<u32>,
 }
 
 impl Wanted {
-    /// An orbit is one of them.
+    /// Whether an orbit passes the filter.
     #[must_use]
     pub fn holds(&self, orbit: &PeriodicOrbit) -> bool {
         let stable = !self.stable || orbit.stability == OrbitStability::Elliptic;
@@ -52,13 +52,14 @@ impl Wanted {
     }
 }
 
-/// Beyond the last change of the equilibria, in parts of its l.
+/// The momentum taken beyond the last change of the equilibria, in units of the l of that change.
 const BEYOND: f64 = 1.25;
-/// Changes of l closer than this part of the last one are one: between them no family has room.
+/// Changes closer together than this, relative to the l of the last one, count as one: too close for a momentum between
+/// them.
 const TOGETHER: f64 = 1e-6;
 
 impl<'a> Catalogue<'a> {
-    /// Of a body.
+    /// For a body.
     ///
     /// # Errors
     /// [`CatalogueError`].
@@ -74,7 +75,7 @@ impl<'a> Catalogue<'a> {
         critical.map(|(id, _)| CurveName::of(&self.set, id)).collect()
     }
 
-    /// One momentum of each kind: 0, and short decimals between any two momenta at which equilibria appear, vanish or change
+    /// One momentum of each kind: 0, and a short decimal between any two at which equilibria appear, vanish or change
     /// their linear type, and beyond the last.
     #[must_use]
     pub fn momenta(&self) -> Vec<Number> {
@@ -94,7 +95,8 @@ impl<'a> Catalogue<'a> {
         momenta
     }
 
-    /// The equilibria at this l, or those of this energy, one for each curve that has it; of one curve, if it is named.
+    /// The equilibria at this l, or at this energy, one for each curve that reaches it; only those of `curve`, if it is
+    /// given.
     ///
     /// # Errors
     /// [`CatalogueError`].
@@ -117,7 +119,7 @@ impl<'a> Catalogue<'a> {
         Ok(found)
     }
 
-    /// The momentum of every curve at an energy.
+    /// The momentum at which each curve has this energy.
     fn momenta_of(&self, energy: f64) -> Vec<(Number, Option<CurveName>)> {
         let frame = &self.set.frame;
         let h = energy / frame.energy_unit;
@@ -148,8 +150,8 @@ impl<'a> Catalogue<'a> {
         at.collect()
     }
 
-    /// The families of the imaginary pairs of an equilibrium of the body, the faster first: those of
-    /// [`families`](crate::family::families).
+    /// The families of the imaginary pairs of an equilibrium of the body, the faster first, as
+    /// [`families`](crate::family::families) finds them.
     ///
     /// # Errors
     /// [`FamilyError`].
@@ -158,7 +160,7 @@ impl<'a> Catalogue<'a> {
     }
 }
 
-/// The decimal of fewest digits in the middle half between two numbers.
+/// The decimal with the fewest digits in the middle half of an interval.
 fn short_decimal(from: f64, to: f64) -> Option<Number> {
     let (least, most) = (0.75 * from + 0.25 * to, 0.25 * from + 0.75 * to);
     let middle = 0.5 * (from + to);

@@ -1,18 +1,20 @@
-//! How the nodes of a ring move together: the derivatives of the flow from node to node, as parts in the frames of the nodes.
+//! How the nodes of a ring move together: the derivatives of the flow from node to node, in components along the nodes'
+//! frames.
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::flow::Parts;
 
-/// A move of the first node: across, across and beyond, and of the period as a part of the period.
+/// A move of the first node: its two components across the orbit and the one beyond, and the relative change of the
+/// period.
 pub type Move = SVector<f64, 4>;
 
-/// How the parts of a move are carried from one node to another.
+/// How the components of a move are carried from one node to another.
 #[derive(Clone, Copy, Debug)]
 pub struct Link {
-    /// What becomes of those of the first one.
+    /// What becomes of the components at the first node.
     pub tangent: SMatrix<f64, 4, 4>,
-    /// What a longer period adds.
+    /// What a relative change of the period adds.
     pub of_period: Parts,
 }
 
@@ -30,19 +32,19 @@ impl Link {
         Self { tangent: SMatrix::identity(), of_period: Parts::zeros() }
     }
 
-    /// This one after another one.
+    /// This link after another.
     fn after(&self, first: &Self) -> Self {
         Self { tangent: self.tangent * first.tangent, of_period: self.tangent * first.of_period + self.of_period }
     }
 
-    /// What becomes of a move of the first node, which does not move along.
+    /// What becomes of a move of the first node, which has no component along the orbit.
     fn parts(&self, first: &Move) -> Parts {
         self.tangent * Parts::new(first[0], first[1], first[2], 0.0) + self.of_period * first[3]
     }
 }
 
 impl Chain {
-    /// Of the links from each node to the next.
+    /// From the links between each node and the next.
     #[must_use]
     pub fn new(links: Vec<Link>) -> Self {
         let mut carried = Vec::with_capacity(links.len() + 1);
@@ -55,7 +57,7 @@ impl Chain {
         Self { links, carried }
     }
 
-    /// What is to be expected beyond this chain, coming from another one, so many times as far as they are apart.
+    /// Extrapolates from another chain through this one and beyond it by `share` of their distance.
     #[must_use]
     pub fn beyond(&self, before: &Self, share: f64) -> Self {
         let pairs = self.links.iter().zip(&before.links);
@@ -66,19 +68,19 @@ impl Chain {
         Self::new(links.collect())
     }
 
-    /// The same chain from another node on.
+    /// The same chain, starting at another node.
     #[must_use]
     pub fn turned(mut self, by: usize) -> Self {
         self.links.rotate_left(by);
         Self::new(self.links)
     }
 
-    /// The parts that the nodes move by, if the first one makes a move.
+    /// The moves of all nodes that follow from a move of the first.
     pub fn moved(&self, first: Move) -> impl Iterator<Item = Parts> {
         self.carried[..self.links.len()].iter().map(move |link| link.parts(&first))
     }
 
-    /// What becomes of defects at the ends of the links: their parts at each node, and once around.
+    /// The accumulated defects of the links: their components at each node, and after one turn.
     #[must_use]
     pub fn carry(&self, defects: &[Parts]) -> Vec<Parts> {
         let mut last = Parts::zeros();
@@ -90,8 +92,9 @@ impl Chain {
         carried
     }
 
-    /// The move that closes the ring across and along, given what defects have become once around, and satisfies one condition
-    /// more; it is closed beyond since h and l do not change. `None` if there is no such move, or more than one.
+    /// The move that closes the ring across and along, given the defect after one turn, and satisfies one more
+    /// condition. Beyond, the ring is closed already, since h and l do not change. `None` if there is no such move, or
+    /// more than one.
     #[must_use]
     pub fn closing(&self, defect: &Parts, (condition, value): (&Move, f64)) -> Option<Move> {
         let around = &self.carried[self.links.len()];
@@ -107,7 +110,7 @@ impl Chain {
         }
         matrix.set_row(3, &condition.transpose());
         right[3] = value;
-        // Of a very unstable orbit the determinant is lost to rounding, and anything of its size will do but 0.
+        // For a very unstable orbit the determinant is lost to rounding, and any nonzero number of its size will do.
         matrix.lu().solve(&right).or_else(|| {
             matrix[(0, 0)] *= 1.0 + f64::EPSILON;
             matrix.lu().solve(&right)
@@ -120,8 +123,8 @@ impl Chain {
         self.links.iter().map(|link| link.tangent.norm()).fold(0.0, f64::max)
     }
 
-    /// The reduced derivative of the return to the first node, and the product of the determinants from node to node, which is 1
-    /// but for rounding.
+    /// The reduced derivative of the return to the first node, and the product of the determinants from node to node,
+    /// which is 1 up to rounding.
     #[must_use]
     pub fn reduced(&self) -> Reduced {
         let mut product = SMatrix::<f64, 2, 2>::identity();
@@ -138,9 +141,9 @@ impl Chain {
 /// The derivative of the return of an orbit, across it.
 #[derive(Clone, Copy, Debug)]
 pub struct Reduced {
-    /// In the directions across at the first node.
+    /// In the two directions across at the first node.
     pub matrix: SMatrix<f64, 2, 2>,
-    /// Its determinant, without the cancellation of large entries.
+    /// Its determinant, computed without cancellation of large entries.
     pub determinant: f64,
 }
 
@@ -151,7 +154,7 @@ impl Reduced {
         self.matrix.trace()
     }
 
-    /// The multipliers, [re, im]: on the unit circle, or the larger first.
+    /// The multipliers, [re, im]: a conjugate pair on the unit circle, or two real ones, the larger first.
     #[must_use]
     pub fn multipliers(&self) -> [[f64; 2]; 2] {
         let (half, product) = (0.5 * self.trace(), self.determinant);

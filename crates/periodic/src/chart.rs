@@ -1,8 +1,9 @@
 //! The section P at one (h, l) as a surface in ℝ⁶: charts by its tangent planes, and a cover by them.
 //!
-//! Coordinates are y = (γ, l/L), L a unit of momentum that no |l| on the energy surface exceeds. P is where |γ| = 1, ⟨γ,l⟩ = l, H = h and S = 0; at
-//! regular (h, l) the four gradients are independent (Theorem 10.6 of docs/mathematics.md), so that P is a graph over each
-//! of its tangent planes, on the boundary of the accessible region and over the poles as anywhere else.
+//! Coordinates are y = (γ, l/L), where no |l| on the energy surface exceeds the unit L. P is where |γ| = 1, ⟨γ,l⟩ = l,
+//! H = h and S = 0. At regular (h, l) the four gradients are independent (Theorem 10.6 of docs/mathematics.md), so that
+//! P is locally a graph over each of its tangent planes, on the boundary of the accessible region and over the poles as
+//! anywhere else.
 
 use std::collections::HashMap;
 
@@ -20,12 +21,12 @@ pub struct Surface {
     /// In units of the reduced top, as all below.
     h: f64,
     l: f64,
-    /// |S| that counts as large.
+    /// The unit of S.
     section: f64,
 }
 
 impl Surface {
-    /// Of a top with weight; (h, l) accessible and on no curve.
+    /// For a top with weight, at an accessible (h, l) on no curve.
     #[must_use]
     pub fn new(top: &HeavyTop, h: f64, l: f64) -> Self {
         let units = top.units();
@@ -40,7 +41,7 @@ impl Surface {
         &self.top
     }
 
-    /// The section at −l: motions go back there.
+    /// The section at −l, where motions run backward.
     #[must_use]
     pub fn reversed(&self) -> Self {
         Self { l: -self.l, ..*self }
@@ -52,9 +53,9 @@ impl Surface {
         &self.space
     }
 
-    /// No motion here has a shorter period than this, in the top's own time: 2π/Λ, Λ a Lipschitz constant of the field
-    /// (J. A. Yorke, Proc. Amer. Math. Soc. 22 (1969) 509–512). With |γ| ≤ 1, |l| ≤ L and ½⟨ω,Aω⟩ ≤ h + |r| it is at most
-    /// |ω| + 2L/A_min + |r|/L.
+    /// A lower bound for the period of any motion here, in the top's own time: 2π/Λ, Λ a Lipschitz constant of the
+    /// field (J. A. Yorke, Proc. Amer. Math. Soc. 22 (1969) 509–512). With |γ| ≤ 1, |l| ≤ L and ½⟨ω,Aω⟩ ≤ h + |r| it is
+    /// at most |ω| + 2L/A_min + |r|/L.
     #[must_use]
     pub fn shortest_period(&self) -> f64 {
         let least = self.space.top.moments().into_iter().fold(f64::INFINITY, f64::min);
@@ -82,7 +83,7 @@ impl Surface {
         self.space.state(y).restored(self.top.units())
     }
 
-    /// The four equations, each in its own unit.
+    /// The residuals of the four equations, each in its own unit.
     fn residual(&self, y: &Point) -> Vector4<f64> {
         let (state, top) = (self.space.state(y), &self.space.top);
         Vector4::new(
@@ -119,14 +120,14 @@ impl Surface {
         normal.dot(&field) / (normal.norm() * field.norm()).max(f64::MIN_POSITIVE)
     }
 
-    /// A direction at a point of P, moved along the motion until it lies in P; of length 1.
+    /// A direction at a point of P, projected along the motion into P; of length 1.
     #[must_use]
     pub fn along_the_section(&self, y: &Point, direction: &Point) -> Point {
         let (normal, field) = (self.gradients(y).column(3).into_owned(), self.space.field(y));
         (direction - field * (normal.dot(direction) / normal.dot(&field))).normalize()
     }
 
-    /// An orthonormal basis of the tangent plane, the last two, and of what is orthogonal to it; `None` at a singular point.
+    /// An orthonormal basis: four vectors normal to P, then two tangent to it; `None` at a singular point.
     fn basis(&self, y: &Point) -> Option<[Point; 6]> {
         let gradients = self.gradients(y);
         let mut basis: Vec<Point> = Vec::with_capacity(6);
@@ -157,7 +158,7 @@ pub struct Chart {
     pub center: Point,
     /// An orthonormal basis of the tangent plane.
     pub across: [Point; 2],
-    /// Of what is orthogonal to it.
+    /// An orthonormal basis of the normal space.
     normal: SMatrix<f64, 6, 4>,
     /// Half a side of the square.
     pub radius: f64,
@@ -165,15 +166,16 @@ pub struct Chart {
 
 /// Steps of Newton's method onto the surface.
 const STEPS: usize = 12;
-/// How far P may be from the tangent plane over a square, as a part of its half side.
+/// How far P may be from the tangent plane over a square, in units of half its side.
 const BEND: f64 = 0.3;
-/// The samples of cells reach beyond the square, up to this part of it.
+/// The samples of cells reach beyond the square, up to this multiple of it.
 pub const BEYOND: f64 = 1.125;
-/// Halvings of a square before a point counts as singular.
+/// How often a square is halved before its centre counts as singular.
 const HALVINGS: usize = 12;
 
 impl Chart {
-    /// About a point of P; `radius` is halved until P is a flat graph over the square. `None` near a singular point.
+    /// About a point of P; `radius` is halved until P is a nearly flat graph over the square. `None` near a singular
+    /// point.
     #[must_use]
     pub fn new(surface: &Surface, center: Point, radius: f64) -> Option<Self> {
         let basis = surface.basis(&center)?;
@@ -192,7 +194,7 @@ impl Chart {
         self.rim(BEYOND).all(|at| self.place(surface, at).is_some_and(|y| self.height(&y) < BEND * self.radius))
     }
 
-    /// Places along the rim of a square, in parts of this one.
+    /// Points along the rim of this square, scaled by `part`.
     fn rim(&self, part: f64) -> impl Iterator<Item = [f64; 2]> {
         let side = part * self.radius;
         (-RIM..RIM).flat_map(move |k| {
@@ -236,7 +238,7 @@ impl Chart {
         None
     }
 
-    /// Whether a point of P is in the square, or in a smaller one.
+    /// Whether a point of P lies over the square scaled by `part`.
     #[must_use]
     pub fn holds(&self, y: &Point, part: f64) -> bool {
         let [u, v] = self.coordinates(y);
@@ -244,12 +246,12 @@ impl Chart {
     }
 }
 
-/// What of unit vector i is orthogonal to a basis, squared.
+/// The squared length of the part of the i-th unit vector that is orthogonal to a basis.
 fn left(basis: &[Point], i: usize) -> f64 {
     1.0 - basis.iter().map(|e| e[i] * e[i]).sum::<f64>()
 }
 
-/// The part of a unit vector that is orthogonal to a basis, of length 1.
+/// The part of a unit vector that is orthogonal to a basis, scaled to length 1.
 fn orthogonal_to(basis: &[Point], mut v: Point) -> Option<Point> {
     for _ in 0..2 {
         for e in basis {
@@ -266,9 +268,9 @@ fn orthogonal_to(basis: &[Point], mut v: Point) -> Option<Point> {
 
 /// The largest half side of a square.
 pub const RADIUS: f64 = 0.12;
-/// Points of each side of a square that have to lie in others.
+/// Half the number of points on each side of a square that must lie in others.
 const RIM: i32 = 4;
-/// The part of a square in which they have to lie.
+/// The inner part of a square in which they must lie.
 const INNER: f64 = 0.9;
 
 /// A cover of P.
@@ -276,15 +278,16 @@ const INNER: f64 = 0.9;
 pub struct Cover {
     /// The charts.
     pub charts: Vec<Chart>,
-    /// Every point of the rim of each square lies well within another one, as far as it was tried: the squares have no rim
-    /// together, and cover every component that has a seed.
+    /// Every point tested on the rim of a square lies well within another square: together the squares have no rim, and
+    /// cover every component that has a seed.
     pub closed: bool,
-    /// Where that could not be reached; if it was nowhere and the cover is not closed, there would be too many squares.
+    /// Where no square is small enough. If there is no such place and the cover is not closed, it would need too many
+    /// squares.
     pub singular: Vec<Point>,
 }
 
-/// Covers the components of P in which the seeds lie, from chart to chart, with at most `most` charts; stops early when the monitor
-/// says so. `watch` is called with the charts so far and how many of their rims have been checked.
+/// Covers the components of P in which the seeds lie, from chart to chart, with at most `most` charts; stops early when
+/// the monitor says so. `watch` is called with the charts so far and how many of their rims have been checked.
 #[must_use]
 pub fn cover(
     surface: &Surface,
@@ -319,10 +322,10 @@ pub fn cover(
     cover
 }
 
-/// Where charts of each size are: near a singular point there are many small ones, and few of each size.
+/// Finds charts by place and size: near a singular point there are many small ones, but few of each size.
 #[derive(Default)]
 struct Grid {
-    /// For squares of half a side RADIUS/2ⁿ, those by place.
+    /// For each half side RADIUS/2ⁿ, the squares by place.
     sizes: Vec<HashMap<[i32; 3], Vec<usize>>>,
 }
 
@@ -345,7 +348,7 @@ impl Grid {
         self.sizes[size].entry(Self::place(&chart.center, chart.radius)).or_default().push(number);
     }
 
-    /// The charts that may hold a point.
+    /// The charts that may contain a point.
     fn near(&self, y: &Point) -> impl Iterator<Item = usize> {
         let mut radius = 2.0 * RADIUS;
         self.sizes.iter().flat_map(move |charts| {
@@ -358,7 +361,7 @@ impl Grid {
 }
 
 impl Cover {
-    /// A chart about a point, unless one holds it.
+    /// Adds a chart about a point, unless one contains it already.
     fn add(&mut self, surface: &Surface, grid: &mut Grid, y: Point) {
         if grid.near(&y).any(|chart| self.charts[chart].holds(&y, INNER)) {
             return;

@@ -1,4 +1,4 @@
-//! The flow with its derivative as vectors and matrices, and what it leaves across an orbit.
+//! The flow and its derivative as vectors and matrices, and the frames in which they act across an orbit.
 
 use bifdiag_dynamics::field::{HeavyTop, State, cross};
 use bifdiag_dynamics::integrator::{StepError, TaylorStep, transport};
@@ -10,7 +10,7 @@ pub type Phase = SVector<f64, 6>;
 /// The derivative of a map of phase space.
 pub type Tangent = SMatrix<f64, 6, 6>;
 
-/// Phase space with a unit of momentum, in which γ and l are of one size: lengths and right angles are meant in it.
+/// Phase space with a unit of momentum that makes γ and l comparable: lengths and angles refer to it.
 #[derive(Clone, Copy, Debug)]
 pub struct Space {
     /// The top, in its own units.
@@ -19,7 +19,7 @@ pub struct Space {
     pub unit: f64,
 }
 
-/// What all points of an orbit have in common, beside |γ| = 1, and all orbits of a family.
+/// The integral that all points of an orbit, and all orbits of a family, have in common, besides |γ| = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Level {
     /// ⟨γ,l⟩ in units of the space.
@@ -28,10 +28,10 @@ pub enum Level {
     Energy(f64),
 }
 
-/// Where the flow takes a node in a time.
+/// Where the flow takes a node in a given time.
 #[derive(Clone, Debug)]
 pub struct Passage {
-    /// The point there.
+    /// The end point.
     pub end: Phase,
     /// The derivative in the first three directions of the node's frame.
     pub moved: [Phase; 3],
@@ -40,7 +40,7 @@ pub struct Passage {
 }
 
 impl Space {
-    /// With √(2A_max(|h| + |r|)) as unit of l: no |l| is larger at this energy.
+    /// With the unit √(2A_max(|h| + |r|)) of l, which no |l| at this energy exceeds.
     #[must_use]
     pub fn new(top: &HeavyTop, h: f64) -> Self {
         let top = top.reduced();
@@ -95,7 +95,7 @@ impl Space {
         }))
     }
 
-    /// Where the flow takes points in a time ≥ 0.
+    /// Where the flow takes points in a given time ≥ 0.
     ///
     /// # Errors
     /// [`StepError`] where a motion leaves the range of `f64`.
@@ -104,7 +104,7 @@ impl Space {
         Ok(transport(&self.top, &starts, time)?.iter().map(|found| self.point(&found.end)).collect())
     }
 
-    /// The same, with the derivatives in the directions of their frames.
+    /// The same, with the derivatives in the directions of the points' frames.
     ///
     /// # Errors
     /// [`StepError`] where a motion leaves the range of `f64`.
@@ -119,7 +119,8 @@ impl Space {
         Ok(passages.collect())
     }
 
-    /// The gradients of ⟨γ,γ⟩/2, of what is kept and of what is not: of ⟨γ,l⟩ in units of the space, and H.
+    /// The gradients of ⟨γ,γ⟩/2, of the integral that the level fixes and of the other one, ⟨γ,l⟩ being in units of the
+    /// space.
     fn gradients_at(&self, x: &Phase, level: Level) -> [Phase; 3] {
         let [sphere, momentum, energy] = self.gradients(x);
         let momentum = momentum / self.unit;
@@ -138,7 +139,7 @@ impl Space {
         }
     }
 
-    /// The point beside a point with |γ| = 1 and on the level.
+    /// Projects a point onto |γ| = 1 and the level, by Newton's method.
     #[must_use]
     pub fn onto(&self, mut x: Phase, level: Level) -> Phase {
         const STEPS: usize = 6;
@@ -149,7 +150,7 @@ impl Space {
             let size = missed[0].abs() + missed[1].abs();
             let [a, b, c] = [sphere.norm_squared(), sphere.dot(&kept), kept.norm_squared()];
             let determinant = a * c - b * b;
-            // At rest the gradients are parallel; and rounding is no more than that.
+            // At rest the gradients are parallel; at convergence only rounding is left.
             if size == 0.0 || size >= 0.5 * last || determinant <= 1e-14 * a * c {
                 break;
             }
@@ -160,8 +161,8 @@ impl Space {
         x
     }
 
-    /// The [`Frame`] at a point; with directions across that are as near as possible to those of another one, if that is given.
-    /// `None` where there is no such frame, or none near the other one.
+    /// The [`Frame`] at a point; if another frame is given, its directions across are as close to that one's as
+    /// possible. `None` where there is no such frame, or none close to the other.
     #[must_use]
     pub fn frame(&self, x: &Phase, level: Level, like: Option<&Frame>) -> Option<Frame> {
         let field = self.field(x);
@@ -174,7 +175,7 @@ impl Space {
             let vector = if let Some(like) = like {
                 like.across[k - 4]
             } else {
-                // The coordinate direction of which most is left.
+                // The coordinate direction farthest from those already taken.
                 let left = |j: usize| 1.0 - known[..k].iter().map(|u| u[j] * u[j]).sum::<f64>();
                 Phase::ith((0..6).max_by(|&i, &j| left(i).total_cmp(&left(j)))?, 1.0)
             };
@@ -191,43 +192,43 @@ impl Space {
 /// The cosine of the angle by which the directions of neighbouring frames may differ.
 const ALIKE: f64 = 0.5;
 
-/// Right-angled directions at a point of an orbit: the two across it that neither it nor the gradients of the integrals have a
-/// part in, the one out of the surface of fixed h and l that keeps the level, and the one along the flow. The derivative of the
-/// return to the point, seen in the first two, has the orbit's nontrivial multipliers.
+/// Orthonormal directions at a point of an orbit: two across it, orthogonal to the flow and to the gradients of the
+/// integrals; one beyond, out of the surface of fixed h and l but within the level; and one along the flow. The
+/// derivative of the return to the point, restricted to the first two, has the orbit's nontrivial multipliers.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
     /// Across the flow, on the surface of fixed h and l.
     pub across: [Phase; 2],
-    /// Along the level, out of this surface.
+    /// Within the level, out of this surface.
     pub beyond: Phase,
     /// Along the flow.
     pub along: Phase,
     /// |(γ̇, l̇)|.
     pub speed: f64,
-    /// How fast the integral that is not kept grows beyond.
+    /// The derivative in that direction of the integral that the level does not fix.
     pub rise: f64,
 }
 
-/// The parts of a direction in a frame: two across, beyond and along.
+/// The components of a direction in a frame: two across, then beyond and along.
 pub type Parts = SVector<f64, 4>;
 
 impl Frame {
-    /// The parts of a direction.
+    /// The components of a direction.
     #[must_use]
     pub fn parts(&self, vector: &Phase) -> Parts {
         let [first, second] = self.across;
         Parts::new(first.dot(vector), second.dot(vector), self.beyond.dot(vector), self.along.dot(vector))
     }
 
-    /// The direction that has these parts.
+    /// The direction with these components.
     #[must_use]
     pub fn direction(&self, parts: &Parts) -> Phase {
         self.across[0] * parts[0] + self.across[1] * parts[1] + self.beyond * parts[2] + self.along * parts[3]
     }
 }
 
-/// The unit vector of what is left of a vector without its parts along orthonormal ones, taken away twice where rounding would
-/// leave some; `None` where nothing is left.
+/// A vector made orthogonal to orthonormal ones and scaled to length 1, projected twice where rounding would leave a
+/// component; `None` where nothing is left.
 fn without(vector: Phase, known: &[Phase]) -> Option<Phase> {
     let whole = vector.norm();
     let (mut left, mut size) = (vector, whole);

@@ -1,4 +1,4 @@
-//! A periodic orbit and what there is to say of it.
+//! A periodic orbit and its description.
 
 use bifdiag_dynamics::field::{Dimension, HeavyTop, State, dot};
 use bifdiag_dynamics::integrator::StepError;
@@ -13,7 +13,7 @@ use crate::walk::walk;
 /// A periodic orbit of γ and l.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicOrbit {
-    /// A point of it: a maximum of ⟨γ,r⟩, which lies on P, if it has one.
+    /// One of its points: a maximum of ⟨γ,r⟩, which lies on P, if it has one.
     pub start: State,
     /// Energy.
     pub h: f64,
@@ -23,24 +23,24 @@ pub struct PeriodicOrbit {
     pub period: f64,
     /// Its crossings of P in a period: zeros of S = ⟨ω, r×γ⟩, inward and outward.
     pub crossings: u32,
-    /// The multipliers beside those that h, l and the flow make 1, each [re, im].
+    /// The multipliers other than those that h, l and the flow make 1, each [re, im].
     pub multipliers: [[f64; 2]; 2],
-    /// What they say.
+    /// The linear stability that follows from them.
     pub stability: OrbitStability,
     /// Their sum.
     pub trace: f64,
     /// ∮⟨l, ω⟩ dt, twice the integral of the kinetic energy.
     pub action: f64,
-    /// A reversor takes it to itself.
+    /// A reversor maps it to itself.
     pub symmetric: bool,
-    /// The largest defect of its parts after a period, |γ| and the largest |l| at its energy being 1.
+    /// The largest closing defect between neighbouring nodes, where |γ| and the largest |l| at its energy are 1.
     pub residual: f64,
 }
 
-/// Why an orbit was not found or described.
+/// Why an orbit could not be found or described.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum OrbitError {
-    /// It was not closed.
+    /// It could not be closed.
     #[error(transparent)]
     Shooting(#[from] ShootingError),
     /// The motion leaves the range of `f64`.
@@ -48,10 +48,10 @@ pub enum OrbitError {
     Step(#[from] StepError),
 }
 
-/// What remains fixed of a guess.
+/// What remains fixed while a guess is corrected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fixed {
-    /// Its l, and the place of its first point along the family.
+    /// Its l, and the position of its first point along the family.
     Momentum,
     /// Its h, likewise.
     Energy,
@@ -59,10 +59,10 @@ pub enum Fixed {
     Both,
 }
 
-/// Half the width around 1 and −1 in which a trace, over 2, has no certain side.
+/// Half traces closer than this to 1 or −1 count as parabolic.
 const PARABOLIC: f64 = 1e-9;
 
-/// What a trace says.
+/// The linear stability of an orbit with this trace.
 #[must_use]
 pub fn stability(trace: f64) -> OrbitStability {
     let half = 0.5 * trace;
@@ -78,7 +78,7 @@ pub fn stability(trace: f64) -> OrbitStability {
 }
 
 impl PeriodicOrbit {
-    /// Describes an orbit that is closed to rounding; it is not corrected, and its residual says how well it closes.
+    /// Describes an orbit that closes up to rounding. It is not corrected; its residual says how well it closes.
     ///
     /// # Errors
     /// [`OrbitError`] at an equilibrium, and where the motion leaves the range of `f64`.
@@ -91,7 +91,7 @@ impl PeriodicOrbit {
         Ok(about.describe(&shot).restored(top))
     }
 
-    /// That of a reduced top as that of the top as given.
+    /// The orbit of the reduced top in the units of the top as given.
     #[must_use]
     pub fn restored(mut self, top: &HeavyTop) -> Self {
         let units = top.units();
@@ -103,7 +103,7 @@ impl PeriodicOrbit {
         self
     }
 
-    /// The product of the multipliers, as computed: 1 but for rounding.
+    /// The product of the multipliers, as computed: 1 up to rounding.
     #[must_use]
     pub fn product(&self) -> f64 {
         let [[a, b], [c, d]] = self.multipliers;
@@ -111,7 +111,7 @@ impl PeriodicOrbit {
     }
 }
 
-/// The larger multiplier of an unstable orbit, and the direction, across the orbit at its point, that it stretches.
+/// The larger multiplier of an unstable orbit, and its eigendirection across the orbit at the start.
 ///
 /// # Errors
 /// [`OrbitError`] at an equilibrium, and where the motion leaves the range of `f64`.
@@ -120,7 +120,7 @@ pub fn unstable_direction(top: &HeavyTop, start: &State, period: f64) -> Result<
     let shot = around(&space, &x, time)?;
     let reduced = shot.reduced();
     let (matrix, multiplier) = (reduced.matrix, reduced.multipliers()[0][0]);
-    // (M − λ)v = 0, by the row that has more of it.
+    // (M − λ)v = 0, from the longer row.
     let rows = [0, 1].map(|i| {
         [matrix[(i, 0)] - if i == 0 { multiplier } else { 0.0 }, matrix[(i, 1)] - if i == 1 { multiplier } else { 0.0 }]
     });
@@ -133,10 +133,10 @@ fn dot2([a, b]: [f64; 2]) -> f64 {
     a * a + b * b
 }
 
-/// Corrects a guess to a closed orbit; its point and its period.
+/// Corrects a guess to a closed orbit; returns its start and its period.
 ///
 /// # Errors
-/// [`OrbitError`] where none is near, or a continuum of them.
+/// [`OrbitError`] where no orbit is near, or a continuum of them.
 pub fn correct(top: &HeavyTop, start: &State, period: f64, fixed: Fixed) -> Result<(State, f64), OrbitError> {
     let units = top.units();
     let (space, x, time) = reduced(top, start, period);
@@ -161,7 +161,7 @@ fn reduced(top: &HeavyTop, start: &State, period: f64) -> (Space, Phase, f64) {
     (space, point, units.reduce(period, Dimension::TIME))
 }
 
-/// A ring has a multiple of this number of nodes: as many motions are followed at once where registers are widest.
+/// The number of nodes of a ring is a multiple of this, the number of motions that the widest registers follow at once.
 pub const NODES: usize = 8;
 /// More stretching than this from node to node costs digits.
 const STRETCH: f64 = 100.0;
@@ -173,7 +173,7 @@ fn around(space: &Space, start: &Phase, period: f64) -> Result<Shot, ShootingErr
     for k in 1..NODES {
         nodes.extend(space.ends(&nodes[k - 1..], period / NODES as f64)?);
     }
-    // (Any level will do: what is seen across an orbit does not depend on it.)
+    // (Any level will do: the derivative across an orbit does not depend on it.)
     spread(space, Ring { nodes, period }.shoot(space, Level::Momentum(0.0), None)?)
 }
 
@@ -191,7 +191,7 @@ pub fn spread(space: &Space, mut shot: Shot) -> Result<Shot, ShootingError> {
     Ok(shot)
 }
 
-/// What the description of an orbit needs to know.
+/// What the description of an orbit depends on.
 #[derive(Clone, Copy)]
 pub struct About<'a> {
     /// The space of its points.

@@ -1,19 +1,19 @@
 //! Proofs that there is a periodic orbit near a computed one, by the operator of Krawczyk on the enclosed return map.
 //!
-//! **Theorem.** Let X ⊂ ℝ⁶ be a box of (γ, ω) around x̂, F the map that follows a motion from X to its m-th crossing of P⁻
-//! after the start, c₁ and c₂ linear forms, and
+//! **Theorem.** Let X ⊂ ℝ⁶ be a box of (γ, ω) around x̂, F the map that follows a motion from X to its m-th crossing of
+//! P⁻ after the start, c₁ and c₂ linear forms, and
 //! Φ(x) = (|γ|² − 1, ⟨γ, Aω⟩ − l, H − h, S, c₁(F(x) − x), c₂(F(x) − x)).
-//! 1. If K = x̂ − YΦ(x̂) + (1 − Y DΦ(X))(X − x̂) is in the interior of X for some matrix Y, then Φ has exactly one zero x* in X,
-//!    and it is in K.
-//! 2. Let Z be a box that holds X and F(X), and Ψ = (|γ|², ⟨γ, Aω⟩, H, S, c₁, c₂). If ‖1 − Y′M‖ < 1 for some matrix Y′ and all
-//!    M in DΨ(Z), then F(x*) = x*: the motion from x* has energy h and vertical momentum l exactly and is periodic, and no
-//!    other point of X is on such a motion that returns to itself at its m-th crossing.
+//! 1. If K = x̂ − YΦ(x̂) + (1 − Y DΦ(X))(X − x̂) is in the interior of X for some matrix Y, then Φ has exactly one zero
+//!    x* in X, and it is in K.
+//! 2. Let Z be a box that contains X and F(X), and Ψ = (|γ|², ⟨γ, Aω⟩, H, S, c₁, c₂). If ‖1 − Y′M‖ < 1 for some matrix Y′
+//!    and all M in DΨ(Z), then F(x*) = x*: the motion from x* has energy h and vertical momentum l exactly and is
+//!    periodic, and no other point of X is on such a motion that returns to itself at its m-th crossing.
 //! 3. The sum of its two multipliers is the trace of DF(x*) less 3.
 //!
-//! *Proof.* 1 is Krawczyk's theorem. F keeps |γ|, ⟨γ, l⟩ and H, and S∘F = 0, so that Ψ takes one value at x* and F(x*). By the
-//! mean value theorem Ψ(a) − Ψ(b) = M(a − b) with M in DΨ(Z), and M is regular. Conversely a fixed point of F on P_hl is a zero
-//! of Φ. DF(x*) is 0 on the direction of the motion, has the gradients of the three integrals as left eigenvectors with value 1,
-//! and has the multipliers on the tangent plane of P. ∎
+//! *Proof.* 1 is Krawczyk's theorem. F preserves |γ|, ⟨γ, l⟩ and H, and S∘F = 0, so that Ψ(x*) = Ψ(F(x*)).
+//! By the mean value theorem Ψ(a) − Ψ(b) = M(a − b) with M in DΨ(Z), and M is invertible. Conversely a fixed point of F on
+//! P_hl is a zero of Φ. DF(x*) is 0 on the direction of the motion, has the gradients of the three integrals as left
+//! eigenvectors with value 1, and has the multipliers on the tangent plane of P. ∎
 
 use bifdiag_body::{Body, Number};
 use bifdiag_enclosure::return_map::{Return, ReturnError, Starts, returns};
@@ -40,7 +40,7 @@ pub struct OrbitProof {
     pub crossings: u32,
 }
 
-/// Why nothing was proved.
+/// Why a proof failed.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum ProofError {
     /// A number left the range of doubles.
@@ -49,20 +49,21 @@ pub enum ProofError {
     /// A return could not be enclosed.
     #[error(transparent)]
     Return(#[from] ReturnError),
-    /// No box was mapped into itself.
+    /// Krawczyk's operator maps no box into its interior.
     #[error("no box around the orbit is mapped into itself")]
     NotContracting,
-    /// It may be run through more than once.
+    /// It may close at an earlier return.
     #[error("the orbit may close earlier")]
     Repeated,
 }
 
-/// The start in doubles is on P within this.
+/// The start in doubles lies on P up to this.
 const ROUNDING: f64 = 4e-15;
-/// Half sides of boxes that are tried, γ and the angular velocity in its unit being of moderate size.
+/// Half sides of the boxes tried, in units in which γ and ω are of moderate size.
 const RADII: [f64; 4] = [1e-10, 1e-8, 1e-11, 1e-12];
 
-/// Proves that near a start (γ, ω) on P⁻ there is a periodic orbit at exactly (h, l) with `turns` returns to P⁻, within a time.
+/// Proves that near a start (γ, ω) on P⁻ there is a periodic orbit at exactly (h, l) with `turns` returns to P⁻ and a
+/// period of at most `longest`.
 ///
 /// # Errors
 /// [`ProofError`].
@@ -74,7 +75,8 @@ pub fn prove(
     longest: f64,
 ) -> Result<OrbitProof, ProofError> {
     let problem = Problem::new(body, [h, l], start, turns, longest).ok_or(ProofError::Range)?;
-    // A little more than the rounding of S: by which side of P the start is, its passing P there does not count.
+    // A little more than the rounding of S: the crossing at the start itself must not count, on whichever side of P it
+    // lies.
     let point = problem.returns(problem.unit.map(|unit| ROUNDING * unit))?;
     let mut why = ProofError::NotContracting;
     for radius in RADII {
@@ -124,10 +126,10 @@ impl<'a> Problem<'a> {
         start.iter().all(|x| x.is_finite()).then_some(problem)
     }
 
-    /// Two forms that are independent of the four gradients: unit vectors across them.
+    /// Two linear forms independent of the four gradients: unit vectors orthogonal to them.
     fn tangents(&self) -> Option<[[f64; 6]; 2]> {
         let rows = self.gradients(&self.start.map(Interval::point));
-        // In units of γ and ω the columns are of one size.
+        // In units of γ and ω the columns are of similar size.
         let scaled = SMatrix::<f64, 4, 6>::from_fn(|i, j| middle(rows[i][j]) * self.unit[j]);
         let mut basis: Vec<SVector<f64, 6>> = Vec::new();
         let candidates = (0..4).map(|i| scaled.row(i).transpose()).chain((0..6).map(|j| SVector::ith(j, 1.0)));
@@ -199,12 +201,13 @@ impl<'a> Problem<'a> {
         let middle = self.start.map(Interval::point);
         let around: Box6 =
             std::array::from_fn(|i| Interval::between(self.start[i] - radii[i], self.start[i] + radii[i]));
-        let beside: Box6 = std::array::from_fn(|i| around[i] - middle[i]);
-        let found = self.returns(beside.map(Interval::magnitude))?;
+        let offset: Box6 = std::array::from_fn(|i| around[i] - middle[i]);
+        let found = self.returns(offset.map(Interval::magnitude))?;
         let (Some(last), Some(back)) = (found.last(), point.last()) else {
             return Err(ProofError::NotContracting);
         };
-        // Each motion from the box has one crossing in this time: that of the start is the one that was found for it alone.
+        // Each motion from the box crosses once in this time; for the start itself it is the crossing found for it
+        // alone.
         if back.time[0] < last.time[0] || last.time[1] < back.time[1] {
             return Err(ProofError::NotContracting);
         }
@@ -216,7 +219,7 @@ impl<'a> Problem<'a> {
         let defect = defect(&inverse, &derivative);
         let image: Box6 = std::array::from_fn(|i| {
             let newton = (0..6).fold(middle[i], |sum, j| sum - Interval::point(inverse[(i, j)]) * value[j]);
-            (0..6).fold(newton, |sum, j| sum + defect[i][j] * beside[j])
+            (0..6).fold(newton, |sum, j| sum + defect[i][j] * offset[j])
         });
         if !(0..6).all(|i| around[i].lo < image[i].lo && image[i].hi < around[i].hi) {
             return Err(ProofError::NotContracting);
@@ -266,7 +269,7 @@ impl<'a> Problem<'a> {
     }
 }
 
-/// The orbit does not close at an earlier return.
+/// Checks that the orbit does not close at an earlier return.
 fn check_once(x: &Box6, found: &[Return]) -> Result<(), ProofError> {
     let is_apart = |back: &Return| (0..6).any(|i| back.state[i].lo > x[i].hi || back.state[i].hi < x[i].lo);
     if found[..found.len() - 1].iter().all(is_apart) { Ok(()) } else { Err(ProofError::Repeated) }
@@ -276,7 +279,7 @@ fn middle(x: Interval) -> f64 {
     x.lo + 0.5 * (x.hi - x.lo)
 }
 
-/// The inverse of the middle.
+/// The inverse of the midpoint matrix.
 fn inverted(rows: &Rows) -> Option<Matrix> {
     Matrix::from_fn(|i, j| middle(rows[i][j])).try_inverse().filter(|inverse| inverse.iter().all(|x| x.is_finite()))
 }

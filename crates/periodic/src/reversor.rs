@@ -1,12 +1,12 @@
-//! Reversors: maps of phase space that keep h and l and turn motions round.
+//! Reversors: maps of phase space that preserve h and l and reverse time.
 
 use bifdiag_dynamics::field::{HeavyTop, State};
 use nalgebra::{Matrix3, Vector3};
 
 use crate::flow::Space;
 
-/// (γ, l) ↦ (Qγ, −det Q · Ql) for an orthogonal Q with Q² = 1 that commutes with A and keeps r: it takes motions to motions
-/// run backwards, and ⟨γ,l⟩ to −det Q ⟨γ,l⟩.
+/// (γ, l) ↦ (Qγ, −det Q · Ql) for an orthogonal Q with Q² = 1 that commutes with A and fixes r: it maps motions to
+/// motions run backwards, and ⟨γ,l⟩ to −det Q ⟨γ,l⟩.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reversor {
     matrix: Matrix3<f64>,
@@ -14,7 +14,7 @@ pub struct Reversor {
     sign: f64,
 }
 
-/// The reversors of a top at one l. Where they form a circle, as at a Lagrange top, one of each kind.
+/// The reversors of a top at one l. Where they form a circle, as for a Lagrange top, one of each kind.
 #[must_use]
 pub fn reversors(top: &HeavyTop, l: f64) -> Vec<Reversor> {
     let (a, r) = (top.moments(), Vector3::from(top.center()));
@@ -37,8 +37,9 @@ pub fn reversors(top: &HeavyTop, l: f64) -> Vec<Reversor> {
     reversors.filter(|reversor| reversor.sign > 0.0 || l == 0.0).collect()
 }
 
-/// True where every plane through r is a plane of symmetry, as of the tops of Lagrange: then every motion is symmetric, by the
-/// plane of γ and r at any zero of S = ⟨ω, r×γ⟩, since ω lies in it there; where γ is along r, by that of ω and r. (⟨γ,r⟩ has an extremum on every closed orbit.)
+/// True where every plane through r is a plane of symmetry, as for the tops of Lagrange. Then every motion is symmetric
+/// about the plane of γ and r at any zero of S = ⟨ω, r×γ⟩, since ω lies in it there; where γ is parallel to r, about
+/// the plane of ω and r. (⟨γ,r⟩ has an extremum on every closed orbit.)
 #[must_use]
 pub fn all_are_symmetric(top: &HeavyTop) -> bool {
     let (a, r) = (top.moments(), top.center());
@@ -50,23 +51,24 @@ pub fn all_are_symmetric(top: &HeavyTop) -> bool {
 }
 
 impl Reversor {
-    /// Where it takes a state.
+    /// The image of a state.
     #[must_use]
     pub fn apply(&self, state: &State) -> State {
         let turn = |v: [f64; 3]| -> [f64; 3] { (self.matrix * Vector3::from(v)).into() };
         State { gamma: turn(state.gamma), l: turn(state.l).map(|x| self.sign * x) }
     }
 
-    /// How far it moves a state: a signed part that changes its sign where an orbit passes a fixed point, and the whole.
+    /// How far it moves a state: a signed component, which changes sign where an orbit passes a fixed point, and the
+    /// norm.
     #[must_use]
     pub fn distance(&self, space: &Space, state: &State) -> (f64, f64) {
-        /// A direction without meaning, so that no symmetry makes the part of an orbit along it vanish.
+        /// An arbitrary direction, so that no symmetry makes the component of an orbit along it vanish.
         const LOOK: [f64; 6] = [0.531, 0.327, 0.411, 0.263, 0.479, 0.377];
         let moved = space.point(&self.apply(state)) - space.point(state);
         (moved.iter().zip(LOOK).map(|(x, look)| x * look).sum(), moved.norm())
     }
 
-    /// The signed part of [`distance`](Self::distance), which is linear in the state.
+    /// The signed component of [`distance`](Self::distance), which is linear in the state.
     #[must_use]
     pub fn covector(&self, space: &Space) -> State {
         let unit = |j: usize| State {

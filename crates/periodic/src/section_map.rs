@@ -1,4 +1,5 @@
-//! The return map R of the part P⁻ of the section where Ṡ < 0, the maxima of ⟨γ, r⟩ along motions, for many points at once.
+//! The return map R of the part P⁻ of the section where Ṡ < 0, the maxima of ⟨γ, r⟩ along motions, for many points at
+//! once.
 
 use bifdiag_dynamics::field::State;
 use bifdiag_dynamics::section::{Monitor, OrbitSection, PpTorus, SectionError, SweepOptions, sweep};
@@ -6,30 +7,31 @@ use bifdiag_dynamics::section::{Monitor, OrbitSection, PpTorus, SectionError, Sw
 use crate::chart::Surface;
 use crate::flow::Phase as Point;
 
-/// A point in which the motion from a start crosses P.
+/// A point at which the motion from a start crosses P.
 #[derive(Clone, Copy, Debug)]
 pub struct Image {
     /// The point.
     pub point: Point,
-    /// When.
+    /// The time of the crossing.
     pub time: f64,
     /// It is in P⁻, a maximum of ⟨γ, r⟩.
     pub is_maximum: bool,
-    /// How far the crossing just before or just after it is: twice the distance from the line of tangency, near it.
+    /// The distance of the crossing just before or just after it, whichever is nearer: close to the line of tangency,
+    /// twice the distance from that line.
     pub pair: f64,
 }
 
-/// Where the motion through a point crosses P, nearest in time first.
+/// The crossings of P by the motion through a point, nearest in time first.
 #[derive(Clone, Debug, Default)]
 pub struct BothWays {
     /// Forward in time.
     pub after: Vec<Image>,
-    /// Backward; their times are positive, too.
+    /// Backward in time; their times are positive as well.
     pub before: Vec<Image>,
 }
 
 impl BothWays {
-    /// The m-th crossings on both ways: they are one if a periodic orbit has 2m.
+    /// The m-th crossings forward and backward: on a periodic orbit with 2m crossings they coincide.
     #[must_use]
     pub fn ends(&self, m: usize) -> Option<[&Image; 2]> {
         Some([self.after.get(m - 1)?, self.before.get(m - 1)?])
@@ -41,13 +43,13 @@ impl BothWays {
 pub struct SectionMap<'a> {
     surface: &'a Surface,
     torus: &'a PpTorus,
-    /// A time after which nobody waits for a return.
+    /// The longest time for which a motion is followed.
     longest: f64,
     monitor: &'a Monitor,
 }
 
 impl<'a> SectionMap<'a> {
-    /// Of a surface; `longest` bounds the time of a motion.
+    /// For a surface; no motion is followed for longer than `longest`.
     #[must_use]
     pub fn new(surface: &'a Surface, torus: &'a PpTorus, longest: f64, monitor: &'a Monitor) -> Self {
         Self { surface, torus, longest, monitor }
@@ -59,7 +61,7 @@ impl<'a> SectionMap<'a> {
         self.surface
     }
 
-    /// R, R², … Rⁿ of each point, in this order; fewer where the motion ends before.
+    /// R, R², … Rⁿ of each point, in this order; fewer where the motion takes too long.
     ///
     /// # Errors
     /// Those of [`sweep`], and [`SectionError::Interrupted`].
@@ -67,7 +69,7 @@ impl<'a> SectionMap<'a> {
         self.images_within(self.longest, starts, count)
     }
 
-    /// As [`images`](Self::images), but each return may take as long as a whole motion may there.
+    /// As [`images`](Self::images), with `count` times the longest time.
     ///
     /// # Errors
     /// Those of [`images`](Self::images).
@@ -85,18 +87,19 @@ impl<'a> SectionMap<'a> {
         Ok(orbits.iter().map(returns).collect())
     }
 
-    /// The first crossings of P after each point, and the last ones before it, of P⁺ and of P⁻ in turn; fewer where the motion
-    /// takes too long.
+    /// The first crossings of P after each point and the last ones before it, alternating between P⁺ and P⁻; fewer
+    /// where the motion takes too long.
     ///
     /// # Errors
     /// Those of [`images`](Self::images).
     pub fn both_ways(&self, starts: &[Point], count: usize) -> Result<Vec<BothWays>, SectionError> {
-        // The motion through (γ, l) backward in time is that through (γ, −l), which has the momentum −l about the vertical.
+        // The motion through (γ, l) backward in time is that through (γ, −l), which has the momentum −l about the
+        // vertical.
         let back = self.surface.reversed();
         let after = starts.iter().map(|y| self.surface.state(y));
         let before = starts.iter().map(|y| back.state(&reversed(y)));
         let states: Vec<State> = after.chain(before).collect();
-        // Whether the last one was just born is seen from the next.
+        // One crossing more shows whether the last one was just born.
         let orbits = self.swept(&states, count + 1, self.longest)?;
         let (after, before) = orbits.split_at(starts.len());
         let ways = after.iter().zip(before).map(|(after, before)| {
@@ -121,13 +124,13 @@ impl<'a> SectionMap<'a> {
     }
 }
 
-/// A point at −l, whose motion goes the same way backward.
+/// The point at −l whose motion is the same one run backward.
 #[must_use]
 pub fn reversed(y: &Point) -> Point {
     Point::new(y[0], y[1], y[2], -y[3], -y[4], -y[5])
 }
 
-/// The crossings of P after a start in it.
+/// The crossings of P after a start on P.
 fn crossings(surface: &Surface, orbit: &OrbitSection) -> Vec<Image> {
     let mut images: Vec<Image> = Vec::with_capacity(orbit.points.len());
     for crossing in orbit.points.iter().filter(|point| point.index > 0) {

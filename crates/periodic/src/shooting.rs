@@ -1,14 +1,14 @@
 //! Newton's method for closed orbits, by multiple shooting.
 //!
-//! An orbit is a ring of nodes, equal times apart; its **defects** are the differences between where the flow takes a node
-//! and the next node. Between two nodes the flow stretches by a bounded factor, so that defects can be small for unstable
-//! orbits too. All nodes have |γ| = 1 and lie on one level of l or h, which the flow keeps: of the six equations of closing, two say
-//! nothing then, and a third since the other integral is kept as well. What counts are the parts of the last defect along and
-//! across the orbit.
+//! An orbit is a ring of nodes at equal time steps; its **defects** are the differences between where the flow takes a
+//! node and the next node. Between two nodes the flow stretches by a bounded factor, so that defects can be small for
+//! unstable orbits too. All nodes have |γ| = 1 and lie on one level of l or h, which the flow preserves. Two of the six
+//! closing equations are therefore redundant, and so is a third, since the flow preserves the other integral as well.
+//! What remains are the components of the last defect along and across the orbit.
 //!
-//! The derivative costs several times as much as the flow alone. So an orbit is corrected with the derivative that is expected from
-//! its neighbours, as long as the defects shrink by it, and with its own where they do not; its own is computed at the end in any
-//! case, since the multipliers are to come from the orbit itself.
+//! The derivative costs several times as much as the flow alone. So an orbit is corrected with the derivative
+//! extrapolated from its neighbours as long as that reduces the defects, and with its own derivative otherwise. At the
+//! end its own is always computed, since the multipliers must come from the orbit itself.
 
 use bifdiag_dynamics::integrator::{StepError, TaylorStep};
 use nalgebra::{SMatrix, SVector};
@@ -17,28 +17,28 @@ use thiserror::Error;
 use crate::chain::{Chain, Link, Move, Reduced};
 use crate::flow::{Frame, Level, Parts, Passage, Phase, Space};
 
-/// A direction in the space of orbits: of the first node, and of the period as a part of the period.
+/// A direction in the space of orbits: a direction of the first node, and the relative change of the period.
 pub type Direction = SVector<f64, 7>;
 
 /// A closed orbit, or a guess of one.
 #[derive(Clone, Debug)]
 pub struct Ring {
-    /// Points of the orbit, equal times apart.
+    /// Points of the orbit, at equal time steps.
     pub nodes: Vec<Phase>,
     /// Its period.
     pub period: f64,
 }
 
-/// What determines an orbit, beside its level and its phase.
+/// What determines an orbit, besides its level and its phase.
 #[derive(Clone, Copy, Debug)]
 pub enum Keep {
-    /// H, where the level is of ⟨γ,l⟩.
+    /// The energy, where the level fixes ⟨γ,l⟩.
     Energy(f64),
-    /// The place of the guess along this direction.
+    /// The position of the guess along this direction.
     Place(Direction),
 }
 
-/// Why an orbit was not closed.
+/// Why an orbit could not be closed.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum ShootingError {
     /// The motion leaves the range of `f64`.
@@ -50,23 +50,23 @@ pub enum ShootingError {
     /// Newton's method did not converge.
     #[error("Newton's method left a defect of {residual:e}")]
     Stalled {
-        /// The last defect.
+        /// The largest component of the last defects.
         residual: f64,
     },
 }
 
-/// A ring whose flow was followed.
+/// A ring with the flow between its nodes.
 #[derive(Clone, Debug)]
 pub struct Shot {
     /// The ring.
     pub ring: Ring,
     /// Directions at each node.
     pub frames: Vec<Frame>,
-    /// The motion from each node to the next; empty if the derivative is not that of this ring.
+    /// The motion from each node to the next; empty if the derivative belongs to another ring.
     pub steps: Vec<Vec<TaylorStep>>,
-    /// The largest part of a defect.
+    /// The largest component of a defect.
     pub residual: f64,
-    /// That of the guess from which it was corrected.
+    /// The residual of the guess before it was corrected.
     pub missed: f64,
     /// The level of its nodes.
     pub level: Level,
@@ -83,7 +83,7 @@ pub struct Slopes {
     pub period: f64,
 }
 
-/// The derivative beside a guess: frames near those of its nodes, and what is expected of its chain.
+/// An approximate derivative for a guess: frames close to those of its nodes, and an extrapolated chain.
 #[derive(Clone, Debug)]
 pub struct Expected<'a> {
     /// Of a neighbour.
@@ -92,16 +92,16 @@ pub struct Expected<'a> {
     pub chain: Chain,
 }
 
-/// A defect that no correction has to better; the integrator rounds to a few 1e-16.
+/// A defect that needs no further correction; the integrator rounds to a few 1e-16.
 const CLOSED: f64 = 3e-15;
 /// The largest defect of an orbit that counts as closed.
 pub const RESIDUAL: f64 = 1e-13;
 const CORRECTIONS: u32 = 20;
-/// A guess whose defect is larger than this is none.
+/// A guess with a larger defect is given up.
 const LOST: f64 = 0.5;
 /// Where a correction leaves more than this share of a defect, the derivative is computed anew.
 const SLOW: f64 = 0.1;
-/// The share that one is taken to leave with the derivative that neighbours let expect.
+/// The share of a defect that a correction with an extrapolated derivative is assumed to leave.
 const NEIGHBOUR: f64 = 1e-2;
 
 impl Ring {
@@ -109,7 +109,7 @@ impl Ring {
         self.period / self.nodes.len() as f64
     }
 
-    /// The same ring on a level.
+    /// The same ring, projected onto a level.
     fn onto(mut self, space: &Space, level: Level) -> Self {
         for node in &mut self.nodes {
             *node = space.onto(*node, level);
@@ -122,13 +122,13 @@ impl Ring {
         self.nodes.iter().enumerate().map(frame).collect()
     }
 
-    /// The defects in the frames, and the largest part of one.
+    /// The defects in the frames, and the largest component of one.
     fn defects<'a>(&self, frames: &[Frame], ends: impl Iterator<Item = &'a Phase>) -> (Vec<Parts>, f64) {
         let mut residual = 0.0_f64;
         let next = |k: usize| (k + 1) % self.nodes.len();
         let defect = |(k, end): (usize, &Phase)| {
             let missed = end - self.nodes[next(k)];
-            // (`max` would pass over what is no number.)
+            // (`max` would ignore NaN.)
             residual = if missed.amax() > residual || missed.amax().is_nan() { missed.amax() } else { residual };
             frames[next(k)].parts(&missed)
         };
@@ -136,7 +136,8 @@ impl Ring {
         (defects, residual)
     }
 
-    /// Follows the flow from node to node, with its derivative; in frames near those of a neighbour, if these are given.
+    /// Follows the flow from node to node with its derivative, in frames close to those of a neighbour if these are
+    /// given.
     ///
     /// # Errors
     /// [`ShootingError::Step`], and [`ShootingError::Singular`] at an equilibrium.
@@ -156,14 +157,14 @@ impl Ring {
         Ok(Shot { ring: self, frames, steps, residual, missed: residual, level, chain, defects })
     }
 
-    /// The same without the derivative, of which something is known.
-    fn look(self, space: &Space, level: Level, frames: Vec<Frame>, chain: Chain) -> Result<Shot, ShootingError> {
+    /// The same with a known approximate derivative.
+    fn shoot_with(self, space: &Space, level: Level, frames: Vec<Frame>, chain: Chain) -> Result<Shot, ShootingError> {
         let ends = space.ends(&self.nodes, self.time())?;
         let (defects, residual) = self.defects(&frames, ends.iter());
         Ok(Shot { ring: self, frames, steps: Vec::new(), residual, missed: residual, level, chain, defects })
     }
 
-    /// Corrects the orbit until its defects are those of rounding.
+    /// Corrects the orbit until only rounding is left of its defects.
     ///
     /// # Errors
     /// [`ShootingError`].
@@ -179,17 +180,17 @@ impl Ring {
             None => ring.shoot(space, level, None)?,
             Some(Expected { frames, chain }) => {
                 let frames = ring.frames(space, level, Some(frames))?;
-                ring.look(space, level, frames, chain)?
+                ring.shoot_with(space, level, frames, chain)?
             }
         };
         let missed = shot.residual;
-        // What the last defect was, and which share of the next one a correction is expected to leave.
+        // The last defect, and the share of the present one that a correction is expected to leave.
         let (mut before, mut share) = (f64::INFINITY, shot.leaves());
         let mut corrections = 0;
-        // (What is no number is larger than nothing.)
+        // (The comparison is false for NaN.)
         while corrections < CORRECTIONS && shot.residual <= LOST {
             let off = shot.residual.max(shot.kept(space, &keep));
-            // A guess is corrected once in any case: its defect may be small in a direction in which it is far off.
+            // A guess is always corrected once: it may be far off in a direction in which its defect is small.
             let is_closed = corrections > 0 && (off <= CLOSED || off.max(before) <= RESIDUAL);
             if is_closed && shot.is_exact() {
                 shot.missed = missed;
@@ -204,12 +205,13 @@ impl Ring {
             let next = if shot.residual * share <= 0.3 * CLOSED {
                 ring.shoot(space, level, Some(&shot.frames))?
             } else {
-                ring.look(space, level, shot.frames.clone(), shot.chain.clone())?
+                ring.shoot_with(space, level, shot.frames.clone(), shot.chain.clone())?
             };
             corrections += 1;
             let is_worse = next.residual > shot.residual.max(CLOSED);
             let is_exact = shot.is_exact();
-            // What was expected was wrong, or it is rounding that was corrected: beside a crossing of families by a wide move.
+            // The extrapolated derivative was wrong, or only rounding was corrected: by a large move near a crossing of
+            // families.
             if is_worse && (!is_exact || off <= RESIDUAL) {
                 if !is_exact {
                     shot = shot.ring.shoot(space, level, Some(&shot.frames))?;
@@ -227,7 +229,7 @@ impl Ring {
 }
 
 impl Shot {
-    /// The derivative is that of this ring.
+    /// Whether the derivative belongs to this ring.
     fn is_exact(&self) -> bool {
         !self.steps.is_empty()
     }
@@ -237,7 +239,7 @@ impl Shot {
         if self.is_exact() { 10.0 * self.residual } else { NEIGHBOUR }
     }
 
-    /// How far what is kept is from its value.
+    /// How far the quantity held fixed is from its value.
     fn kept(&self, space: &Space, keep: &Keep) -> f64 {
         match keep {
             Keep::Energy(h) => {
@@ -260,7 +262,7 @@ impl Shot {
         let carried = self.chain.carry(&self.defects);
         let step = self.chain.closing(&carried[self.ring.nodes.len()], (&condition, value));
         let step = step.ok_or(ShootingError::Singular)?;
-        // A guess that is so far from any orbit is none; nor is a step of singular equations that rounding left.
+        // A guess this far from any orbit is useless, and so is a step of singular equations made up of rounding.
         if step.amax() > LOST || step.iter().any(|x| x.is_nan()) {
             return Err(ShootingError::Singular);
         }
@@ -268,20 +270,20 @@ impl Shot {
         Ok(moved.onto(space, self.level))
     }
 
-    /// What a direction is to the first node, beside its part along.
+    /// The components of a direction at the first node, except the one along the orbit.
     fn first_move(&self, direction: &Direction) -> Move {
         let parts = self.frames[0].parts(&direction.fixed_rows::<6>(0).into_owned());
         Move::new(parts[0], parts[1], parts[2], direction[6])
     }
 
-    /// The ring that has moved, a share of what is carried to each node taken with it.
+    /// The ring after a move, with a share of the defect carried to each node.
     fn moved(&self, step: &Move, share: f64, carried: &[Parts]) -> Ring {
         let nodes = self.ring.nodes.iter().zip(&self.frames).zip(self.chain.moved(*step)).zip(carried);
         let nodes = nodes.map(|(((node, frame), parts), defect)| node + frame.direction(&(parts + defect * share)));
         Ring { nodes: nodes.collect(), period: self.ring.period * (1.0 + step[3]) }
     }
 
-    /// The direction of the family on the level, along `before`; of length 1.
+    /// The direction of the family on the level, of length 1 and along `before`.
     #[must_use]
     pub fn direction(&self, before: &Direction) -> Option<Direction> {
         let step = self.chain.closing(&Parts::zeros(), (&self.first_move(before), 1.0))?;
@@ -305,7 +307,7 @@ impl Shot {
         self.moved(&(self.first_move(direction) * distance), 0.0, &still)
     }
 
-    /// The same orbit from another node on, with the direction that it has there.
+    /// The same orbit starting at another node, with the family's direction there.
     #[must_use]
     pub fn turned(mut self, by: usize, direction: &Direction) -> (Self, Direction) {
         let there = self.chain.moved(self.first_move(direction)).nth(by).unwrap_or_default();

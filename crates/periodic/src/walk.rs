@@ -1,4 +1,4 @@
-//! Once around a closed orbit: its crossings of P, its action, and the reversors that it is symmetric under.
+//! One turn around a closed orbit: its crossings of P, its action, and whether reversors map it to itself.
 
 use bifdiag_dynamics::field::{Integrals, State, dot};
 use bifdiag_dynamics::integrator::TaylorStep;
@@ -9,7 +9,7 @@ use crate::flow::{Phase, Space};
 use crate::reversor::{Reversor, all_are_symmetric};
 use crate::shooting::{RESIDUAL, Shot};
 
-/// What is seen on the way around.
+/// What one turn around an orbit shows.
 #[derive(Clone, Debug)]
 pub struct Walk {
     /// Zeros of S = ⟨ω, r×γ⟩ in a period.
@@ -18,30 +18,32 @@ pub struct Walk {
     pub maximum: Option<State>,
     /// ∮⟨l, ω⟩ dt.
     pub action: f64,
-    /// Every reversor with a fixed point on the orbit takes it to itself.
+    /// A reversor has a fixed point on the orbit, and so maps it to itself.
     pub symmetric: bool,
 }
 
-/// Places in a step at which signs are looked at.
-const LOOKS: usize = 8;
-/// Where they lie: at the ends of as many parts.
-const PLACES: [f64; LOOKS + 1] = {
-    let mut places = [0.0; LOOKS + 1];
+/// Intervals of a step at whose ends signs are compared.
+const INTERVALS: usize = 8;
+/// Their ends, as fractions of the step.
+const PLACES: [f64; INTERVALS + 1] = {
+    let mut places = [0.0; INTERVALS + 1];
     let mut k = 1;
-    while k <= LOOKS {
-        places[k] = k as f64 / LOOKS as f64;
+    while k <= INTERVALS {
+        places[k] = k as f64 / INTERVALS as f64;
         k += 1;
     }
     places
 };
-/// A state that a reversor moves no further is one of its fixed points, and so far at most where the trace is nearly 2: the
-/// orbits beside one close nearly as well there, and it is known only to its defect over what the trace is off 2.
+/// A state that a reversor moves by less counts as a fixed point. Where the trace is nearly 2, neighbouring orbits
+/// close almost as well, and an orbit is known only to its defect over the distance of the trace from 2; the second
+/// value limits the tolerance.
 const FIXED: [f64; 2] = [1e-6, 1e-4];
-/// |S| that is 0 all the way around, in its unit: the orbit lies in P, as regular precessions do, which are known to a
-/// defect; of other bodies all orbits leave P, and near equilibria only rounding hides it.
+/// An orbit whose |S| stays below this, in the unit of S, lies in P. The second value is for bodies with regular
+/// precessions, which are known up to their defect; the orbits of all other bodies leave P, and near equilibria only
+/// rounding hides it.
 const FLAT: [f64; 2] = [1e-13, 1e-9];
 
-/// Goes once around along the steps of the motion, which begin anew at each node, so that errors do not grow on the way.
+/// Goes once around along the steps of the motion, which start afresh at each node, so that errors do not accumulate.
 #[must_use]
 pub fn walk(space: &Space, shot: &Shot, reversors: &[Reversor]) -> Walk {
     let top = &space.top;
@@ -62,7 +64,7 @@ pub fn walk(space: &Space, shot: &Shot, reversors: &[Reversor]) -> Walk {
             symmetric: false,
         },
     };
-    let first = Seen {
+    let first = Sample {
         height: SectionCondition::Height.value(top, &begin),
         rate: SectionCondition::Height.rate(top, &begin),
         moved: reversors.iter().map(|reversor| reversor.distance(space, &begin).0).collect(),
@@ -71,7 +73,7 @@ pub fn walk(space: &Space, shot: &Shot, reversors: &[Reversor]) -> Walk {
     let count = shot.steps.len();
     for (number, steps) in shot.steps.iter().enumerate() {
         for (k, step) in steps.iter().enumerate() {
-            // It ends as it began: a zero there is seen once, whatever its sign is rounded to.
+            // It ends with the values it began with: a zero there is counted once, whichever way its sign is rounded.
             let closing = (number + 1 == count && k + 1 == steps.len()).then_some(&first);
             walker.step(step, &mut last, closing);
         }
@@ -84,11 +86,11 @@ pub fn walk(space: &Space, shot: &Shot, reversors: &[Reversor]) -> Walk {
     found
 }
 
-/// For each of some places, how near a closed orbit comes to it.
+/// The smallest distance of a closed orbit from each of the given places.
 #[must_use]
 pub fn nearest(space: &Space, shot: &Shot, places: &[Phase]) -> Vec<f64> {
     let mut nearest = vec![f64::INFINITY; places.len()];
-    for state in shot.steps.iter().flatten().flat_map(looks) {
+    for state in shot.steps.iter().flatten().flat_map(samples) {
         let here = space.point(&state);
         for (nearest, place) in nearest.iter_mut().zip(places) {
             *nearest = nearest.min((here - place).norm());
@@ -97,22 +99,22 @@ pub fn nearest(space: &Space, shot: &Shot, places: &[Phase]) -> Vec<f64> {
     nearest
 }
 
-/// On the way.
+/// The state of a walk.
 struct Walker<'a> {
     space: &'a Space,
-    /// What a reversor may move its fixed points.
+    /// A reversor moves its fixed points by less than this.
     fixed: f64,
     reversors: &'a [Reversor],
-    /// What makes of a state how far each reversor moves it, signed.
+    /// For each reversor, the linear form that gives the signed distance by which it moves a state.
     covectors: Vec<State>,
     /// The largest |S| so far.
     largest: f64,
     found: Walk,
 }
 
-/// What is seen at a place.
+/// The values at one place.
 #[derive(Clone)]
-struct Seen {
+struct Sample {
     /// S.
     height: f64,
     /// Ṡ.
@@ -122,27 +124,27 @@ struct Seen {
 }
 
 impl Walker<'_> {
-    /// A step, from what was last seen on; `closing` is what is seen at its end if that is known.
-    fn step(&mut self, step: &TaylorStep, last: &mut Seen, closing: Option<&Seen>) {
+    /// Walks along a step, starting with the last values; `closing` holds the values at its end where they are known.
+    fn step(&mut self, step: &TaylorStep, last: &mut Sample, closing: Option<&Sample>) {
         let center = self.space.top.center();
         // S is the derivative of ⟨γ,r⟩ by time.
         let way = Polynomial::of(step, |state| dot(state.gamma, center));
         self.found.action += 2.0 * way.integral() * step.length();
         let slope = way.derivative(step.length());
         let bend = slope.derivative(step.length());
-        let (mut heights, rates) = (slope.looks(last.height), bend.looks(last.rate));
+        let (mut heights, rates) = (slope.samples(last.height), bend.samples(last.rate));
         if let Some(closing) = closing {
-            heights[LOOKS] = closing.height;
+            heights[INTERVALS] = closing.height;
         }
-        (last.height, last.rate) = (heights[LOOKS], rates[LOOKS]);
-        for k in 0..LOOKS {
+        (last.height, last.rate) = (heights[INTERVALS], rates[INTERVALS]);
+        for k in 0..INTERVALS {
             let ends = [PLACES[k], PLACES[k + 1]];
             let (values, rates) = ([heights[k], heights[k + 1]], [rates[k], rates[k + 1]]);
             self.largest = self.largest.max(values[1].abs());
             if is_change(values) {
                 self.crossing(step, ends, values);
             } else if is_change(rates) {
-                // Between two looks S may go to 0 and back.
+                // Between two samples S may go to 0 and back.
                 let middle = zero(|x| bend.at(x), ends, rates);
                 let value = slope.at(middle);
                 self.crossing(step, [ends[0], middle], [values[0], value]);
@@ -152,20 +154,20 @@ impl Walker<'_> {
         self.reverse(step, last, closing);
     }
 
-    /// Looks for fixed points of reversors in a step. Where the orbit is known to be symmetric nobody asks any more.
-    fn reverse(&mut self, step: &TaylorStep, last: &mut Seen, closing: Option<&Seen>) {
+    /// Looks for fixed points of reversors in a step, unless the orbit is already known to be symmetric.
+    fn reverse(&mut self, step: &TaylorStep, last: &mut Sample, closing: Option<&Sample>) {
         for (number, reversor) in self.reversors.iter().enumerate() {
             if self.found.symmetric {
                 return;
             }
             let covector = self.covectors[number];
             let from = Polynomial::of(step, |state| dot(covector.gamma, state.gamma) + dot(covector.l, state.l));
-            let mut moved = from.looks(last.moved[number]);
+            let mut moved = from.samples(last.moved[number]);
             if let Some(closing) = closing {
-                moved[LOOKS] = closing.moved[number];
+                moved[INTERVALS] = closing.moved[number];
             }
-            last.moved[number] = moved[LOOKS];
-            self.found.symmetric = (0..LOOKS).any(|k| {
+            last.moved[number] = moved[INTERVALS];
+            self.found.symmetric = (0..INTERVALS).any(|k| {
                 let (ends, values) = ([PLACES[k], PLACES[k + 1]], [moved[k], moved[k + 1]]);
                 is_change(values) && {
                     let there = at(step, zero(|x| from.at(x), ends, values));
@@ -175,7 +177,7 @@ impl Walker<'_> {
         }
     }
 
-    /// Counts a zero of S, if there is one between the ends.
+    /// Counts the zero of S between the ends, if there is one.
     fn crossing(&mut self, step: &TaylorStep, ends: [f64; 2], values: [f64; 2]) {
         if is_change(values) {
             self.found.crossings += 1;
@@ -187,7 +189,7 @@ impl Walker<'_> {
     }
 }
 
-/// What depends linearly on the state, along a step: a polynomial in parts of it.
+/// A linear function of the state along a step: a polynomial in the fraction of the step.
 struct Polynomial {
     coefficients: [f64; MAX_ORDER + 1],
     order: usize,
@@ -206,7 +208,7 @@ impl Polynomial {
         &self.coefficients[..=self.order]
     }
 
-    /// The derivative by time, of a step so long.
+    /// The time derivative, for a step of this length.
     fn derivative(&self, length: f64) -> Self {
         let mut found = Self { coefficients: [0.0; MAX_ORDER + 1], order: self.order.saturating_sub(1) };
         for k in 1..=self.order {
@@ -215,7 +217,7 @@ impl Polynomial {
         found
     }
 
-    /// Over the whole step.
+    /// The integral over the fraction of the step, from 0 to 1.
     fn integral(&self) -> f64 {
         self.terms().iter().enumerate().map(|(k, c)| c / (k + 1) as f64).sum()
     }
@@ -224,9 +226,9 @@ impl Polynomial {
         self.terms().iter().rev().fold(0.0, |sum, c| sum * x + c)
     }
 
-    /// At the places where signs are looked at; at the first one it is known.
-    fn looks(&self, first: f64) -> [f64; LOOKS + 1] {
-        let mut values = [0.0; LOOKS + 1];
+    /// The values at which signs are compared; the first one is known.
+    fn samples(&self, first: f64) -> [f64; INTERVALS + 1] {
+        let mut values = [0.0; INTERVALS + 1];
         for c in self.terms().iter().rev() {
             for (value, place) in values.iter_mut().zip(&PLACES) {
                 *value = *value * place + c;
@@ -237,26 +239,26 @@ impl Polynomial {
     }
 }
 
-/// The states at the places where signs are looked at: what [`at`] gives, all at once.
-fn looks(step: &TaylorStep) -> [State; LOOKS] {
-    let mut states = [State::default(); LOOKS];
+/// The states at all places but the first: what [`at`] gives, all at once.
+fn samples(step: &TaylorStep) -> [State; INTERVALS] {
+    let mut states = [State::default(); INTERVALS];
     for i in 0..3 {
-        let (mut gamma, mut l) = ([0.0; LOOKS], [0.0; LOOKS]);
+        let (mut gamma, mut l) = ([0.0; INTERVALS], [0.0; INTERVALS]);
         for coefficient in step.coefficients().iter().rev() {
             for (k, place) in PLACES[1..].iter().enumerate() {
                 gamma[k] = gamma[k] * place + coefficient.gamma[i];
                 l[k] = l[k] * place + coefficient.l[i];
             }
         }
-        for k in 0..LOOKS {
+        for k in 0..INTERVALS {
             (states[k].gamma[i], states[k].l[i]) = (gamma[k], l[k]);
         }
     }
     states
 }
 
-/// The state at x ∈ [0, 1] of a step. (Not fused: what is looked for has few digits to lose, and where the compiler may not
-/// count on the instruction it is a call.)
+/// The state at x ∈ [0, 1] of a step. (Without fused multiply-add: full accuracy is not needed, and where the compiler
+/// cannot assume the instruction, it would be a function call.)
 fn at(step: &TaylorStep, x: f64) -> State {
     let mut state = State::default();
     for coefficient in step.coefficients().iter().rev() {
@@ -268,7 +270,7 @@ fn at(step: &TaylorStep, x: f64) -> State {
     state
 }
 
-/// Zero belongs to the positive side, so that a zero at a look is seen once.
+/// Zero counts as positive, so that a zero at a sample is counted once.
 fn is_change(values: [f64; 2]) -> bool {
     (values[0] < 0.0) != (values[1] < 0.0)
 }

@@ -151,7 +151,7 @@ fn a_mirror_takes_unstable_curves_to_stable_ones() {
     assert!(tried > 100, "{tried}");
 }
 
-/// Lagrange's top: every motion that leaves the upright position comes back to it. The curves coincide and are told to do so, and no
+/// Lagrange's top: every motion that leaves the upright position comes back to it. The curves coincide, which is reported, and no
 /// crossing is claimed.
 #[test]
 fn all_motions_of_lagranges_top_come_back() {

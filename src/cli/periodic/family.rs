@@ -26,14 +26,14 @@ Examples:
   bifdiag periodic family --body paper --from G2.1 --h 1 --out families
 
 From each imaginary pair of eigenvalues of a relative equilibrium a family of periodic orbits begins (Lyapunov's centre theorem). It \
-is followed at fixed l, or at fixed h, with folds, doublings, triplings and crossings of families located on the way.";
+is followed at fixed l or fixed h; folds, doublings, triplings and crossings with other families are located on the way.";
 
 /// `bifdiag periodic family`.
 #[derive(Debug, Args)]
 pub struct FamilyArguments {
     #[command(flatten)]
     pub body: BodyArguments,
-    /// The curve of the equilibria, by its id in `bifdiag atlas` (default: every one)
+    /// Start at the equilibria on this curve, by its id in `bifdiag atlas` (default: all curves)
     #[arg(long, value_name = "CURVE", help_heading = "Family")]
     pub from: Option<String>,
     /// Vertical angular momentum, held fixed
@@ -46,7 +46,7 @@ pub struct FamilyArguments {
     /// Follow each family for at most N orbits
     #[arg(long, value_name = "N", default_value_t = 200, help_heading = "Family")]
     pub members: usize,
-    /// Follow the families that begin at doublings, triplings and crossings too
+    /// Also follow the families that begin at doublings, triplings and crossings
     #[arg(long, help_heading = "Family")]
     pub branches: bool,
     /// Draw the periods to DIR/periodic.svg
@@ -59,7 +59,7 @@ pub struct FamilyArguments {
 
 /// Significant digits.
 pub const DIGITS: usize = 6;
-/// The message where there is no answer.
+/// The message if the work fails.
 pub const NOT_FOUND: &str = "the families could not be followed";
 
 pub fn run(arguments: &FamilyArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
@@ -103,7 +103,7 @@ pub fn run(arguments: &FamilyArguments, timings: &Timings, quiet: bool) -> Resul
     answer(arguments.json, &document, || text(&subject, &document, &written))
 }
 
-/// The equilibria at l, or those of energy h, one for each curve that has it; of one curve, if it is named.
+/// The equilibria at this l, or at this h one for each curve that reaches it; only those of one curve, if it is named.
 pub fn starts(
     catalogue: &Catalogue<'_>,
     held: Held,
@@ -161,7 +161,7 @@ fn text(subject: &Subject, document: &PeriodicFamiliesDocument, written: &[PathB
         }
     }
     if document.families.iter().any(|family| !family.events.is_empty()) {
-        report.line("two special orbits of one kind between neighbouring orbits are not seen");
+        report.line("two special orbits of the same kind between neighbouring orbits are missed");
     }
     report.line("");
     report.line(if document.families.is_empty() {
@@ -174,7 +174,7 @@ fn text(subject: &Subject, document: &PeriodicFamiliesDocument, written: &[PathB
     report.text()
 }
 
-/// Of a mirror pair, on which side of the plane between the two the equilibrium of a family lies: they have the same h and l.
+/// Which of a mirror pair of equilibria, equal in h and l, a family begins at: the side of the plane between them.
 fn side(family: &PeriodicFamilyDocument, all: &[PeriodicFamilyDocument]) -> String {
     let is_image = |other: &&PeriodicFamilyDocument, k: usize| {
         other.curve == family.curve
@@ -190,7 +190,7 @@ fn side(family: &PeriodicFamilyDocument, all: &[PeriodicFamilyDocument]) -> Stri
 /// Rows of the text between two events.
 const ROWS: usize = 6;
 
-/// The orbits of a family, thinned out, and its special ones.
+/// A selection of the orbits of a family, with its special ones.
 fn table(family: &PeriodicFamilyDocument, free: &'static str) -> Table {
     let mut table = Table::new(&[free, "T", "trace", "stability", "crossings", "symmetric", "action", ""]);
     let every = family.members.len().div_ceil(ROWS * (family.events.len() + 1)).max(1);
@@ -209,7 +209,7 @@ fn table(family: &PeriodicFamilyDocument, free: &'static str) -> Table {
                 significant(orbit.action, DIGITS),
                 String::new(),
             ];
-            // Near an equilibrium orbits differ by less than is printed.
+            // Near an equilibrium neighbouring rows may be equal in the digits printed.
             if shown.as_ref() != Some(&row) {
                 table.row(row.clone());
             }

@@ -1,4 +1,4 @@
-//! `bifdiag periodic list`: the families of all equilibria of a body, and which of their orbits are wanted.
+//! `bifdiag periodic list`: the families of all equilibria of a body, with filters for their orbits.
 
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
@@ -27,7 +27,7 @@ Examples:
   bifdiag periodic list --body paper --l 1.5 --stable --period 2:5
   bifdiag periodic list --body paper --l 0.5:1.5:3 --family G2.1/1 --data orbits.csv
 
-Families begin at every imaginary pair of every relative equilibrium (Lyapunov's centre theorem). Without --l and --h they are \
+A family begins at every imaginary pair of every relative equilibrium (Lyapunov's centre theorem). Without --l and --h families are \
 followed at l = 0 and at one momentum of each kind: between any two at which equilibria appear, vanish or change their linear type. \
 With --data, an interrupted list resumes when the same command is run again.";
 
@@ -49,7 +49,7 @@ pub struct ListArguments {
     /// Follow each family for at most N orbits
     #[arg(long, value_name = "N", default_value_t = 200, help_heading = "Families")]
     pub members: usize,
-    /// Follow the families that begin at doublings, triplings and crossings too
+    /// Also follow the families that begin at doublings, triplings and crossings
     #[arg(long, help_heading = "Families")]
     pub branches: bool,
     /// Only linearly stable orbits
@@ -89,7 +89,7 @@ impl Only {
             Some(Ok(number @ 1..=2)) => Some(number),
             Some(_) => {
                 return Err(Failure::input(format!(
-                    "`{text}` is no family: an equilibrium has at most two, such as G2.1/1 and G2.1/2"
+                    "`{text}` is not a family: an equilibrium has at most two, such as G2.1/1 and G2.1/2"
                 )));
             }
         };
@@ -166,9 +166,9 @@ pub fn run(arguments: &ListArguments, quiet: bool) -> Result<(), Failure> {
     }
 }
 
-/// What has been found.
+/// The families found so far.
 struct Kept {
-    /// On the disk too.
+    /// Keeps them on disk as well.
     journal: Option<Journal>,
     families: Vec<ListedFamilyDocument>,
 }

@@ -77,7 +77,7 @@ pub fn written(table: &Columns, (path, format): (&Path, DataFormat)) -> Result<V
 /// Orbits that are listed individually.
 const LISTED: usize = 40;
 
-/// The answer for people.
+/// The answer as text.
 pub fn text(subject: &Subject, document: &PeriodicListDocument, files: &[PathBuf]) -> String {
     let mut report = Report::default();
     head(subject, &mut report);
@@ -89,7 +89,7 @@ pub fn text(subject: &Subject, document: &PeriodicListDocument, files: &[PathBuf
         report.line("");
     }
     let only = document.stable || document.period.is_some() || document.crossings.is_some();
-    report.line(format!("{}{}", counted(orbits, "orbit", "orbits"), if only { " as asked for" } else { "" }));
+    report.line(format!("{}{}", counted(orbits, "orbit", "orbits"), if only { " selected" } else { "" }));
     if (1..=LISTED).contains(&orbits) {
         report.line(of_orbits(document).text());
     } else if orbits > LISTED && files.is_empty() {
@@ -106,12 +106,12 @@ pub fn text(subject: &Subject, document: &PeriodicListDocument, files: &[PathBuf
     report.text()
 }
 
-/// The held value, and the name of the other one.
+/// The names of the quantity held and of the other one.
 fn held(document: &PeriodicListDocument) -> (&'static str, &'static str) {
     if document.fixed_l.is_some() { ("l", "h") } else { ("h", "l") }
 }
 
-/// The value that is held along a family, as it was asked for: that of an orbit is this but for rounding.
+/// The value held along a family, as requested; that of an orbit differs by rounding.
 fn asked(document: &PeriodicListDocument, found: f64) -> f64 {
     let texts = document.fixed_l.iter().chain(&document.fixed_h).flatten();
     let values = texts.filter_map(|text| text.parse::<Number>().ok()).map(|number| number.to_f64());
@@ -148,7 +148,7 @@ fn of_families(document: &PeriodicListDocument) -> Table {
     table
 }
 
-/// How a family ends, in a cell.
+/// How a family ends, as a cell of the table.
 fn ending(end: &FamilyEndingDocument) -> String {
     let curves = end.curves.join(", ");
     match end.kind {

@@ -1,4 +1,5 @@
-//! `bifdiag periodic manifolds`: stable and unstable manifolds of periodic orbits and equilibria in the section, and where they cross.
+//! `bifdiag periodic manifolds`: stable and unstable manifolds of periodic orbits and equilibria in the section, and
+//! where they cross.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -34,7 +35,7 @@ Examples:
 
 The unstable and stable manifolds of the unstable periodic orbits at (h, l), as curves in the part of P where \
 <gamma,r> is largest, or those of an unstable equilibrium, at its energy (--from); and the orbits that connect them \
-(homoclinic, heteroclinic), refined to 1e-10. --data writes a row for each point of a curve, with theta, psi, sheet \
+(homoclinic, heteroclinic), refined to 1e-10. --data writes a row for each point of a curve, with theta, psi and sheet \
 as in `bifdiag section`.";
 
 /// `bifdiag periodic manifolds`.
@@ -78,12 +79,12 @@ fn length(text: &str) -> Result<f64, Failure> {
     }
 }
 
-/// What the manifolds were made of, what was found, and where.
+/// The manifolds found, with what the outputs need.
 struct Found {
     document: ManifoldsDocument,
     manifolds: Manifolds,
     torus: PpTorus,
-    /// Where a picture was asked for.
+    /// Only if a picture is drawn.
     background: Option<ManifoldBackground>,
 }
 
@@ -176,8 +177,8 @@ fn of_equilibria(
     Ok(Found { document, manifolds: found, torus, background })
 }
 
-/// The message where nothing can be drawn.
-const NO_BACKGROUND: &str = "the orbits behind the curves could not be begun";
+/// The message if the background cannot be computed.
+const NO_BACKGROUND: &str = "the orbits behind the curves could not be started";
 
 fn not_followed(error: ManifoldError) -> Failure {
     match error {

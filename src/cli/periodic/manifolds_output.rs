@@ -106,13 +106,13 @@ pub fn text(subject: &Subject, document: &ManifoldsDocument, written: &[PathBuf]
             let (source, from, to) = (source(document), contact.from, contact.to);
             report.line(if are_motions {
                 format!(
-                    "motions that leave {source} {from} and motions that come to {source} {to} agree in all points to 1e-10: they \
-                     are the same, or part by less"
+                    "motions that leave {source} {from} and motions that approach {source} {to} agree at all points to 1e-10: \
+                     they are the same, or differ by less"
                 )
             } else {
                 format!(
-                    "unstable curves of {source} {from} run along stable ones of {source} {to}: where they do, they \
-                    are not told apart"
+                    "unstable curves of {source} {from} run along stable ones of {source} {to}: there they cannot be \
+                    distinguished"
                 )
             });
         }
@@ -160,13 +160,13 @@ fn of_equilibria(document: &ManifoldsDocument) -> Table {
     table
 }
 
-/// Whether the manifolds are motions, which no curve joins: of equilibria with one real and one imaginary pair.
+/// Whether the manifolds are motions, which no curve joins: for equilibria with one real and one imaginary pair.
 fn are_motions(document: &ManifoldsDocument) -> bool {
     let equilibria = &document.equilibria;
     !equilibria.is_empty() && equilibria.iter().all(|found| found.stability == Stability::SaddleCentre)
 }
 
-/// What the manifolds are of.
+/// What the manifolds belong to.
 fn source(document: &ManifoldsDocument) -> &'static str {
     if document.equilibria.is_empty() { "orbit" } else { "equilibrium" }
 }
@@ -191,7 +191,7 @@ fn of_curves(document: &ManifoldsDocument) -> Table {
     table
 }
 
-/// Of equilibria with one real and one imaginary pair.
+/// The motions of equilibria with one real and one imaginary pair.
 fn of_motions(document: &ManifoldsDocument) -> Table {
     let mut table = Table::new(&["equilibrium", "manifold", "side", "points", "nearest", "end"]);
     for manifold in &document.manifolds {

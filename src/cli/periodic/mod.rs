@@ -23,8 +23,8 @@ Examples:
   bifdiag periodic family --body paper --from G2.1 --l 1.5
   bifdiag periodic list --body paper --l 1.5 --stable --period 2:5
 
-Every periodic orbit of γ and ω at (h, l) with at most N crossings of the section P: found from cells that cover P, with an index \
-for each, and proved one by one by Krawczyk's operator on the enclosed return map.";
+Every periodic orbit of γ and ω at (h, l) with at most N crossings of the section P. Orbits are found in cells that cover P, each \
+with an index, and proved one by one with Krawczyk's operator on the enclosed return map.";
 
 /// `bifdiag periodic`.
 #[derive(Debug, Args)]
@@ -36,7 +36,7 @@ pub struct PeriodicArguments {
     pub short: ShortArguments,
 }
 
-/// What else is asked of periodic orbits.
+/// The subcommands.
 #[derive(Debug, Subcommand)]
 pub enum PeriodicCommand {
     /// Follow the families of periodic orbits that begin at relative equilibria

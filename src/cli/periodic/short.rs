@@ -49,7 +49,7 @@ pub fn run(arguments: &ShortArguments, timings: &Timings, quiet: bool) -> Result
     answer(arguments.json, &document, || text(&subject, &document))
 }
 
-/// The orbits of the point, as the work goes on.
+/// The orbits at the point; a terminal shows how far the work has come.
 pub fn listed(
     setting: &SectionSetting,
     crossings: u32,
@@ -86,7 +86,7 @@ fn in_words(stage: Stage) -> String {
     }
 }
 
-/// h and l, which have to be given; and a number of crossings that is possible.
+/// h and l, which must be given; the number of crossings must be one that is possible.
 pub fn point_and_crossings(point: &PointArguments, crossings: u32) -> Result<(&Number, &Number), Failure> {
     let missing =
         |name: &str| Failure::input(format!("{name} is missing: a point such as --h 4.45 --l 3.25 is needed"));
@@ -94,8 +94,8 @@ pub fn point_and_crossings(point: &PointArguments, crossings: u32) -> Result<(&N
     let l = point.momentum.as_ref().ok_or_else(|| missing("--l"))?;
     if !(2..=MOST_CROSSINGS).contains(&crossings) || crossings % 2 == 1 {
         return Err(Failure::input(format!(
-            "--crossings {crossings}: a periodic orbit crosses P inward as often as outward; 2, 4, … up to {MOST_CROSSINGS} is \
-             possible"
+            "--crossings {crossings}: a periodic orbit crosses P inward as often as outward; give 2, 4, … up to \
+             {MOST_CROSSINGS}"
         )));
     }
     Ok((h, l))
@@ -104,7 +104,7 @@ pub fn point_and_crossings(point: &PointArguments, crossings: u32) -> Result<(&N
 /// Significant digits.
 const DIGITS: usize = 6;
 
-/// γ of an orbit in a plane of symmetry is 0 but for this.
+/// A smaller component of γ is rounding, as for an orbit in a plane of symmetry.
 const ROUNDING: f64 = 1e-13;
 
 fn text(subject: &Subject, document: &PeriodicDocument) -> String {
@@ -125,7 +125,7 @@ fn text(subject: &Subject, document: &PeriodicDocument) -> String {
         report.line(if document.complete {
             "one orbit of each continuum of orbits of one period:"
         } else {
-            "one orbit of each piece found of continua of orbits of one period (several pieces may be of one \
+            "one orbit of each piece found of continua of orbits of one period (several pieces may belong to one \
             continuum):"
         });
         report.line(table(&document.continua).text());
@@ -155,7 +155,7 @@ fn table(orbits: &[PeriodicOrbitDocument]) -> Table {
     table
 }
 
-/// For people.
+/// A boolean in a table.
 pub fn yes(is: bool) -> String {
     if is { "yes" } else { "no" }.to_owned()
 }

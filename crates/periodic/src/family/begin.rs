@@ -1,4 +1,4 @@
-//! The first orbits: around an equilibrium, and beside a special orbit.
+//! The first orbits of a family: around an equilibrium, and next to a special orbit.
 
 use bifdiag_dynamics::field::Dimension;
 use bifdiag_equilibria::critical::{Equilibrium, Multiplicity};
@@ -12,12 +12,12 @@ use crate::flow::{Phase, Tangent};
 use crate::orbit::NODES;
 use crate::shooting::{Direction, Ring};
 
-/// Size of the first orbit around an equilibrium, γ being of length 1.
+/// Size of the first orbit around an equilibrium, where |γ| = 1.
 const FIRST: f64 = 1e-3;
-/// Distances from a special orbit at which a branch is looked for, the best first.
+/// Distances from a special orbit at which a branch is tried, the best first.
 const BESIDE: [f64; 3] = [1e-2, 3e-3, 3e-2];
-/// Directions in which the family that passes a tripling is looked for: its orbits lie in six, each a sixth of a turn from the next
-/// one but for a linear map.
+/// Directions in which the family that passes a tripling is tried. Up to a linear map its orbits lie in six, a sixth of
+/// a turn apart.
 const ROUND: u32 = 12;
 /// Two frequencies in a whole ratio within this are in resonance.
 const RESONANT: f64 = 1e-6;
@@ -33,7 +33,7 @@ impl Course<'_> {
         let others = equilibrium.eigenvalues.pairs.map(|[re, im]| (re, units.reduce(im, Dimension::FREQUENCY)));
         let is_other = |(re, im): &&(f64, f64)| *re != 0.0 || *im != frequency;
         let resonant = match others.iter().find(is_other) {
-            // The other pair is this one, or a multiple of it.
+            // The two pairs coincide.
             None => true,
             Some((re, im)) => *re == 0.0 && ((im / frequency).round() - im / frequency).abs() < RESONANT,
         };
@@ -44,7 +44,8 @@ impl Course<'_> {
         let Some(direction) = oscillation(&turn, frequency) else {
             return Ok(Stretch::none(FamilyEnd::Resonant));
         };
-        // (Of an even number of nodes: a family may end at orbits of half its period, where those half a turn apart meet.)
+        // (The number of nodes is even: where a family ends at orbits of half its period, nodes half a turn apart
+        // meet.)
         let node = |k: usize| {
             let (sin, cos) = libm::sincos(std::f64::consts::TAU * k as f64 / NODES as f64);
             point + (direction * cos + turn * direction * (sin / frequency)) * FIRST
@@ -56,7 +57,7 @@ impl Course<'_> {
         }
     }
 
-    /// The families that begin at a special orbit, as far as they are found: at a tripling both ways on which one passes.
+    /// The families found to begin at a special orbit: at a tripling, both directions of the one that passes.
     pub fn beside(
         &self,
         special: &Member,
@@ -66,7 +67,7 @@ impl Course<'_> {
         let (laps, angles) = match kind {
             OrbitEventKind::Doubling => (2, kernel_of(special, -1.0)),
             OrbitEventKind::Branch => (1, kernel_of(special, 1.0)),
-            // After three turns every direction comes back: those of the family that passes are not known.
+            // After three turns every direction returns to itself, and that of the passing family is unknown.
             OrbitEventKind::Tripling => (3, (0..ROUND).map(|k| f64::from(k) / f64::from(ROUND)).collect()),
             OrbitEventKind::Fold => return Ok(Vec::new()),
         };
@@ -79,7 +80,7 @@ impl Course<'_> {
             let direction: Direction = (across[0] * x + across[1] * y).push(0.0);
             let guess = several.ahead(&direction, distance);
             let member = self.setting().close(guess, &direction, None).ok()?;
-            // Newton's method may have fallen back onto the family that is left.
+            // Newton's method may have fallen back onto the original family.
             let is_new = match kind {
                 OrbitEventKind::Doubling => member.distance_from_half() > distance,
                 OrbitEventKind::Tripling => member.distance_from_third() > distance,
@@ -98,7 +99,7 @@ impl Course<'_> {
             let [x, y] = beside(&member);
             let size = (x * x + y * y).sqrt();
             let mut found = vec![self.follow(member, 0.5 * distance, true)?];
-            // The other way on which the family passes lies opposite.
+            // The family leaves in the opposite direction as well.
             let opposite = [-x / size, -y / size];
             if kind == OrbitEventKind::Tripling
                 && let Some(other) = look(distance, opposite)
@@ -114,24 +115,25 @@ impl Course<'_> {
     }
 }
 
-/// The direction, as a part of a turn, which the return multiplies by an eigenvalue.
+/// The angle, as a fraction of a turn, of the eigendirection of the return for an eigenvalue.
 fn kernel_of(special: &Member, eigenvalue: f64) -> Vec<f64> {
     let kernel = kernel(special.shot.reduced().matrix - eigenvalue * Matrix2::identity());
     kernel.map(|v| libm::atan2(v[1], v[0]) / std::f64::consts::TAU).into_iter().collect()
 }
 
-/// A direction of length 1 in the plane in which the linearised flow turns with this frequency, where J² + ω² vanishes.
+/// A direction of length 1 in the plane in which the linearised flow rotates with this frequency, the kernel of
+/// J² + ω².
 fn oscillation(linearised: &Tangent, frequency: f64) -> Option<Phase> {
     let squared = linearised * linearised + Tangent::identity() * (frequency * frequency);
     let svd = squared.svd(false, true);
     let (sizes, rows) = (svd.singular_values, svd.v_t?);
     let mut order: Vec<usize> = (0..6).collect();
     order.sort_by(|&i, &j| sizes[i].total_cmp(&sizes[j]));
-    // Two directions, and no third.
+    // The kernel has two dimensions, not more.
     (sizes[order[2]] > 1e-5 * sizes[order[5]]).then(|| rows.row(order[0]).transpose())
 }
 
-/// The direction on which a matrix of rank 1 vanishes.
+/// The kernel of a matrix of rank 1.
 fn kernel(matrix: Matrix2<f64>) -> Option<Vector2<f64>> {
     let row = if matrix.row(0).norm() > matrix.row(1).norm() { matrix.row(0) } else { matrix.row(1) };
     let across = Vector2::new(row[1], -row[0]);

@@ -4,15 +4,15 @@ use bifdiag_schema::OrbitEventKind;
 
 use super::member::{Member, Setting};
 
-/// A trace that is so near to one of a special orbit all along is no change of sign, but rounding: in integrable tops whole
-/// families have the trace 2.
+/// Closer than this to the trace of a special orbit, a change of sign is rounding: in integrable tops whole families
+/// have the trace 2.
 const FLAT: f64 = 1e-7;
-/// Steps of the search; it stops where the place no longer moves, or moves no less than half as far as in the step before: that is
-/// rounding once the moves are so small.
+/// Steps of the search. It stops when the place no longer moves, or when moves below `ROUNDING` no longer halve: these
+/// are rounding.
 const STEPS: u32 = 60;
 const ROUNDING: f64 = 1e-8;
 
-/// A special orbit, located.
+/// A special orbit that has been located.
 pub(super) struct Located {
     pub kind: OrbitEventKind,
     pub member: Member,
@@ -22,21 +22,22 @@ pub(super) struct Located {
     pub place: f64,
 }
 
-/// Within this of 2 at both members, the trace is taken to touch 2 between them.
+/// If the trace is closer than this to 2 at both members, it is taken to touch 2 between them.
 const TOUCHES: f64 = 0.1;
 
-/// Where two families cross an orbit is known to the square root of its defect only: the other family closes as well.
+/// Where two families cross, the place is known only to the square root of the defect, since orbits of both families
+/// close there.
 const CROSSING: f64 = 4e-7;
 
-/// What vanishes at a special orbit.
+/// A function that vanishes at a special orbit.
 type Test = fn(&Setting<'_>, &Member) -> f64;
 
-/// What vanishes where the free parameter turns back.
+/// Vanishes where the free parameter turns back.
 fn turning(setting: &Setting<'_>, member: &Member) -> f64 {
     member.rate(setting.space, setting.level)
 }
 
-/// What vanishes where two families meet.
+/// Vanishes where two families meet.
 fn unity(_: &Setting<'_>, member: &Member) -> f64 {
     member.trace - 2.0
 }
@@ -51,7 +52,7 @@ fn touches(members: [&Member; 2]) -> bool {
     members.iter().all(|member| (member.trace - 2.0).abs() < TOUCHES)
 }
 
-/// The free parameter does not turn back between two members, or the trace is seen to pass 2 or to touch it there.
+/// Whether the free parameter does not turn back between two members, or the trace passes or touches 2 there.
 pub(super) fn is_turn_explained(setting: &Setting<'_>, from: &Member, to: &Member) -> bool {
     let members = [from, to];
     !changes(setting, members, turning) || changes(setting, members, unity) || touches(members)
@@ -68,7 +69,7 @@ pub(super) fn events(setting: &Setting<'_>, from: &Member, to: &Member, distance
     let mut look = |test: Test, kind| found.push(locate(setting, (from, to), distance, test, kind));
     match (changes(turning), crosses(unity)) {
         (true, true) => look(turning, OrbitEventKind::Fold),
-        // It turns where a family crosses whose orbits have more symmetry.
+        // It turns where a family of more symmetric orbits crosses.
         (true, false) if is_clear(unity) && touches([from, to]) => look(turning, OrbitEventKind::Branch),
         (false, true) => look(unity, OrbitEventKind::Branch),
         _ => {}
@@ -97,7 +98,7 @@ fn locate(
     let mut moved_before = f64::INFINITY;
     for _ in 0..STEPS {
         let place = (ends[0] - values[0] * (ends[1] - ends[0]) / (values[1] - values[0])).clamp(ends[0], ends[1]);
-        // From the nearest orbit that is known: beside a crossing of families only a good guess leads to the right one.
+        // From the nearest known orbit: next to a crossing of families only a good guess leads to the right one.
         let known = best.as_ref().map_or((from, 0.0), |last| (&last.member, last.place));
         let Ok(member) = setting.ahead(known.0, (place - known.1) * distance) else { break };
         let value = test(setting, &member);
@@ -119,7 +120,7 @@ fn locate(
             break;
         }
     }
-    // Where the search finds no orbit the event is told at the member before it, with the whole step as its error.
+    // Where the search finds no orbit, the event is placed at the member before it, with the whole step as its error.
     best.unwrap_or_else(|| Located {
         kind,
         error: (parameter(to) - parameter(from)).abs(),

@@ -1,4 +1,4 @@
-//! Pseudo-arclength continuation (Keller), until a family ends.
+//! Pseudo-arclength continuation (Keller) until a family ends.
 
 use std::sync::atomic::Ordering;
 
@@ -14,16 +14,16 @@ use crate::orbit::{About, PeriodicOrbit};
 use crate::reversor::{Reversor, reversors};
 use crate::walk::nearest;
 
-/// The way of a family.
+/// What stays the same while a family is followed.
 pub(super) struct Course<'a> {
     pub space: Space,
     pub units: TopUnits,
-    /// Of the top as given.
+    /// The moments of the top as given.
     pub moments: [f64; 3],
     level: Level,
     reversors: Vec<Reversor>,
     known: &'a RelativeEquilibria<'a>,
-    /// The equilibria at l, where that is held.
+    /// The equilibria at l, where l is held.
     places: Places,
     options: &'a FamilyOptions<'a>,
 }
@@ -33,46 +33,48 @@ pub(super) struct Course<'a> {
 struct Places {
     points: Vec<Phase>,
     curves: Vec<Option<String>>,
-    /// It is one of a circle of them.
+    /// Whether each is one of a circle of equilibria.
     on_circle: Vec<bool>,
 }
 
-/// A member that belongs to the family.
+/// A member of the family, with its description.
 struct Accepted {
     member: Member,
     orbit: PeriodicOrbit,
 }
 
-/// Steps along a family: γ, l in their unit and the logarithm of the period count.
+/// Bounds for steps along a family, measured in γ, l in its unit, and the logarithm of the period.
 const LONGEST: f64 = 0.1;
 const SHORTEST: f64 = 1e-7;
 /// The cosine of the angle by which a family may turn in a step.
 const STRAIGHT: f64 = 0.97;
-/// The trace may change by less in a step where special orbits have theirs, and by a factor of four beyond, so that their
-/// changes of sign are seen one by one; but no step is made shorter than so for it.
+/// The trace may change by less than this in a step between −3 and 3, where special orbits have theirs, and by a factor
+/// of four beyond, so that changes of sign are seen one by one; but steps are not made shorter than `FINE` for this.
 const TURN: f64 = 1.0;
 const FINE: f64 = 1e-3;
-/// Where the free parameter turns back, the trace passes 2 or touches it: that is seen, if not with shorter steps than this.
+/// Where the free parameter turns back, the trace passes or touches 2; steps are shortened until that is seen, down to
+/// this.
 const FINEST: f64 = 1e-5;
-/// Where another family crosses, or only comes near, a long step would change over to it: towards the trace 2 and away from it
-/// its distance changes by no more than this factor in a step, and by half of it if all goes on as it did; nearer than that the
-/// families do meet.
+/// Where another family crosses or comes close, a long step could jump to it. The distance of the trace from 2
+/// therefore changes by no more than this factor in a step; closer than `MEET` the families do meet.
 const NEARING: f64 = 3.0;
 const MEET: f64 = 1e-3;
-/// A step near an end is at most this share of the distance that is left.
+/// A step near an end is at most this share of the remaining distance.
 const SHARE: f64 = 0.4;
-/// An orbit so small has shrunk to an equilibrium.
+/// A smaller orbit has shrunk to an equilibrium.
 const SHRUNK: f64 = 2e-3;
-/// An orbit that comes so near to an equilibrium has reached its separatrix; the period must have grown so many times.
+/// An orbit that comes this close to an equilibrium has reached its separatrix, if its period has grown by the factor
+/// `GROWN` …
 const NEAR: f64 = 1e-3;
 const GROWN: f64 = 2.0;
-/// Or the trace so large: a fast pair of eigenvalues leaves no time for the period to grow.
+/// … or its trace is this large: with a fast pair of eigenvalues the period hardly grows.
 const STEEP: f64 = 1e8;
-/// An orbit that comes so near to a circle of equilibria ends at it if its period grows as the distance shrinks, within a tenth:
-/// it runs along the circle, at a speed that vanishes with the distance. A separatrix takes the logarithm.
+/// An orbit that comes this close to a circle of equilibria ends there if its period grows as fast as the distance
+/// shrinks, to within a tenth: it runs along the circle, at a speed that vanishes with the distance. At a separatrix
+/// the period grows like the logarithm.
 const BESIDE: f64 = 0.05;
 const ALIKE: f64 = 0.1;
-/// Equilibria so many times as near as the nearest one belong to one separatrix.
+/// Equilibria up to this many times as far as the nearest one belong to the same separatrix.
 const TOGETHER: f64 = 10.0;
 
 impl<'a> Course<'a> {
@@ -110,7 +112,7 @@ impl<'a> Course<'a> {
         Setting { space: &self.space, level: self.level }
     }
 
-    /// The equilibria at an l in the units of the top as given; none where l is not a number.
+    /// The equilibria at an l in the units of the top as given; none where l is NaN.
     fn places_at(&self, l: f64) -> Result<Places, FamilyError> {
         let Some(l) = number(l).filter(|_| l.is_finite()) else { return Ok(Places::default()) };
         let mut places = Places::default();
@@ -123,7 +125,7 @@ impl<'a> Course<'a> {
         Ok(places)
     }
 
-    /// Follows a family from its first member on; the branches of a branch are not followed: there may be no end of them.
+    /// Follows a family from its first member; branches of branches are not followed, as there may be infinitely many.
     pub fn follow(&self, first: Member, mut step: f64, is_branch: bool) -> Result<Stretch, FamilyError> {
         let setting = self.setting();
         let mut last = self.accept(first);
@@ -151,7 +153,7 @@ impl<'a> Course<'a> {
             let mut joins = false;
             for located in events(&setting, before, &next, step) {
                 let Accepted { member, orbit } = self.accept(located.member);
-                // Beyond it come the mirror images of the orbits before it.
+                // Beyond it the family continues with the mirror images of its orbits so far.
                 joins |= located.kind == OrbitEventKind::Branch && orbit.symmetric && !last.orbit.symmetric;
                 let mut branches = Vec::new();
                 if self.options.branches && !is_branch {
@@ -179,7 +181,7 @@ impl<'a> Course<'a> {
         Ok(found)
     }
 
-    /// What there is to say of a member.
+    /// The description of a member.
     pub fn describe(&self, member: &Member) -> PeriodicOrbit {
         About { space: &self.space, reversors: &self.reversors }.describe(&member.shot)
     }
@@ -198,7 +200,7 @@ impl<'a> Course<'a> {
         Ok((places, nearest))
     }
 
-    /// The end that a member has reached.
+    /// The end of the family, if a member has reached it.
     fn end(&self, before: &Accepted, last: &Accepted, period: f64) -> Result<Option<End>, FamilyError> {
         let shrinks = last.member.size() < SHRUNK && last.member.size() < before.member.size();
         let [was, is] = [before, last].map(|accepted| accepted.member.distance_from_half());
@@ -232,13 +234,13 @@ impl<'a> Course<'a> {
     }
 }
 
-/// (γ, l) of a steady rotation of a body with these moments, l = (ΩA)γ: as it is rounded where families begin.
+/// (γ, l) of a steady rotation of a body with these moments, l = (ΩA)γ, rounded as where families begin.
 pub(super) fn steady_state(equilibrium: &Equilibrium, moments: [f64; 3]) -> State {
     let gamma = equilibrium.gamma;
     State { gamma, l: std::array::from_fn(|i| equilibrium.omega * moments[i] * gamma[i]) }
 }
 
-/// How far the trace moves: beyond ±3 by its logarithm, beyond ±192 not counted.
+/// How far the trace moves: by its logarithm beyond ±3, and not at all beyond ±192.
 fn turn(before: &Member, member: &Member) -> f64 {
     let place = |trace: f64| {
         let beyond = libm::log(trace.abs().max(3.0) / 3.0) / libm::log(4.0);
@@ -252,20 +254,20 @@ fn from_two(member: &Member) -> f64 {
     (member.trace - 2.0).abs().clamp(MEET, 3.0)
 }
 
-/// By which factor the trace has come nearer to 2, or gone away.
+/// The factor by which the trace has approached 2 or moved away from it.
 fn nearing(before: &Member, member: &Member) -> f64 {
     let [was, is] = [before, member].map(from_two);
     (was / is).max(is / was)
 }
 
-/// How much longer the next step may be so that the trace does not come too near to 2 in it.
+/// The factor by which the next step may be longer without the trace coming too close to 2.
 fn towards_two(before: &Member, member: &Member) -> f64 {
     let [was, is] = [before, member].map(from_two);
     if is < was && is > MEET { 0.5 * is / (was - is) } else { f64::INFINITY }
 }
 
-/// How much longer the next step may be, by how far the guess was off: where Newton's method would take two corrections, three,
-/// four or more.
+/// The factor by which the next step may be longer, from the error of the guess: where Newton's method would need two
+/// corrections, three, four, or more.
 fn pace(missed: f64) -> f64 {
     match missed {
         ..5e-5 => 1.7,
@@ -275,7 +277,7 @@ fn pace(missed: f64) -> f64 {
     }
 }
 
-/// The longest step that does not go over a near end.
+/// The longest step that does not pass over a near end.
 fn longest_step(before: &Member, member: &Member) -> f64 {
     let towards = |now: f64, before: f64| if now < before { SHARE * now } else { LONGEST };
     towards(member.size(), before.size()).min(towards(member.distance_from_half(), before.distance_from_half()))

@@ -1,10 +1,10 @@
-//! Guesses of the next member: of order four, from the last two members and how their nodes change along the family.
+//! Guesses of the next member: of order four, from the last two members and their derivatives along the family.
 
 use crate::chain::Chain;
 use crate::flow::{Phase, Space};
 use crate::shooting::{Direction, Ring, Slopes};
 
-/// The member before, as seen from a member: it lies at −distance along the direction there.
+/// The member before another one, seen from the latter: it lies at −distance along the direction there.
 #[derive(Clone, Debug)]
 pub(super) struct Past {
     ring: Ring,
@@ -13,10 +13,10 @@ pub(super) struct Past {
     distance: f64,
 }
 
-/// A guess so many times as far ahead as the member before lies behind is made without it.
+/// A guess farther ahead than this multiple of the distance to the member before is made without that member.
 const AHEAD: f64 = 2.5;
 
-/// A member, as far as guesses look at it: its orbit, and how that changes in the direction of the family.
+/// What guesses use of a member: its orbit, and the derivative along the family.
 #[derive(Clone, Copy)]
 pub(super) struct Place<'a> {
     pub ring: &'a Ring,
@@ -26,10 +26,11 @@ pub(super) struct Place<'a> {
 }
 
 impl Past {
-    /// Of the member `before`, which has other nodes in the same order; `None` where it lies abreast.
+    /// From the member `before`, whose nodes correspond to those here; `None` where the two differ in another
+    /// direction.
     ///
-    /// Along a family only the orbits are determined, not the phases of their nodes: the ones before are moved with the flow
-    /// by one small time, after which the first node and its slope lie across the flow at the first node here.
+    /// A family determines orbits, not the phases of their nodes. The nodes before are moved with the flow by one small
+    /// time, after which the first node and its slope lie across the flow at the first node here.
     pub fn new(space: &Space, before: Place<'_>, here: Place<'_>) -> Option<Self> {
         if here.ring.nodes.len() != before.ring.nodes.len() {
             return None;
@@ -59,7 +60,7 @@ impl Past {
     }
 }
 
-/// The chain at a distance from a member: along the line through those of both, or its own.
+/// The chain at a distance from a member: extrapolated from both members, or its own.
 pub(super) fn chain(here: &Place<'_>, past: Option<&Past>, ahead: f64) -> Chain {
     match past.filter(|past| past.reaches(ahead)) {
         Some(past) => here.chain.beyond(&past.chain, ahead / past.distance),
@@ -67,7 +68,7 @@ pub(super) fn chain(here: &Place<'_>, past: Option<&Past>, ahead: f64) -> Chain 
     }
 }
 
-/// The guess at a distance from a member: the cubic with the places and the slopes of both, or the line of its own.
+/// The guess at a distance from a member: by the cubic through both members with their slopes, or by its own tangent.
 pub(super) fn guess(here: &Place<'_>, past: Option<&Past>, ahead: f64) -> Ring {
     let Place { ring, slopes, .. } = here;
     let Some(past) = past.filter(|past| past.reaches(ahead)) else {
@@ -98,8 +99,8 @@ mod tests {
     use crate::flow::Level;
     use crate::orbit::NODES;
 
-    /// A body without symmetry that swings about its lowest position: the guess of an orbit is closed but for the fourth power
-    /// of the distance from the one that is known, and the line but for the square.
+    /// A body without symmetry that swings about its lowest position: the defect of a cubic guess is of the fourth
+    /// order in the distance from the known orbit, that of a tangent of the second.
     #[test]
     fn guesses_are_of_order_four() {
         let body = Body::parse(&["3", "2.2", "1.7"], &["0.3", "-0.5", "0.8"]).unwrap();
@@ -107,7 +108,7 @@ mod tests {
         let down = space.top.center().map(|r| r / space.top.center_norm());
         let rest = Phase::new(down[0], down[1], down[2], 0.0, 0.0, 0.0);
         let turn = space.linearised(&rest);
-        // The faster one of the two oscillations: its share grows under powers of J².
+        // The faster of the two oscillations dominates under powers of J².
         let mut direction =
             (0..200).fold(Phase::new(0.1, 0.2, -0.3, 0.2, 0.4, 0.1), |v, _| -(turn * turn * v).normalize());
         direction /= direction.norm();

@@ -1,4 +1,4 @@
-//! A member while its family is followed.
+//! A member of a family that is being followed.
 
 use bifdiag_dynamics::field::dot;
 
@@ -7,35 +7,35 @@ use crate::flow::{Level, Space};
 use crate::orbit::spread;
 use crate::shooting::{Direction, Expected, Keep, Ring, ShootingError, Shot, Slopes};
 
-/// A closed orbit, with the direction in which its family goes on.
+/// A closed orbit, with the direction in which its family continues.
 #[derive(Clone, Debug)]
 pub(super) struct Member {
     pub shot: Shot,
     pub direction: Direction,
-    /// How its nodes change in this direction.
+    /// The derivatives of its nodes in this direction.
     slopes: Slopes,
-    /// The member before, if it has the same nodes.
+    /// The member before, if its nodes correspond to these.
     pub(super) past: Option<Past>,
-    /// Its nodes are those of the guess, corrected.
+    /// Its nodes are the corrected ones of the guess.
     same_nodes: bool,
     /// The sum of its multipliers.
     pub trace: f64,
-    /// The cosine of the angle between its direction and that in which it was looked for.
+    /// The cosine of the angle between its direction and that of the guess.
     pub straight: f64,
 }
 
-/// What a member is closed with.
+/// The space and the level on which members are closed.
 #[derive(Clone, Copy)]
 pub(super) struct Setting<'a> {
     pub space: &'a Space,
     pub level: Level,
 }
 
-/// Nodes may move so much more slowly than the fastest one before the ring is begun there.
+/// If the first node moves more slowly than this share of the fastest one, the ring is rotated to start there.
 const SLOW: f64 = 0.3;
 
 impl Setting<'_> {
-    /// Closes a guess that was made along a direction.
+    /// Closes a guess made along a direction.
     pub fn close(
         &self,
         guess: Ring,
@@ -60,7 +60,7 @@ impl Setting<'_> {
         Ok(Member { shot, direction, slopes, past: None, same_nodes, trace, straight })
     }
 
-    /// The member at a distance from another one.
+    /// The member at a distance from another.
     pub fn ahead(&self, member: &Member, distance: f64) -> Result<Member, ShootingError> {
         let place = member.place();
         let chain = chain(&place, member.past.as_ref(), distance);
@@ -83,25 +83,25 @@ impl Member {
         guess(&self.place(), self.past.as_ref(), distance)
     }
 
-    /// The size of the orbit, from its speed: the radius if it were a circle run through evenly.
+    /// The size of the orbit: the radius of the circle with its period and the speed of its first node.
     pub fn size(&self) -> f64 {
         self.shot.frames[0].speed * self.shot.ring.period / std::f64::consts::TAU
     }
 
-    /// How far it is from having half its period. (The number of nodes is even.)
+    /// How far it is from repeating after half its period. (The number of nodes is even.)
     pub fn distance_from_half(&self) -> f64 {
         let nodes = &self.shot.ring.nodes;
         (nodes[nodes.len() / 2] - nodes[0]).norm()
     }
 
-    /// How far it is from having a third of its period. (At a tripling it is begun with a multiple of three nodes.)
+    /// How far it is from repeating after a third of its period. (Rings at a tripling have a multiple of three nodes.)
     pub fn distance_from_third(&self) -> f64 {
         let nodes = &self.shot.ring.nodes;
         (nodes[nodes.len() / 3] - nodes[0]).norm()
     }
 
-    /// Between it and the member before, with the same nodes, lies an orbit of half the period, or an equilibrium: the two nodes
-    /// that are half a period apart have changed places.
+    /// Whether an orbit of half the period, or an equilibrium, lies between it and the member before, whose nodes
+    /// correspond: two nodes half a period apart have then changed places.
     pub fn is_beyond_an_end(&self, before: &Self) -> bool {
         let apart = |member: &Self| {
             let nodes = &member.shot.ring.nodes;
@@ -110,13 +110,13 @@ impl Member {
         self.past.is_some() && apart(self).dot(&apart(before)) < 0.0
     }
 
-    /// What is not held.
+    /// The integral that is not held.
     pub fn parameter(&self, space: &Space, level: Level) -> f64 {
         let state = space.state(&self.shot.ring.nodes[0]);
         if matches!(level, Level::Energy(_)) { dot(state.gamma, state.l) } else { space.top.energy(&state) }
     }
 
-    /// How fast it changes along the family.
+    /// Its derivative along the family.
     pub fn rate(&self, space: &Space, level: Level) -> f64 {
         let [_, of_l, of_h] = space.gradients(&self.shot.ring.nodes[0]);
         let gradient = if matches!(level, Level::Energy(_)) { of_l } else { of_h };

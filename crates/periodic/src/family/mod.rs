@@ -1,4 +1,4 @@
-//! Families of periodic orbits: from the equilibria, along themselves, past their special orbits, to their ends.
+//! Families of periodic orbits, from the equilibria past their special orbits to their ends.
 
 mod begin;
 mod event;
@@ -14,8 +14,9 @@ use bifdiag_equilibria::critical::{Equilibrium, RelativeEquilibria};
 use follow::Course;
 pub use model::{End, Family, FamilyError, FamilyOptions, Held, OrbitEvent, Stretch};
 
-/// The families of the imaginary pairs of an equilibrium, the faster first (Lyapunov's centre theorem). Those whose pair
-/// the theorem says nothing of, since the other is a multiple of it, or zero, have no members and say so.
+/// The families of the imaginary pairs of an equilibrium, the faster first (Lyapunov's centre theorem). Where the
+/// theorem does not apply to a pair, since the other is a multiple of it or zero, the family has no members and its end
+/// says so.
 ///
 /// # Errors
 /// [`FamilyError`].
@@ -28,7 +29,7 @@ pub fn families(
     families_of(&HeavyTop::new(body), &known, equilibrium, options)
 }
 
-/// Those of a body whose equilibria are known.
+/// The same for a body whose equilibria are known.
 pub(crate) fn families_of(
     top: &HeavyTop,
     known: &RelativeEquilibria<'_>,

@@ -1,4 +1,4 @@
-//! What a family is, and how far it is followed.
+//! Families, and how far they are followed.
 
 use bifdiag_body::Number;
 use bifdiag_dynamics::field::{Dimension, HeavyTop};
@@ -9,34 +9,34 @@ use thiserror::Error;
 
 use crate::orbit::PeriodicOrbit;
 
-/// What the members of a family have in common.
+/// The quantity that is fixed along a family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Held {
-    /// Their l, that of the equilibrium.
+    /// l, that of the equilibrium.
     Momentum,
-    /// Their h.
+    /// h.
     Energy,
 }
 
 /// How far families are followed.
 #[derive(Clone, Copy, Debug)]
 pub struct FamilyOptions<'a> {
-    /// What is held.
+    /// The quantity held fixed.
     pub held: Held,
-    /// So many members of a family, and of each branch, at most.
+    /// The most members of a family, and of each branch.
     pub members: usize,
-    /// Follow the families that begin at doublings and branches too.
+    /// Also follow the families that begin at doublings and branches or pass at triplings.
     pub branches: bool,
-    /// Counts the orbits of the families, and can stop the work.
+    /// Counts the orbits found, and can stop the work.
     pub monitor: &'a Monitor,
 }
 
 /// How a family ends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct End {
-    /// How.
+    /// The kind of end.
     pub kind: FamilyEnd,
-    /// The curves of the equilibria to which it comes; those without a name are left out.
+    /// The curves of the equilibria that it approaches; equilibria on no named curve are left out.
     pub curves: Vec<String>,
 }
 
@@ -49,18 +49,18 @@ pub struct OrbitEvent {
     pub after: usize,
     /// The orbit.
     pub orbit: PeriodicOrbit,
-    /// How far h, or l where h is held, was still moving.
+    /// The last change of h, or of l where h is held, in its search.
     pub error: f64,
     /// Families that begin there.
     pub branches: Vec<Stretch>,
 }
 
-/// Orbits in their order, with what happens on the way.
+/// Consecutive orbits of a family, with the special ones between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stretch {
     /// The orbits.
     pub members: Vec<PeriodicOrbit>,
-    /// Special ones.
+    /// The special orbits.
     pub events: Vec<OrbitEvent>,
     /// How it ends.
     pub end: End,
@@ -71,7 +71,7 @@ pub struct Stretch {
 pub struct Family {
     /// The frequency ω of small oscillations.
     pub frequency: f64,
-    /// From the equilibrium on.
+    /// The orbits, starting at the equilibrium.
     pub stretch: Stretch,
 }
 
@@ -88,7 +88,7 @@ impl Stretch {
         Self { members: Vec::new(), events: Vec::new(), end: End { kind, curves: Vec::new() } }
     }
 
-    /// From the units of the reduced top to those of the top as given.
+    /// Converts from the units of the reduced top to those of the top as given.
     pub(super) fn restore(&mut self, top: &HeavyTop, held: Held) {
         let dimension = match held {
             Held::Momentum => Dimension::ENERGY,

@@ -1,18 +1,19 @@
 //! Cells of the section: small squares of a chart on which it is decided whether Rᵐ has a fixed point.
 //!
-//! A motion is followed both ways, to its m-th crossing of P forward, F, and backward, B: a fixed point of Rᵐ is a zero of
-//! d = F − B, and half the way there and half back stretch less than all of it. What is decided rests on nine samples, of which the
-//! outer ones lie a little beyond the cell:
-//! - a cell is **empty** if at all samples F is far from B, compared with how far F and B are from those of neighbouring samples.
-//!   Where a motion touches the section, crossings are born in pairs and those after them are counted anew: where neighbours
-//!   disagree, all crossings that may go on to be an m-th one are taken, forward and backward, of all samples, each as
-//!   far as it moves to neighbours' crossings at nearly the same time, or, if it was just born, to the line of tangency;
-//! - or if at all samples F and B are less than half the shortest possible period apart in time;
-//! - or if the affine map that fits d best vanishes nowhere in the cell, by a margin of several times what it leaves;
-//! - it has **one** fixed point if that affine map has one zero, well within the samples; the index is the winding number of
-//!   d along the eight outer samples, times the sign of det DB: DRᵐ − 1 = DB⁻¹ Dd.
+//! A motion is followed to its m-th crossing of P forward, F, and backward, B: a fixed point of Rᵐ is a zero of
+//! d = F − B, and each half of the way stretches less than the whole. The verdict rests on nine samples, the outer ones
+//! a little beyond the cell:
+//! - a cell is **empty** if at all samples F is far from B, compared with how far F and B move between neighbouring
+//!   samples. Where a motion touches the section, crossings are born in pairs and the later ones are renumbered. Where
+//!   neighbours disagree for this reason, all crossings that may continue to an m-th one are compared, forward and
+//!   backward, of all samples. Each may move as far as to neighbours' crossings at nearly the same time or, if it was
+//!   just born, to the line of tangency;
+//! - it is empty, too, if at all samples F and B are less than half the shortest possible period apart in time;
+//! - or if the affine map that best fits d vanishes nowhere in the cell, by several times its residual;
+//! - it has **one** fixed point if that affine map has one zero, well within the samples; the index is the winding
+//!   number of d along the eight outer samples, times the sign of det DB: DRᵐ − 1 = DB⁻¹ Dd.
 //!
-//! All else is open, and cut into four.
+//! All other cells are open, and are cut into four.
 
 use nalgebra::{Matrix2, Vector2};
 
@@ -23,7 +24,7 @@ use crate::section_map::{BothWays, Image};
 /// A square of a chart.
 #[derive(Clone, Copy, Debug)]
 pub struct Cell {
-    /// Place of the chart.
+    /// The number of its chart.
     pub chart: usize,
     /// Coordinates of its middle.
     pub at: [f64; 2],
@@ -33,19 +34,19 @@ pub struct Cell {
     pub open: u32,
 }
 
-/// How far the samples reach, in half sides.
+/// How far the samples reach, in units of half the side.
 pub const REACH: f64 = 1.25;
-/// What an affine map leaves at the samples, times this, bounds what it leaves between them.
+/// The residual of an affine map at the samples, times this, is taken to bound its residual between them.
 const MARGIN: f64 = 3.0;
-/// Images of neighbours are at most this part of their distance from the cell apart.
+/// A cell is empty if images move between neighbours by at most this share of the distance between F and B.
 const APART: f64 = 1.0 / 3.0;
-/// A crossing was born about half way to the one with which it was born: with a margin.
+/// A crossing was born about half way to its twin: with a margin.
 const BORN: f64 = 0.75;
 
 /// The nine places.
 const GRID: [[f64; 2]; 9] =
     [[-1.0, -1.0], [0.0, -1.0], [1.0, -1.0], [-1.0, 0.0], [0.0, 0.0], [1.0, 0.0], [-1.0, 1.0], [0.0, 1.0], [1.0, 1.0]];
-/// Those of the rim, in a circle.
+/// The places on the rim, in order round it.
 const RIM: [usize; 8] = [0, 1, 2, 5, 8, 7, 6, 3];
 
 /// The samples of a cell.
@@ -53,14 +54,14 @@ const RIM: [usize; 8] = [0, 1, 2, 5, 8, 7, 6, 3];
 pub struct Samples {
     /// The middle of the cell.
     pub middle: Point,
-    /// Points of P⁻, at the nine places or, where these are in P⁺, on the line of tangency near them.
+    /// Points of P⁻: at the nine places or, where these are in P⁺, on the line of tangency near them.
     pub points: [Option<Point>; 9],
-    /// All of them are where they should be.
+    /// All of them are at their places.
     pub whole: bool,
 }
 
 impl Cell {
-    /// The four parts.
+    /// The four quarters.
     #[must_use]
     pub fn parts(&self, open: u32) -> [Self; 4] {
         let half = 0.5 * self.half;
@@ -82,7 +83,7 @@ impl Cell {
         [0, 1].map(|i| self.at[i] + self.reach() * GRID[k][i])
     }
 
-    /// Where to look; `None` if the chart fails.
+    /// The samples; `None` if the chart fails.
     #[must_use]
     pub fn samples(&self, surface: &Surface, chart: &Chart) -> Option<Samples> {
         let mut grid = [Point::zeros(); 9];
@@ -99,7 +100,7 @@ impl Cell {
         Some(samples)
     }
 
-    /// From a place in P⁺ to the line of tangency, a little beyond it, unless that is far away.
+    /// The point just beyond the line of tangency nearest to a place in P⁺, unless that is far away.
     fn onto_line(&self, surface: &Surface, chart: &Chart, k: usize, gradient: [f64; 2]) -> Option<Point> {
         let steep = gradient[0] * gradient[0] + gradient[1] * gradient[1];
         let target = -0.02 * steep.sqrt() * self.half;
@@ -121,21 +122,21 @@ impl Cell {
     }
 }
 
-/// What is known of Rᵐ in a cell.
+/// What is known about Rᵐ in a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Verdict {
     /// No fixed point.
     Empty,
-    /// One, near these coordinates, and the winding number.
+    /// One fixed point, near these coordinates, and its index.
     One([f64; 2], i32),
-    /// Nothing; the fixed points of the affine map that fits lie close to a line, if that is so.
+    /// Nothing.
     Open {
-        /// That is so.
+        /// The fixed points of the affine map that fits lie close to a line.
         line: bool,
     },
 }
 
-/// Looks at Rᵐ in a cell. `ways` are those of the samples that are there.
+/// Judges Rᵐ in a cell from the motions through its samples.
 #[must_use]
 pub fn judge(cell: &Cell, surface: &Surface, samples: &Samples, ways: &[&BothWays; 9], m: usize) -> Verdict {
     if is_brief(surface, samples, ways, m) || is_apart(samples, ways, m) {
@@ -155,14 +156,14 @@ pub fn judge(cell: &Cell, surface: &Surface, samples: &Samples, ways: &[&BothWay
     in_the_plane(cell, &gaps.map(flat), &ends.map(|[_, before]| flat(before.point - middle)))
 }
 
-/// The ways take no longer than half the shortest period that there can be, as near a motion that crosses P three times at once.
+/// Whether the motions from B to F take less than half the shortest possible period, as near a triple crossing of P.
 fn is_brief(surface: &Surface, samples: &Samples, ways: &[&BothWays; 9], m: usize) -> bool {
     let shortest = surface.shortest_period();
     let mut ends = (0..9).filter(|k| samples.points[*k].is_some()).map(|k| ways[k].ends(m));
     ends.all(|ends| ends.is_some_and(|[after, before]| after.time + before.time < 0.5 * shortest))
 }
 
-/// The samples beside one, as far as they are there.
+/// The neighbours of a sample that exist.
 fn neighbours(samples: &Samples, k: usize) -> impl Iterator<Item = usize> {
     (0..9).filter(move |j| {
         let apart = [0, 1].map(|i| (GRID[*j][i] - GRID[k][i]).abs());
@@ -170,11 +171,11 @@ fn neighbours(samples: &Samples, k: usize) -> impl Iterator<Item = usize> {
     })
 }
 
-/// The ends are far apart, compared with how far they are from those of neighbouring samples.
+/// Whether F and B are far apart, compared with how far they move between neighbouring samples.
 fn is_apart(samples: &Samples, ways: &[&BothWays; 9], m: usize) -> bool {
     let there: Vec<usize> = (0..9).filter(|k| samples.points[*k].is_some()).collect();
     let is_steady = |k: &usize| {
-        // One that has no m-th crossing in the longest time has no orbit of interest.
+        // A motion without an m-th crossing in the longest time belongs to no orbit that is looked for.
         let Some([after, before]) = ways[*k].ends(m) else { return true };
         let most = APART * (after.point - before.point).norm();
         neighbours(samples, *k).all(|j| {
@@ -184,7 +185,7 @@ fn is_apart(samples: &Samples, ways: &[&BothWays; 9], m: usize) -> bool {
         })
     };
     there.iter().all(is_steady) || {
-        // Somewhere crossings are born, forward at some samples and backward at others.
+        // Crossings are born within the cell.
         let after = branches(samples, ways, &there, m, |ways| &ways.after);
         let before = branches(samples, ways, &there, m, |ways| &ways.before);
         after.iter().all(|(end, drift)| {
@@ -193,7 +194,7 @@ fn is_apart(samples: &Samples, ways: &[&BothWays; 9], m: usize) -> bool {
     }
 }
 
-/// What may go on to be an m-th crossing somewhere in the cell, at all samples, and how far from them it may be.
+/// The crossings of all samples that may continue to an m-th crossing somewhere in the cell, and how far each may move.
 fn branches<'a>(
     samples: &Samples,
     ways: &[&'a BothWays; 9],
@@ -215,15 +216,15 @@ fn branches<'a>(
     found
 }
 
-/// How far an end is from where it goes on at a neighbour: at a crossing of the same kind at nearly the same time, whatever its number
-/// is there, or, if it was just born, up to where that happened.
+/// How far a crossing moves to a neighbouring sample: to one of the same kind at nearly the same time, whatever its
+/// number, or, if it was just born, to the place of its birth.
 fn moved(end: &Image, neighbours: &[Image], late: f64) -> f64 {
     let same = |other: &&Image| other.is_maximum == end.is_maximum && (other.time - end.time).abs() <= late;
     let distances = neighbours.iter().filter(same).map(|other| (other.point - end.point).norm());
     distances.fold(BORN * end.pair, f64::min)
 }
 
-/// d = d₀ + d₁u + d₂v in half sides of the samples, and the largest distance from it.
+/// The least-squares fit d₀ + d₁u + d₂v, with u, v ∈ [−1, 1] over the samples, and its largest residual.
 fn fit<const N: usize>(values: &[nalgebra::SVector<f64, N>; 9]) -> ([nalgebra::SVector<f64, N>; 3], f64) {
     let mut fitted = [nalgebra::SVector::<f64, N>::zeros(); 3];
     for (value, [u, v]) in values.iter().zip(GRID) {
@@ -238,7 +239,7 @@ fn fit<const N: usize>(values: &[nalgebra::SVector<f64, N>; 9]) -> ([nalgebra::S
     (fitted, largest)
 }
 
-/// The affine map has no zero over the samples, by a margin.
+/// Whether the affine map has no zero over the samples, by a margin.
 fn vanishes_nowhere(moved: &[Point; 9]) -> bool {
     let ([d, du, dv], rest) = fit(moved);
     let at = |u: f64, v: f64| (d + du * u + dv * v).norm();
@@ -257,7 +258,7 @@ fn vanishes_nowhere(moved: &[Point; 9]) -> bool {
     least > MARGIN * rest
 }
 
-/// Counts zeros of the gaps, in the plane of the ends; the index is that for the way back from them.
+/// Counts the zeros of the gaps F − B, projected to the tangent plane at B.
 fn in_the_plane(cell: &Cell, flat: &[Vector2<f64>; 9], before: &[Vector2<f64>; 9]) -> Verdict {
     let ([d, du, dv], rest) = fit(flat);
     let ([_, eu, ev], _) = fit(before);
@@ -265,7 +266,7 @@ fn in_the_plane(cell: &Cell, flat: &[Vector2<f64>; 9], before: &[Vector2<f64>; 9
     let derivative = Matrix2::from_columns(&[du, dv]);
     let line = derivative.singular_values().max() > 4.0 * rest;
     let Some(inverse) = derivative.try_inverse() else { return Verdict::Open { line } };
-    // In half sides of the samples: the affine map becomes x − zero, and what it leaves small where it is stretched.
+    // In units of the samples' reach the affine map becomes x − zero, and residuals shrink where it stretches.
     let zero = -(inverse * d);
     let straight = flat.each_ref().map(|d| inverse * d);
     let margin =
@@ -285,7 +286,7 @@ fn in_the_plane(cell: &Cell, flat: &[Vector2<f64>; 9], before: &[Vector2<f64>; 9
     }
 }
 
-/// The winding number along the rim; `None` where the straight piece between two neighbours comes too close to 0 to tell.
+/// The winding number along the rim; `None` where the segment between two neighbours comes too close to 0.
 fn winding(values: &[Vector2<f64>; 9], margin: f64) -> Option<i32> {
     let mut turned = 0.0;
     for k in 0..8 {

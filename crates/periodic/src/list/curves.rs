@@ -1,4 +1,5 @@
-//! Curves of fixed points: each belongs to a continuum of orbits of one period, as on a resonant torus of an integrable body.
+//! Curves of fixed points: each belongs to a continuum of orbits of one period, as on a resonant torus of an integrable
+//! body.
 
 use bifdiag_dynamics::section::SectionError;
 use bifdiag_numbers::table::Partition;
@@ -8,12 +9,12 @@ use super::search::OnCurve;
 use crate::flow::Phase as Point;
 use crate::section_map::SectionMap;
 
-/// Periods closer than this, relatively, are one.
+/// Periods with a smaller relative difference count as equal.
 const ONE_PERIOD: f64 = 1e-7;
 /// A curve is followed over gaps of this many half sides of a cell.
 const STRIDE: f64 = 6.0;
 
-/// A point of each continuum, and its period.
+/// One point of each continuum, with its period.
 ///
 /// # Errors
 /// Those of [`SectionMap::images`].
@@ -41,7 +42,7 @@ pub fn families(map: &SectionMap<'_>, found: &[OnCurve]) -> Result<Vec<(Point, f
             }
             let near = STRIDE * first.half.max(second.half);
             let meets = |y: &Point| (y - second.fixed.point).norm() < near;
-            // The curve itself, and its images, which meet the same orbits.
+            // The curve or one of its images, which meet the same orbits.
             if meets(&first.fixed.point) || images[a].iter().any(|image| meets(&image.point)) {
                 sets.unite(i, j);
             }

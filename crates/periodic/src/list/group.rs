@@ -12,9 +12,9 @@ use crate::section_map::SectionMap;
 /// A cycle of R.
 #[derive(Clone, Copy, Debug)]
 pub struct Cycle {
-    /// Its highest point.
+    /// Its point with the largest ⟨γ,r⟩.
     pub start: Point,
-    /// Its points.
+    /// The number of its points.
     pub turns: usize,
     /// Its period in time.
     pub period: f64,
@@ -27,13 +27,13 @@ pub struct Cycle {
 pub struct Grouped {
     /// By length, then by period.
     pub cycles: Vec<Cycle>,
-    /// Of the fixed points of R, R², …
+    /// The sums of the indices of the fixed points of R, R², …
     pub index_sums: Vec<i32>,
     /// Cycles with points that the search did not find.
     pub incomplete: usize,
 }
 
-/// Puts fixed points together.
+/// Collects fixed points into cycles.
 ///
 /// # Errors
 /// Those of [`SectionMap::images`].
@@ -72,7 +72,7 @@ pub fn orbits(map: &SectionMap<'_>, found: &[FixedPoint], turns: usize) -> Resul
             members.sort_by(|a, b| from_the_top(map, a, b));
             cycles.push(Cycle { start: members[0], turns: m, period: fixed.period, index: fixed.index() });
         }
-        // Symmetric pairs have one period but for rounding.
+        // The periods of a mirror pair differ by rounding only.
         cycles.sort_by(|a, b| a.period.total_cmp(&b.period));
         for k in 1..cycles.len() {
             let [a, b] = [&cycles[k - 1], &cycles[k]];
@@ -85,7 +85,7 @@ pub fn orbits(map: &SectionMap<'_>, found: &[FixedPoint], turns: usize) -> Resul
     Ok(grouped)
 }
 
-/// The highest first: ⟨γ, r⟩ is largest.
+/// The larger ⟨γ, r⟩ first.
 fn from_the_top(map: &SectionMap<'_>, a: &Point, b: &Point) -> Ordering {
     let r = map.surface().top().center();
     let height = |y: &Point| dot([y[0], y[1], y[2]], r);

@@ -26,9 +26,9 @@ use search::{Found, OpenCell, SearchOptions, search};
 /// What to look for, and how hard.
 #[derive(Clone, Copy, Debug)]
 pub struct ListOptions {
-    /// The most crossings of P, both ways; an orbit has an even number of them.
+    /// The most crossings of P, inward and outward together; an orbit has an even number of them.
     pub crossings: u32,
-    /// The most cells.
+    /// The most cells to examine.
     pub cells: usize,
 }
 
@@ -44,11 +44,11 @@ pub const MOST_CROSSINGS: u32 = 24;
 /// An orbit of the list.
 #[derive(Clone, Debug)]
 pub struct ListedOrbit {
-    /// The orbit; it starts where it is highest.
+    /// The orbit; it starts where ⟨γ,r⟩ is largest.
     pub orbit: PeriodicOrbit,
     /// The index of its points as fixed points of Rᵐ, m the number of its returns.
     pub index: i32,
-    /// What was proved of it.
+    /// The proof that it exists, or why there is none.
     pub proof: Result<OrbitProof, ProofError>,
 }
 
@@ -73,7 +73,7 @@ pub enum Gap {
         /// They all meet the line of tangency.
         at_tangency: bool,
     },
-    /// Orbits of which not every point was found.
+    /// Orbits that were found at some of their points only.
     Points {
         /// How many.
         count: usize,
@@ -89,13 +89,13 @@ pub struct OrbitList {
     pub continua: Vec<PeriodicOrbit>,
     /// For m = 1, 2, …: the sum of the indices of all isolated fixed points of Rᵐ.
     pub index_sums: Vec<i32>,
-    /// What may be missing; empty if every cell was decided.
+    /// What may be missing; empty if the list is complete.
     pub gaps: Vec<Gap>,
     /// No motion was followed longer than this.
     pub longest: f64,
-    /// Motions that were not back in that time.
+    /// Motions that had not returned by then.
     pub slow: usize,
-    /// Cells that were looked at, and motions that were followed.
+    /// Cells examined, and motions followed.
     pub effort: [usize; 2],
 }
 
@@ -113,13 +113,13 @@ pub enum ListError {
     Orbit(#[from] OrbitError),
 }
 
-/// Cuts of a cell.
+/// How often a cell is cut into four.
 const LEVELS: u32 = 14;
 /// The most squares of a cover.
 pub const CHARTS: usize = 100_000;
-/// Starts of the cover, in all components together.
+/// Points at which the cover starts, in all components together.
 const SEEDS: usize = 48;
-/// Times of a small swing about the lowest position for which a motion is followed.
+/// How long a motion is followed, in periods of a slow swing about the lowest position.
 const SWINGS: f64 = 100.0;
 
 /// The periodic orbits at a point.
@@ -162,7 +162,7 @@ pub fn list_watched(
     for (tried, cycle) in grouped.cycles.iter().enumerate() {
         watch(Stage::Proofs { tried, found: grouped.cycles.len() });
         let state = surface.state(&cycle.start);
-        // Of an orbit with several maxima the description takes one, the list the highest, at which it is proved.
+        // Of several maxima the description would choose any; the list takes the largest, at which the orbit is proved.
         let orbit = PeriodicOrbit { start: state, ..PeriodicOrbit::new(top, &state, cycle.period)? };
         let ([g1, g2, g3], [w1, w2, w3]) = (state.gamma, top.inverse_inertia(state.l));
         let start = [g1, g2, g3, w1, w2, w3];
@@ -184,7 +184,7 @@ pub fn list_watched(
     })
 }
 
-/// A time after which nobody waits for a return: many times 2π√(A_max/|r|).
+/// The longest time for which a motion is followed: many times 2π√(A_max/|r|).
 pub(crate) fn longest(top: &HeavyTop) -> f64 {
     let largest = top.moments().into_iter().fold(0.0, f64::max);
     SWINGS * std::f64::consts::TAU * (largest / top.center_norm()).sqrt()

@@ -1,4 +1,4 @@
-//! The curve of the diagram beside which the section is too sharply bent to be covered.
+//! The curve of the diagram near which the section is too sharply bent to be covered.
 
 use bifdiag_diagram::topology::Margin;
 use bifdiag_dynamics::field::{State, dot};
@@ -9,8 +9,8 @@ use bifdiag_equilibria::curves::{CurveName, Pole};
 use crate::chart::{RADIUS, Surface};
 use crate::flow::Phase as Point;
 
-/// A critical curve or pole line near (h, l). At its own energy P is singular at a few states, and close to that energy it is
-/// sharply bent near them.
+/// A critical curve or pole line near (h, l). At its own energy P is singular at a few states, and close to that energy
+/// it is sharply bent near them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearCurve {
     /// The curve.
@@ -21,10 +21,11 @@ pub struct NearCurve {
     pub within: f64,
 }
 
-/// Farther from the states at which P is singular than this, its bends have another reason: the side of the largest square.
+/// Farther from the states at which P is singular than this, its bends have another reason: the side of the largest
+/// square.
 const NEAR: f64 = 2.0 * RADIUS;
-/// The largest margin, as a part of |h| + |r|: P bends near such a state on the scale of its square root, and farther away
-/// than this the largest square fits.
+/// The largest margin, as a part of |h| + |r|: P bends near such a state on the scale of its square root, and farther
+/// away than this the largest square fits.
 const MARGIN: f64 = RADIUS * RADIUS;
 
 impl NearCurve {
@@ -42,8 +43,8 @@ impl NearCurve {
     }
 }
 
-/// The states of energy h_c at which P is singular: the relative equilibria on a critical curve; on a pole line the rotation
-/// with the pole along the vertical, which spends all of h_c.
+/// The states of energy h_c at which P is singular: the relative equilibria on a critical curve; on a pole line the
+/// rotation with the pole along the vertical, which spends all of h_c.
 fn singular_states(setting: &SectionSetting, curve: CurveName) -> Option<Vec<State>> {
     let (top, l) = (setting.torus().top(), setting.l());
     let turning = |gamma: [f64; 3]| {
@@ -58,4 +59,30 @@ fn singular_states(setting: &SectionSetting, curve: CurveName) -> Option<Vec<Sta
     let equilibria = known.at(setting.point()[1]).ok()?.list;
     let own = equilibria.into_iter().filter(|found| found.curve == Some(curve));
     Some(own.map(|found| turning(found.gamma)).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use bifdiag_body::Body;
+
+    use super::*;
+
+    /// The states lie on the curve: their energy differs from h by the margin, for poles and for equilibria.
+    #[test]
+    fn singular_states_have_the_energy_of_the_curve() {
+        let body = Body::parse(&["2", "1.1", "1"], &["0.94868", "0", "0.61623"]).unwrap();
+        for (h, name) in [("1.9694", "P+"), ("4.2319", "P-"), ("1.64", "G2.1"), ("4.645", "S2.1")] {
+            let setting = SectionSetting::new(&body, &h.parse().unwrap(), &"3.25".parse().unwrap()).unwrap();
+            let Margin { h: margin, nearest, .. } = *setting.margin();
+            let curve = nearest.unwrap();
+            assert_eq!(curve.to_string(), name);
+            let states = singular_states(&setting, curve).unwrap();
+            assert_eq!(states.len(), if name == "S2.1" { 2 } else { 1 });
+            for state in states {
+                let distance = (setting.torus().top().energy(&state) - setting.h()).abs();
+                assert!((distance - margin).abs() < 1e-12, "{name} {distance} {margin}");
+                assert!((dot(state.gamma, state.l) - 3.25).abs() < 1e-12);
+            }
+        }
+    }
 }

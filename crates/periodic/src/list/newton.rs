@@ -16,7 +16,7 @@ pub struct Guess<'a> {
     pub at: [f64; 2],
     /// m.
     pub turns: usize,
-    /// How far the point may go.
+    /// How far the point may move.
     pub reach: f64,
 }
 
@@ -48,22 +48,23 @@ impl FixedPoint {
 /// Points closer than this are the same.
 pub const SAME: f64 = 1e-7;
 
-/// Two points are one.
+/// Whether two points coincide.
 #[must_use]
 pub fn are_same(a: &Point, b: &Point) -> bool {
     (a - b).norm() < SAME
 }
 
-/// A fixed point is known to this.
+/// The largest residual of a fixed point.
 pub const CLOSED: f64 = 1e-11;
 /// Iterations.
 const ITERATIONS: usize = 12;
-/// What the derivative is measured over.
+/// The step of the difference quotients.
 const DISPLACEMENT: f64 = 1e-5;
 /// Singular values below this part of the largest one count as 0 in the search for points of a curve.
 const FLAT: f64 = 1e-3;
 
-/// What became of each guess. With `onto_curves` the shortest step is taken in directions in which Rᵐ is like the identity.
+/// The fixed point found from each guess, if any. With `onto_curves`, steps avoid directions in which Rᵐ is nearly the
+/// identity, so that a guess moves to the nearest point of a curve of fixed points.
 ///
 /// # Errors
 /// Those of [`SectionMap::images`].
@@ -79,14 +80,14 @@ pub fn newton(
         let evaluated = around(map, guesses, &active, &at)?;
         let mut left = Vec::new();
         for (&k, fixed) in active.iter().zip(evaluated) {
-            let Some((fixed, beside)) = fixed else { continue };
+            let Some((fixed, offset)) = fixed else { continue };
             let best = found[k].map_or(f64::INFINITY, |old| old.residual);
             if fixed.residual < best {
                 found[k] = Some(fixed);
             } else if best < CLOSED {
                 continue;
             }
-            let Some(step) = step(&fixed.derivative, beside, onto_curves) else { continue };
+            let Some(step) = step(&fixed.derivative, offset, onto_curves) else { continue };
             at[k] = [fixed.at[0] - step[0], fixed.at[1] - step[1]];
             let gone = (at[k][0] - guesses[k].at[0]).abs().max((at[k][1] - guesses[k].at[1]).abs());
             if gone <= guesses[k].reach {
@@ -104,17 +105,17 @@ pub fn newton(
     Ok(found)
 }
 
-fn step(derivative: &Matrix2<f64>, beside: Vector2<f64>, onto_curves: bool) -> Option<Vector2<f64>> {
+fn step(derivative: &Matrix2<f64>, offset: Vector2<f64>, onto_curves: bool) -> Option<Vector2<f64>> {
     if !onto_curves {
-        return derivative.lu().solve(&beside);
+        return derivative.lu().solve(&offset);
     }
     let svd = derivative.svd(true, true);
     let largest = svd.singular_values.max();
-    svd.solve(&beside, FLAT * largest).ok()
+    svd.solve(&offset, FLAT * largest).ok()
 }
 
 /// The map and its derivative at each active guess.
-#[expect(clippy::type_complexity, reason = "a fixed point to be, and how far it is from being one")]
+#[expect(clippy::type_complexity, reason = "a candidate fixed point, and Newton's step from it")]
 fn around(
     map: &SectionMap<'_>,
     guesses: &[Guess<'_>],

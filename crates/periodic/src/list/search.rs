@@ -1,4 +1,4 @@
-//! The search: a cover of the section is cut into cells until each is decided.
+//! The search: the squares of a cover are cut into cells until each is decided.
 
 use bifdiag_dynamics::section::SectionError;
 use nalgebra::Vector2;
@@ -10,14 +10,14 @@ use crate::chart::{BEYOND, Chart, Cover};
 use crate::flow::Phase as Point;
 use crate::section_map::{BothWays, SectionMap};
 
-/// How many returns are looked at, and how much work may be done.
+/// How many returns are considered, and how much work may be done.
 #[derive(Clone, Copy, Debug)]
 pub struct SearchOptions {
     /// The largest m.
     pub turns: usize,
-    /// Cuts of a cell.
+    /// How often a cell is cut into four.
     pub levels: u32,
-    /// Cells in all.
+    /// The most cells to examine.
     pub cells: usize,
 }
 
@@ -28,7 +28,7 @@ pub struct OpenCell {
     pub middle: Point,
     /// Half a side.
     pub half: f64,
-    /// Bit m − 1.
+    /// Bit m − 1: whether Rᵐ has fixed points in it is open.
     pub turns: u32,
     /// It meets the line of tangency.
     pub at_tangency: bool,
@@ -46,37 +46,37 @@ pub struct OnCurve {
 /// What the search found.
 #[derive(Clone, Debug, Default)]
 pub struct Found {
-    /// Fixed points of each Rᵐ, each once for every cell whose samples go round it.
+    /// Fixed points of each Rᵐ, each once for every cell whose samples surround it.
     pub points: Vec<FixedPoint>,
     /// Points of curves of fixed points.
     pub on_curves: Vec<OnCurve>,
-    /// What is left.
+    /// Cells that are still open.
     pub open: Vec<OpenCell>,
-    /// It is left because no more cells may be examined.
+    /// They are open because no more cells may be examined.
     pub spent: bool,
-    /// Cells that were looked at.
+    /// Cells examined.
     pub cells: usize,
-    /// Motions that were followed.
+    /// Motions followed.
     pub motions: usize,
-    /// Those that did not come back in time.
+    /// Motions that did not return in time.
     pub slow: usize,
 }
 
-/// Cells each chart is cut into, a side, before the first look.
+/// Cells along each side of a square at the start.
 const FIRST: u32 = 2;
-/// Their samples lie where the charts were tried.
+/// Their samples lie where the charts were tested.
 const _: () = assert!(1.0 + (REACH - 1.0) / FIRST as f64 <= BEYOND);
-/// Cuts after which curves of fixed points are looked for.
+/// Cuts after which curves of fixed points are considered.
 const CURVES: u32 = 2;
-/// Cuts after which one more line of births is reckoned with, and one more after as many again.
+/// After this many cuts one more line of births is allowed for, and another after as many again.
 const CROSSED: u32 = 6;
 /// More cuts, as long as only a few cells are left.
 const FURTHER: u32 = 6;
-/// So many are few.
+/// At most this many are few.
 const FEW: usize = 1024;
-/// Cells that are looked at together.
+/// Cells examined together.
 const BATCH: usize = 4096;
-/// |det(DRᵐ − 1)| below this part of its square norm: 1 is a double multiplier.
+/// |det(DRᵐ − 1)| below this share of the squared norm: 1 is a double multiplier.
 const PARABOLIC: f64 = 3e-5;
 
 /// Searches a cover; `watch` is called as the work goes on.
@@ -105,7 +105,7 @@ pub fn search(
         let mut left = Vec::new();
         let mut to_examine = level.len();
         for batch in level.chunks(BATCH) {
-            let undecided = look(map, cover, options, batch, depth, &mut found)?;
+            let undecided = examine(map, cover, options, batch, depth, &mut found)?;
             undecided_area += area(undecided.iter().map(|(cell, ..)| cell)) - area(batch);
             left.extend(
                 undecided.into_iter().map(|(cell, open, samples)| (cell, open_cell(cover, &cell, open, samples))),
@@ -138,8 +138,8 @@ fn open_cell(cover: &Cover, cell: &Cell, turns: u32, samples: Option<Samples>) -
 
 type Undecided = (Cell, u32, Option<Samples>);
 
-/// Looks at some cells; those that stay open, and for which m.
-fn look(
+/// Examines some cells; returns those that stay open, and for which m.
+fn examine(
     map: &SectionMap<'_>,
     cover: &Cover,
     options: &SearchOptions,
@@ -150,8 +150,8 @@ fn look(
     let samples: Vec<Option<Samples>> =
         cells.iter().map(|cell| cell.samples(map.surface(), &cover.charts[cell.chart])).collect();
     let starts: Vec<Point> = samples.iter().flatten().flat_map(|s| s.points.iter().copied().flatten()).collect();
-    // Where a pair of crossings is born the later ones are counted anew. In most cells there is one line of births, in small ones
-    // there may be two that cross, and in smaller ones three.
+    // Where a pair of crossings is born, the later ones are renumbered. Most cells contain one line of births; in
+    // smaller ones two may cross, and in still smaller ones three.
     let born = 1 + depth / CROSSED;
     let ways = map.both_ways(&starts, options.turns + 2 * born as usize)?;
     found.cells += cells.len();
@@ -211,12 +211,12 @@ fn is_in(cell: &Cell, fixed: &FixedPoint) -> bool {
     (fixed.at[0] - cell.at[0]).abs().max((fixed.at[1] - cell.at[1]).abs()) <= cell.reach()
 }
 
-/// 1 is a double multiplier.
+/// Whether 1 is a double multiplier.
 fn is_parabolic(fixed: &FixedPoint) -> bool {
     fixed.derivative.determinant().abs() <= PARABOLIC * fixed.derivative.norm_squared()
 }
 
-/// Fixed points with others beside them, in the direction in which Rᵐ is like the identity: points of a curve.
+/// Fixed points with others on both sides, in the direction in which Rᵐ is nearly the identity: points of a curve.
 fn on_curves(
     map: &SectionMap<'_>,
     lines: &[(usize, Guess<'_>, Cell)],

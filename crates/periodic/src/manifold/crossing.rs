@@ -1,7 +1,8 @@
-//! Where unstable and stable manifolds cross: the orbits that leave one periodic orbit and come to one.
+//! Where unstable and stable manifolds cross: the orbits that leave one periodic orbit and approach the same or another
+//! one.
 //!
-//! Crossings of the polylines are refined by Newton's method in the two seeds; the same homoclinic orbit crosses P⁻ in infinitely
-//! many points, of which R takes one to the next.
+//! Crossings of the polylines are refined by Newton's method in the two seeds; the same homoclinic orbit crosses P⁻ in
+//! infinitely many points, and R maps each to the next.
 
 use std::collections::HashMap;
 
@@ -15,24 +16,24 @@ use super::world::World;
 use crate::flow::Phase;
 use bifdiag_schema::ManifoldKind;
 
-/// Curves that meet at a smaller angle are not told from curves that coincide.
+/// Curves that meet at a smaller angle cannot be distinguished from curves that coincide.
 pub const ANGLE: f64 = 1e-4;
-/// The largest distance of the two curves' points at a crossing.
+/// The largest distance between the points of the two curves at a crossing.
 pub const RESIDUAL: f64 = 1e-10;
 /// Curves that nearly coincide are no farther apart than this.
 const BESIDE: f64 = 1e-6;
-/// Crossings are not looked for so near to the periodic orbits: they come again and again there, between curves that turn within
-/// less and less.
+/// Crossings this close to the periodic orbits are ignored: they recur there endlessly, between curves that turn within
+/// smaller and smaller distances.
 const NEAR: f64 = 1e-3;
-/// Points that are one.
+/// Points closer than this coincide.
 const SAME: f64 = 1e-7;
 /// Steps of Newton's method.
 const STEPS: usize = 10;
-/// What derivatives are measured over, as a part of the distance of neighbouring seeds.
+/// The step of difference quotients, as a share of the distance between neighbouring seeds.
 const SHARE: f64 = 0.01;
-/// How far beyond its ends a chord is taken to reach, and how far Newton's method may go, as parts of it.
+/// How far a chord is taken to reach beyond its ends, and how far Newton's method may move, in units of the chord.
 const BEYOND: [f64; 2] = [0.02, 3.0];
-/// Candidates that are refined together.
+/// Candidates refined together.
 const BATCH: usize = 1024;
 const CELL: f64 = 2.0 * GAP;
 
@@ -45,7 +46,7 @@ struct Chord {
     ends: [Phase; 2],
 }
 
-/// A place on a curve that is moved along it.
+/// A place on a curve, moved along it by Newton's method.
 #[derive(Clone, Copy)]
 struct Place {
     branch: usize,
@@ -62,7 +63,7 @@ impl Place {
         Self { branch: chord.branch, level: chord.level, s, first: s, spacing }
     }
 
-    /// Before, at, and behind it.
+    /// Just before it, at it, and just after it.
     fn around(&self) -> [f64; 3] {
         [-SHARE, 0.0, SHARE].map(|share| self.s + share * self.spacing)
     }
@@ -75,7 +76,7 @@ pub struct Crossing {
     pub point: Phase,
     /// The angle of the curves.
     pub angle: f64,
-    /// The distance of the two curves' points.
+    /// The distance between the points of the two curves.
     pub residual: f64,
     from: usize,
     to: usize,
@@ -170,7 +171,7 @@ impl Finder<'_> {
         candidates
     }
 
-    /// The points of many places, in the world at l.
+    /// The points at many places, in the world at l.
     fn points(&self, places: &[(usize, usize, f64)]) -> Result<Vec<Option<Phase>>, SectionError> {
         let mut points = vec![None; places.len()];
         for (number, branch) in self.branches.iter().enumerate() {
@@ -178,7 +179,7 @@ impl Finder<'_> {
             let asked: Vec<(usize, f64)> = own.iter().map(|k| (places[*k].1, places[*k].2)).collect();
             let world = &self.worlds[usize::from(branch.is_stable)];
             for (k, point) in own.into_iter().zip(branch.at(world, &asked)?) {
-                points[k] = point.point().map(|y| world.seen(&y));
+                points[k] = point.point().map(|y| world.mirrored(&y));
             }
         }
         Ok(points)
@@ -198,20 +199,20 @@ impl Finder<'_> {
             let mut left = Vec::new();
             for ((k, mut pair), own) in active.into_iter().zip(points.chunks(6)) {
                 let Some(own) = own.iter().copied().collect::<Option<Vec<Phase>>>() else { continue };
-                let Some(look) = self.look(&own) else { continue };
+                let Some(approach) = self.approach(&own) else { continue };
                 if self.is_near_an_orbit(&own[1]) {
                     outcomes[k] = Outcome::Near;
                     continue;
                 }
-                if look.sine < ANGLE {
-                    outcomes[k] = if look.beside < BESIDE { Outcome::Contact } else { Outcome::Lost };
+                if approach.sine < ANGLE {
+                    outcomes[k] = if approach.beside < BESIDE { Outcome::Contact } else { Outcome::Lost };
                     continue;
                 }
                 let best = if let Outcome::Crossing(crossing) = &outcomes[k] { crossing.residual } else { RESIDUAL };
-                if look.residual <= best {
+                if approach.residual <= best {
                     let [from, to] = pair.map(|place| self.branches[place.branch].orbit);
-                    let (point, residual) = (own[1], look.residual);
-                    let angle = libm::asin(look.sine.min(1.0));
+                    let (point, residual) = (own[1], approach.residual);
+                    let angle = libm::asin(approach.sine.min(1.0));
                     outcomes[k] = Outcome::Crossing(Crossing { point, angle, residual, from, to });
                     if residual < 1e-13 {
                         continue;
@@ -220,7 +221,7 @@ impl Finder<'_> {
                     continue;
                 }
                 let mut stays = true;
-                for (place, step) in pair.iter_mut().zip(look.step) {
+                for (place, step) in pair.iter_mut().zip(approach.step) {
                     place.s += step * SHARE * place.spacing;
                     stays &= (place.s - place.first).abs() <= BEYOND[1] * place.spacing;
                 }
@@ -236,7 +237,7 @@ impl Finder<'_> {
         Ok(outcomes)
     }
 
-    fn look(&self, own: &[Phase]) -> Option<Look> {
+    fn approach(&self, own: &[Phase]) -> Option<Approach> {
         let plane = self.worlds[0].surface().tangent_plane(&own[1])?;
         let flat = |v: Phase| [plane[0].dot(&v), plane[1].dot(&v)];
         let [u, v] = [flat((own[2] - own[0]) * 0.5), flat((own[5] - own[3]) * 0.5)];
@@ -247,10 +248,10 @@ impl Finder<'_> {
         let sine = (across / (long * wide)).abs();
         let step = [(x * v[1] - y * v[0]) / across, (x * u[1] - y * u[0]) / across];
         let beside = ((u[0] * y - u[1] * x) / long).abs();
-        Some(Look { sine, step, beside, residual: apart.norm() }).filter(|look| look.sine.is_finite())
+        Some(Approach { sine, step, beside, residual: apart.norm() }).filter(|approach| approach.sine.is_finite())
     }
 
-    /// The orbits whose points they are.
+    /// Groups crossings into orbits.
     fn orbits(&self, crossings: &[Crossing]) -> Result<Vec<Connection>, SectionError> {
         let starts: Vec<Phase> = crossings.iter().map(|crossing| crossing.point).collect();
         let images = self.worlds[0].map.images(&starts, 1)?;
@@ -286,11 +287,11 @@ impl Finder<'_> {
     }
 }
 
-/// The two curves at a pair of places.
-struct Look {
-    /// Of their angle.
+/// How two curves lie to each other at a pair of places.
+struct Approach {
+    /// The sine of their angle.
     sine: f64,
-    /// To where their tangents cross, in shares of the spacing.
+    /// The steps to where their tangents cross, in units of the difference step.
     step: [f64; 2],
     /// The distance of a point of the second from the tangent of the first.
     beside: f64,
@@ -298,13 +299,13 @@ struct Look {
 }
 
 fn chord(branch: usize, a: &Vertex, b: &Vertex) -> Option<Chord> {
-    // The end of one return is the beginning of the next one.
+    // The end of one return is the beginning of the next.
     let from = if a.level == b.level { a.s } else { a.s - 1.0 };
     let chord = Chord { branch, level: b.level, s: [from, b.s], ends: [a.point, b.point] };
     (from.is_finite() && b.s > from).then_some(chord)
 }
 
-/// The cells of space of γ in which a chord lies, with a margin for its curve.
+/// The cells of γ-space that a chord meets, with a margin for its curve.
 #[expect(clippy::cast_possible_truncation, reason = "γ is a unit vector, so that the numbers are small")]
 fn cells(chord: &Chord) -> Vec<[i32; 3]> {
     let margin = 0.1 * GAP;
@@ -316,7 +317,7 @@ fn cells(chord: &Chord) -> Vec<[i32; 3]> {
     range(0).flat_map(|i| range(1).flat_map(move |j| range(2).map(move |k| [i, j, k]))).collect()
 }
 
-/// Where two chords cross in a plane, as shares of both.
+/// Where two chords cross in a plane, as fractions of each.
 fn meet(plane: &[Phase; 2], first: &Chord, second: &Chord) -> Option<[f64; 2]> {
     let flat = |v: Phase| [plane[0].dot(&v), plane[1].dot(&v)];
     let [u, v] = [first, second].map(|chord| flat(chord.ends[1] - chord.ends[0]));

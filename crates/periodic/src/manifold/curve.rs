@@ -1,4 +1,4 @@
-//! How a manifold begins, and the curve that it becomes.
+//! The beginning of a manifold, and the curve that grows from it.
 
 use bifdiag_dynamics::section::SectionError;
 use bifdiag_schema::ManifoldEnd;
@@ -8,20 +8,21 @@ use super::world::{Course, World};
 use crate::chart::{Chart, RADIUS, Surface};
 use crate::flow::Phase;
 
-/// How far from the orbit a manifold is taken for its tangent: what it is off there, some 10⁻⁸, shrinks by the multiplier with each return.
+/// How far from the orbit a manifold is replaced by its tangent: the error there, some 10⁻⁸, shrinks by the multiplier
+/// with each return.
 const BEGIN: f64 = 1e-4;
 
-/// One of the two ways out of an orbit along its unstable direction, or all ways out of an equilibrium.
+/// One side of the unstable direction of an orbit, or all motions that leave an equilibrium.
 pub struct Branch {
-    /// The orbit's place in the list, or the equilibrium's.
+    /// The number of the orbit in the list, or of the equilibrium.
     pub orbit: usize,
-    /// In the reversed world.
+    /// It lies in the reversed world.
     pub is_stable: bool,
-    /// That of a period.
+    /// The multiplier over a period.
     pub multiplier: Option<f64>,
-    /// Returns after which the branch comes to itself, and how many of them are a period.
+    /// The number of returns after which the branch is mapped to itself.
     pub returns: usize,
-    /// See `returns`.
+    /// The number of returns in a period.
     pub turns: usize,
     /// The point of the orbit, or the equilibrium.
     pub start: Phase,
@@ -35,22 +36,22 @@ enum Begin {
         chart: Box<Chart>,
         /// Of length 1, in the chart.
         direction: [f64; 2],
-        /// ln of the factor by which it is stretched in its `returns`.
+        /// The logarithm of the factor by which `returns` stretch it.
         growth: f64,
     },
     Ring(Box<Ring>),
 }
 
-/// Where a seed is taken.
+/// Where a seed is mapped.
 #[derive(Clone, Copy, Debug)]
 pub enum Place {
     /// To a point.
     On(Phase),
-    /// Nowhere: the motion has not begun there.
+    /// Nowhere yet: the level lies before the start of the motion.
     Before,
-    /// To an equilibrium, before.
+    /// To an equilibrium, which the motion approaches first.
     Rest,
-    /// The motion does not come back in the time that is waited for.
+    /// Unknown: the motion does not return in the longest time.
     Lost,
 }
 
@@ -60,7 +61,7 @@ impl Place {
         if let Self::On(point) = self { Some(point) } else { None }
     }
 
-    /// Where a motion is at a return.
+    /// The place of a motion at a return.
     pub fn of(course: &Course, number: usize) -> Self {
         match course.images.get(number - 1) {
             Some(image) => Self::On(image.point),
@@ -71,7 +72,8 @@ impl Place {
 }
 
 impl Branch {
-    /// Both ways out; where the multiplier is negative, one, which is the other one after a period. Nothing at a singular point.
+    /// Both sides; where the multiplier is negative, only one, since a period maps it to the other. Empty at a singular
+    /// point.
     pub fn pair(
         world: &World<'_>,
         orbit: usize,
@@ -101,19 +103,19 @@ impl Branch {
         sides.iter().map(with).collect()
     }
 
-    /// All ways out of an equilibrium.
+    /// All motions that leave an equilibrium.
     pub fn of_rest(world: &World<'_>, place: usize, ring: Ring) -> Self {
         let returns = ring.winding.max(1);
         let (start, begin) = (ring.center(), Begin::Ring(Box::new(ring)));
         Self { orbit: place, is_stable: world.is_reversed, multiplier: None, returns, turns: returns, start, begin }
     }
 
-    /// What a return adds is a curve of its own, which is closed but for breaks.
+    /// Whether each return adds a curve of its own, closed except for breaks.
     pub fn is_closed(&self) -> bool {
         matches!(&self.begin, Begin::Ring(ring) if ring.winding == 0)
     }
 
-    /// It begins at an equilibrium.
+    /// Whether it begins at an equilibrium.
     pub fn is_of_rest(&self) -> bool {
         matches!(&self.begin, Begin::Ring(_))
     }
@@ -123,7 +125,7 @@ impl Branch {
         if let Begin::Ring(ring) = &self.begin { ring.places().collect() } else { Vec::new() }
     }
 
-    /// The beginning of the branch at s: from s = 0 to s = 1 it is what one return of the branch to itself adds.
+    /// The starting point for s: from s = 0 to s = 1 these form the piece that one return of the branch to itself adds.
     pub fn seed(&self, surface: &Surface, s: f64) -> Option<Phase> {
         match &self.begin {
             Begin::Line { side, chart, direction, growth } => {
@@ -134,12 +136,12 @@ impl Branch {
         }
     }
 
-    /// How often a seed has to return to come to the curve of a level.
+    /// How many returns take a seed to the curve of a level.
     pub fn returns_to(&self, level: usize, s: f64) -> Option<usize> {
         if let Begin::Ring(ring) = &self.begin { ring.number(level, s) } else { Some(level) }
     }
 
-    /// Where seeds are at levels: (k, s) for each.
+    /// The places of seeds s at levels k, for pairs (k, s).
     pub fn at(&self, world: &World<'_>, places: &[(usize, f64)]) -> Result<Vec<Place>, SectionError> {
         let seeds: Vec<Option<Phase>> = places.iter().map(|(_, s)| self.seed(world.surface(), *s)).collect();
         let numbers: Vec<Option<usize>> = places.iter().map(|(k, s)| self.returns_to(*k, *s)).collect();
@@ -160,7 +162,7 @@ impl Branch {
         Ok(numbers.into_iter().zip(seeds).map(place).collect())
     }
 
-    /// Which of the ways out at its point the curve of the k-th returns is.
+    /// The side of its point on which the curve of the k-th return lies.
     pub fn side_of(&self, k: usize) -> i8 {
         let side = if matches!(&self.begin, Begin::Line { side, .. } if *side < 0.0) { -1 } else { 1 };
         if k % self.returns < self.turns { side } else { -side }
@@ -168,7 +170,7 @@ impl Branch {
 }
 
 impl Curve {
-    /// One that has not been followed.
+    /// A curve that has not been followed yet.
     pub(super) fn new((point, side): (usize, i8), pieces: Vec<Vec<Vertex>>, branch: usize) -> Self {
         let (length, tangencies, rests, gaps) = (0.0, 0, 0, 0);
         Self { point, side, pieces, length, tangencies, rests, gaps, nearest: None, end: None, branch }
@@ -180,34 +182,34 @@ impl Curve {
 pub struct Vertex {
     /// The point, in (γ, l/L).
     pub point: Phase,
-    /// It is the image under Rᵏ …
+    /// It is the image under Rᵏ, k the level, …
     pub(super) level: usize,
     /// … of the seed at s.
     pub(super) s: f64,
 }
 
-/// One of the two curves of a manifold at a point of an orbit; or a curve of the manifold of an equilibrium, or the points of the
-/// motion on one side of it.
+/// One of the two curves of a manifold at a point of an orbit; or a curve of the manifold of an equilibrium, or the
+/// points of the motion on one side of it.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// The point: of orbit points p, Rp, R²p, … the number.
+    /// The number of its point among the points p, Rp, R²p, … of the orbit.
     pub point: usize,
     /// 1 or −1: the two curves at one point, or the two motions.
     pub side: i8,
-    /// Polylines; between two of them the curve is broken.
+    /// Polylines, between which the curve is broken.
     pub pieces: Vec<Vec<Vertex>>,
-    /// The length of all of them.
+    /// Their total length.
     pub length: f64,
     /// Breaks where a motion touches the line of tangency.
     pub tangencies: usize,
-    /// Breaks at a motion that comes to an equilibrium.
+    /// Breaks at a motion that approaches an equilibrium.
     pub rests: usize,
     /// Other breaks.
     pub gaps: usize,
-    /// Of a motion: the smallest distance of its points from those of the motions of the other kind.
+    /// For a motion: the smallest distance of its points from those of the motions of the other kind.
     pub nearest: Option<f64>,
     /// Why it ends.
     pub end: Option<ManifoldEnd>,
-    /// The branch whose curve it is.
+    /// The number of its branch.
     pub(super) branch: usize,
 }

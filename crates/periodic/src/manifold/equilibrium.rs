@@ -1,8 +1,8 @@
 //! The manifolds of unstable equilibria, at their energy.
 //!
-//! Along steady rotations S and all its derivatives vanish: an equilibrium lies in P, on the line of tangency, and at its own energy E and
-//! P are singular there. So nothing begins in a chart of P: motions begin on the manifold itself, which is a power series near the
-//! equilibrium, and are followed to P⁻.
+//! Along steady rotations S and all its derivatives vanish: an equilibrium lies in P, on the line of tangency, and at
+//! its own energy E and P are singular there. So no curve can start in a chart of P. Motions start on the manifold
+//! itself, which is a power series near the equilibrium, and are followed to P⁻.
 
 use bifdiag_body::Body;
 use bifdiag_dynamics::field::{Dimension, HeavyTop, State};
@@ -21,14 +21,14 @@ use crate::flow::Phase;
 use crate::list::longest;
 use crate::section_map::SectionMap;
 
-/// A motion that comes within [`REST`] of an equilibrium takes longer than so many times of growth to pass it.
+/// A motion that comes within [`REST`] of an equilibrium needs more than this many growth times to pass it.
 const LONG: f64 = 10.0;
 
-/// The manifolds of the equilibria of one curve at one l, which have one energy, and where they cross. Places of orbits in the
-/// result are places in the list of the equilibria.
+/// The manifolds of the equilibria on one curve at one l, which share their energy, and where they cross. Numbers of
+/// orbits in the result are numbers of equilibria in the list given.
 ///
 /// # Errors
-/// [`ManifoldError`], of stable equilibria too.
+/// [`ManifoldError`], also for stable equilibria.
 pub fn manifolds_of_equilibria(
     body: &Body,
     equilibria: &[Equilibrium],
@@ -53,7 +53,7 @@ pub fn manifolds_of_equilibria(
     };
     let mut worlds = [world(false), world(true)];
     for world in &mut worlds {
-        world.rests = targets.iter().map(|target| world.seen(target)).collect();
+        world.rests = targets.iter().map(|target| world.mirrored(target)).collect();
     }
     let mut found = Manifolds::none(surface);
     let mut branches: Vec<Branch> = Vec::new();
@@ -78,14 +78,14 @@ pub fn manifolds_of_equilibria(
     Ok(found)
 }
 
-/// (γ, l) of an equilibrium, l = A(Ωγ): as it is rounded where its manifolds begin.
+/// (γ, l) of an equilibrium, l = A(Ωγ), rounded as where its manifolds begin.
 #[must_use]
 pub fn rest(equilibrium: &Equilibrium, top: &HeavyTop) -> State {
     let gamma = equilibrium.gamma;
     State { gamma, l: top.inertia(gamma.map(|x| equilibrium.omega * x)) }
 }
 
-/// The rates of growth, in the units of the reduced top.
+/// The growth rates, in the units of the reduced top.
 fn rates(equilibrium: &Equilibrium, top: &HeavyTop) -> Result<Rates, ManifoldError> {
     if equilibrium.multiplicity != Multiplicity::Points(1) {
         return Err(ManifoldError::NotIsolated);

@@ -1,5 +1,5 @@
-//! The growth of a branch: the piece that one return of the branch to itself adds is taken on by R, again and again, and cut
-//! finer where it was stretched or bent.
+//! The growth of a branch: R maps the piece that one return of the branch to itself adds onward, again and again, and
+//! points are added where it was stretched or bent.
 
 use bifdiag_dynamics::section::SectionError;
 use bifdiag_schema::ManifoldEnd;
@@ -10,9 +10,9 @@ use super::refine::{Break, Node, breaks, refine};
 use super::world::World;
 use crate::flow::Phase;
 
-/// Returns of points that are computed for a branch.
+/// The most returns of points to compute for a branch.
 const WORK: usize = 1_000_000;
-/// A piece that lies so near to a point of a periodic orbit is not followed on: what its points are off turns it within less.
+/// A piece this close to a point of a periodic orbit is followed no further: the errors of its points exceed its turns.
 const CAME: f64 = 1e-4;
 /// Seeds of the first piece.
 const FIRST: u32 = 16;
@@ -37,14 +37,14 @@ pub fn grow_all(
     Ok(())
 }
 
-/// The curves of a branch, one for each of its returns, until each has its length.
+/// The curves of a branch, one for each of its returns, each up to its length.
 fn grow(
     world: &World<'_>,
     (place, branch): (usize, &Branch),
     targets: &[Phase],
     length: f64,
 ) -> Result<Vec<Curve>, SectionError> {
-    let targets: Vec<Phase> = targets.iter().map(|y| world.seen(y)).collect();
+    let targets: Vec<Phase> = targets.iter().map(|y| world.mirrored(y)).collect();
     let mut curves = begin(world, (place, branch))?;
     let mut seeds: Vec<f64> = (0..=FIRST).map(|k| f64::from(k) / f64::from(FIRST)).chain(branch.places()).collect();
     seeds.sort_by(f64::total_cmp);
@@ -94,7 +94,7 @@ fn grow(
     Ok(curves)
 }
 
-/// Curves that consist of the points of the orbit.
+/// The curves at the start, which consist of the points of the orbit.
 fn begin(world: &World<'_>, (place, branch): (usize, &Branch)) -> Result<Vec<Curve>, SectionError> {
     let images = if branch.is_of_rest() {
         vec![Vec::new()]
@@ -108,13 +108,14 @@ fn begin(world: &World<'_>, (place, branch): (usize, &Branch)) -> Result<Vec<Cur
     };
     let curve = |k: usize| {
         let number = k % branch.turns;
-        let vertex = point(number).map(|point| Vertex { point: world.seen(&point), level: k, s: f64::NEG_INFINITY });
+        let vertex =
+            point(number).map(|point| Vertex { point: world.mirrored(&point), level: k, s: f64::NEG_INFINITY });
         Curve::new((number, branch.side_of(k)), vec![vertex.into_iter().collect()], place)
     };
     Ok((0..branch.returns).map(curve).collect())
 }
 
-/// The whole piece has come to a periodic orbit, or to equilibria.
+/// Whether the whole piece has reached a periodic orbit, or equilibria.
 fn came_to(targets: &[Phase], nodes: &[Node]) -> bool {
     let is_at = |target: &Phase, place: &Place| match place {
         Place::On(y) => (y - target).norm() < CAME,
@@ -134,7 +135,7 @@ impl Curve {
         broken: &[Option<Break>],
         length: f64,
     ) {
-        // The last seed of a return is the first of the next one.
+        // The last seed of a return is the first of the next.
         for (k, node) in nodes.iter().enumerate().skip(usize::from(joined)) {
             let before = k.checked_sub(1).and_then(|k| broken[k]);
             if let Some(kind) = before {
@@ -149,7 +150,7 @@ impl Curve {
                     self.pieces.push(Vec::new());
                 }
             }
-            let Some(point) = node.place.point().map(|y| world.seen(&y)) else { continue };
+            let Some(point) = node.place.point().map(|y| world.mirrored(&y)) else { continue };
             let Some(piece) = self.pieces.last_mut() else { continue };
             if let Some(last) = piece.last() {
                 self.length += (point - last.point).norm();

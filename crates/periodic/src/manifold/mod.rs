@@ -1,8 +1,9 @@
-//! The stable and unstable manifolds of unstable periodic orbits and of equilibria in the section, and where they cross.
+//! The stable and unstable manifolds of unstable periodic orbits and of equilibria in the section, and where they
+//! cross.
 //!
-//! The unstable manifold of an orbit is a curve through each of its points of P⁻, the maxima of ⟨γ,r⟩, and R takes these curves to
-//! each other. The reversal (γ,l) ↦ (γ,−l) takes motions at l to motions at −l run backwards, and P⁻ to P⁻: stable manifolds are
-//! the images of the unstable ones at −l.
+//! The unstable manifold of an orbit is a curve through each of its points of P⁻, the maxima of ⟨γ,r⟩, and R maps these
+//! curves to each other. The reversal (γ,l) ↦ (γ,−l) takes motions at l to motions at −l run backwards, and P⁻ to P⁻:
+//! stable manifolds are the images of the unstable ones at −l.
 
 mod crossing;
 mod curve;
@@ -52,34 +53,34 @@ pub enum ManifoldError {
     /// A motion could not be followed, or the work was stopped.
     #[error(transparent)]
     Section(#[from] SectionError),
-    /// The directions of an orbit could not be found.
+    /// The unstable direction of an orbit could not be found.
     #[error("the directions of an orbit cannot be found")]
     Orbit(#[from] OrbitError),
-    /// Of a stable equilibrium, or one that is degenerate.
+    /// The equilibrium is stable or degenerate.
     #[error(
-        "the equilibrium is of type {}: manifolds are followed of the types saddle-centre, saddle and complex, where its eigenvalues \
-         alone say which motions leave it",
+        "the equilibrium is of type {}: manifolds are followed only for the types saddle-centre, saddle and complex, where the \
+         eigenvalues alone determine which motions leave it",
         .0.word()
     )]
     Type(Stability),
-    /// Of one of a circle or sphere of equilibria, or where a curve ends.
+    /// It is one of a circle or sphere of equilibria, or lies where a curve ends.
     #[error(
-        "the equilibrium is not isolated, or two of them meet there: manifolds are followed of isolated equilibria"
+        "the equilibrium is not isolated, or two of them meet there: manifolds are followed only for isolated equilibria"
     )]
     NotIsolated,
     /// The series has no coefficients, or they grow too fast.
     #[error(
-        "the motions that leave the equilibrium cannot be expanded about it: an eigenvalue is nearly a multiple of another, or \
-         eigenvectors are nearly parallel"
+        "the motions that leave the equilibrium cannot be expanded in a series about it: an eigenvalue is nearly a multiple of \
+         another, or eigenvectors are nearly parallel"
     )]
     Series,
     /// The closed curve on which motions begin touches P⁻.
-    #[error("the motions that leave the equilibrium cannot be told apart where their crossings of the section begin")]
+    #[error("the motions that leave the equilibrium cannot be separated where their crossings of the section begin")]
     Ring,
 }
 
-/// Multipliers between which manifolds are followed: the curve begins 10⁻⁴ from the orbit, and its first piece ends at that
-/// distance over the multiplier.
+/// Manifolds are followed for multipliers between these: the first piece of a curve reaches from 10⁻⁴ over the
+/// multiplier to 10⁻⁴ from the orbit.
 const MULTIPLIERS: [f64; 2] = [1.01, 1e6];
 
 /// The manifolds of the unstable orbits of a list, and where they cross.
@@ -115,14 +116,14 @@ pub fn manifolds(
         let images = worlds[0].map.images(&[start], turns)?;
         targets.extend(images[0].iter().map(|image| image.point));
         let size = orbit.multipliers[0][0].abs();
-        // Where −1 is the sign, a curve comes back to itself after two periods.
+        // With a negative multiplier a curve returns to itself after two periods.
         let size = if orbit.multipliers[0][0] < 0.0 { size * size } else { size };
         if !(MULTIPLIERS[0]..MULTIPLIERS[1]).contains(&size) {
             found.left_out.push(place);
             continue;
         }
         for world in &worlds {
-            let point = world.seen(&start);
+            let point = world.mirrored(&start);
             let (multiplier, across) = unstable_direction(top, &world.surface().state(&point), orbit.period)?;
             let made = Branch::pair(world, place, turns, point, multiplier, &across);
             if made.is_empty() && !found.left_out.contains(&place) {

@@ -1,4 +1,4 @@
-//! What is found of manifolds.
+//! Manifolds and their connections, as they are found.
 
 use bifdiag_dynamics::field::State;
 use bifdiag_schema::ManifoldKind;
@@ -15,40 +15,40 @@ pub struct Manifold {
     pub kind: ManifoldKind,
     /// Of an orbit: the multiplier that is larger than 1, or below −1.
     pub multiplier: Option<f64>,
-    /// Two at each point of the orbit in P⁻; of an equilibrium, all.
+    /// Two at each point of the orbit in P⁻; for an equilibrium, all.
     pub curves: Vec<Curve>,
-    /// They are points of two motions, which no curve joins: of an equilibrium with one real and one imaginary pair.
+    /// The points belong to two motions, which no curve joins: for an equilibrium with one real and one imaginary pair.
     pub are_motions: bool,
 }
 
-/// What was found.
+/// The result.
 #[derive(Clone, Debug)]
 pub struct Manifolds {
     surface: Surface,
     /// By orbit, the unstable ones first.
     pub manifolds: Vec<Manifold>,
-    /// Orbits that run from one unstable orbit to one, the same or another: each once.
+    /// Orbits that run from an unstable orbit to the same or another one, each listed once.
     pub connections: Vec<Connection>,
-    /// Pairs of orbits of which a curve of one meets a curve of the other at angles too small to be told from 0.
+    /// Pairs of orbits whose curves meet at angles too small to distinguish from 0.
     pub contacts: Vec<Contact>,
     /// Crossings of the polylines that could not be refined.
     pub unresolved: usize,
-    /// Orbits whose multiplier is too large, or too near to 1, for their manifolds to be followed.
+    /// Orbits whose multiplier is too large or too close to 1 for their manifolds to be followed.
     pub left_out: Vec<usize>,
 }
 
 /// A homoclinic orbit, or a heteroclinic one.
 #[derive(Clone, Copy, Debug)]
 pub struct Connection {
-    /// The place in the list of the orbit that it leaves.
+    /// The number of the orbit that it leaves.
     pub from: usize,
-    /// That of the orbit to which it comes.
+    /// The number of the orbit that it approaches.
     pub to: usize,
-    /// Of its points that were found the one that is farthest from both orbits.
+    /// The point found that is farthest from the periodic orbits.
     pub state: State,
     /// The angle of the curves there, in (γ, l/L), in radians.
     pub angle: f64,
-    /// How far the points of both curves are from each other.
+    /// The distance between the points of the two curves.
     pub residual: f64,
     /// How many of its points were found.
     pub points: usize,
@@ -57,16 +57,16 @@ pub struct Connection {
 /// Curves that run along each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Contact {
-    /// The place in the list of the orbit whose unstable curve it is.
+    /// The number of the orbit with the unstable curve.
     pub from: usize,
-    /// That of the orbit whose stable curve it is.
+    /// The number of the orbit with the stable curve.
     pub to: usize,
-    /// At how many crossings of the polylines, or along how many motions.
+    /// The number of crossings of the polylines, or of motions, where this happens.
     pub places: usize,
 }
 
 impl Manifolds {
-    /// None, over a section.
+    /// An empty result over a section.
     pub(super) fn none(surface: Surface) -> Self {
         Self {
             surface,
@@ -78,7 +78,7 @@ impl Manifolds {
         }
     }
 
-    /// Counts one more place where a curve, or motion, of one runs along one of another.
+    /// Counts one more place where a curve or motion of one orbit runs along one of another.
     pub(super) fn touch(&mut self, from: usize, to: usize) {
         match self.contacts.iter_mut().find(|known| [known.from, known.to] == [from, to]) {
             Some(known) => known.places += 1,

@@ -1,4 +1,4 @@
-//! Seeds between seeds, until neighbouring points of a curve are near and its bends small; and what a jump that stays is.
+//! Adds seeds until neighbouring points of a curve are close and its bends small, and classifies the jumps that remain.
 
 use bifdiag_dynamics::section::SectionError;
 
@@ -7,18 +7,18 @@ use super::world::World;
 use crate::flow::Phase;
 use crate::section_map::Image;
 
-/// The largest distance of neighbours.
+/// The largest distance between neighbours.
 pub const GAP: f64 = 0.02;
-/// The largest distance of the unit vectors along neighbouring chords, which is their angle in radians as long as it is small …
+/// The largest difference between the unit vectors along neighbouring chords, nearly their angle in radians, …
 const BEND: f64 = 0.2;
 /// … unless they are shorter than this.
 const SHORT: f64 = 1e-3;
-/// Seeds that are not told apart: where their images are, the curve is broken.
+/// Seeds this close are not refined; where their images are farther apart than `GAP`, the curve is broken.
 const CLOSEST: f64 = 1e-9;
-/// A crossing that was just born is so near to the one with which it was born.
+/// A crossing closer than this to its twin was just born.
 const BORN: f64 = 1e-2;
 
-/// A motion that passes an equilibrium so near is torn from its neighbours by it.
+/// An equilibrium tears a motion that passes this close from its neighbours.
 const TORN: f64 = 1e-2;
 
 /// A seed and its image.
@@ -33,13 +33,14 @@ pub struct Node {
 /// Why two neighbours are not joined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Break {
-    /// The curve begins between them, anew behind a motion that comes to an equilibrium, or ends where it began before.
+    /// The curve begins between them, or begins anew beyond a motion that approaches an equilibrium, or ends where it
+    /// began.
     Begin,
     /// Between them lies a motion that touches P.
     Tangency,
-    /// Between them lies a motion that comes to an equilibrium.
+    /// Between them lies a motion that approaches an equilibrium.
     Rest,
-    /// They could not be brought nearer to each other.
+    /// They could not be brought closer.
     Gap,
 }
 
@@ -55,7 +56,7 @@ fn is_broken(pair: &[Node]) -> bool {
     pair[1].s - pair[0].s <= CLOSEST && distance(&pair[0], &pair[1]) > GAP
 }
 
-/// Adds nodes until the curve is fine as far as `length`; false where that takes more than the returns that are `left`.
+/// Adds nodes until the curve is fine enough up to `length`; false where that needs more returns than are `left`.
 pub fn refine(
     world: &World<'_>,
     branch: &Branch,
@@ -82,7 +83,7 @@ pub fn refine(
     }
 }
 
-/// The intervals that are to be cut.
+/// The intervals to be cut.
 fn coarse(nodes: &[Node], length: f64) -> Vec<usize> {
     let mut marked = vec![false; nodes.len() - 1];
     let mut covered = 0.0;
@@ -116,7 +117,7 @@ fn coarse(nodes: &[Node], length: f64) -> Vec<usize> {
     (0..marked.len()).filter(|k| marked[*k]).collect()
 }
 
-/// For each pair of neighbours whether, and why, the curve is broken between them.
+/// For each pair of neighbours, whether the curve is broken between them, and why.
 pub fn breaks(
     world: &World<'_>,
     branch: &Branch,
@@ -142,7 +143,7 @@ pub fn breaks(
     let most = nodes.iter().filter_map(|node| branch.returns_to(level, node.s)).max().unwrap_or(1);
     let courses = world.courses(&starts.concat(), most.max(1))?;
     for (pair, k) in courses.chunks(2).zip(places) {
-        // The same crossing need not have the same number on both.
+        // The same crossing may have different numbers on the two motions.
         let numbers = [k, k + 1].map(|k| branch.returns_to(level, nodes[k].s).unwrap_or(0).max(1));
         let least = numbers[0].min(numbers[1]);
         let [a, b] = [0, 1].map(|end| {
@@ -150,7 +151,7 @@ pub fn breaks(
             let last = numbers[end].min(images.len());
             &images[(numbers[end] - least).min(last)..last]
         });
-        // The first return that jumps: one of the two was just born there, or an equilibrium lies on the way.
+        // At the first return that jumps, a crossing was just born or an equilibrium lies on the way.
         let jump = a.iter().zip(b).position(|(a, b)| (a.point - b.point).norm() > 0.1 * GAP);
         broken[k] = Some(match jump {
             Some(at) if a[at].pair.min(b[at].pair) < BORN => Break::Tangency,
@@ -161,7 +162,7 @@ pub fn breaks(
     Ok(broken)
 }
 
-/// Whether an equilibrium lies beside the way from one return to the next.
+/// Whether the motion passes close to an equilibrium between two returns.
 fn is_torn(world: &World<'_>, pair: &[Image]) -> bool {
     world.passes(&pair[0].point, pair[1].time - pair[0].time, TORN)
 }

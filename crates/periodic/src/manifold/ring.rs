@@ -1,8 +1,8 @@
-//! The motions that leave an equilibrium along a surface: one through each point of a closed curve about it.
+//! The motions that leave an equilibrium along a surface, one through each point of a closed curve about it.
 //!
-//! A motion crosses P⁻ again and again. As it is moved round the closed curve, each of its crossings moves along a curve of the
-//! manifold; where the closed curve itself lies in P⁻, the first crossing comes or goes, and those behind it change their number.
-//! Curves are followed across by counting these places.
+//! A motion crosses P⁻ again and again. As its start moves round the closed curve, each of its crossings moves along a
+//! curve of the manifold. Where the closed curve itself meets P⁻, the first crossing appears or disappears and the
+//! later ones are renumbered; curves are followed through by counting these places.
 
 use std::f64::consts::TAU;
 
@@ -10,7 +10,7 @@ use super::series::Series;
 use crate::chart::Surface;
 use crate::flow::Phase;
 
-/// The motions, by s: s + 1 is the motion of s.
+/// The motions, numbered by s: s and s + 1 are the same motion.
 #[derive(Clone, Debug)]
 pub struct Ring {
     series: Series,
@@ -18,31 +18,32 @@ pub struct Ring {
     sense: f64,
     /// The angle at s = 0.
     origin: f64,
-    /// Where the closed curve lies in P⁻, and where what the same motions pass a time before does.
+    /// Where the closed curve meets P⁻, and where the curve that the same motions pass a fixed time earlier does.
     zeros: [Vec<Zero>; 2],
-    /// By how much a curve's level is higher after a turn: 0 where curves are closed.
+    /// By how many levels a curve rises in a turn: 0 where curves are closed.
     pub winding: usize,
-    /// The largest sum of changes on the way round.
+    /// The largest partial sum of changes in a turn.
     most: i64,
 }
 
-/// The closed curve lies in P⁻ here.
+/// A place where the closed curve meets P⁻.
 #[derive(Clone, Copy, Debug)]
 struct Zero {
     s: f64,
-    /// What is added to the number of a crossing as s rises.
+    /// What is added to the numbers of crossings as s passes it upward.
     change: i64,
 }
 
-/// How long before, in units of 1 over the larger of |re| and |im| of the rates.
+/// How much earlier, in units of 1 over the largest |re| or |im| of the rates.
 const BEFORE: f64 = 0.1;
-/// Places of the closed curve at which S is looked at.
-const LOOKS: u32 = 1440;
+/// Points of the closed curve at which S is evaluated.
+const SAMPLES: u32 = 1440;
 /// Bisections of a zero.
 const STEPS: usize = 60;
 
 impl Ring {
-    /// Of an equilibrium in the world of a surface; `None` where the zeros of S on the closed curve cannot be told apart.
+    /// For an equilibrium in the world of a surface; `None` where the zeros of S on the closed curve cannot be
+    /// separated.
     #[must_use]
     pub fn new(surface: &Surface, series: Series) -> Option<Self> {
         let angles = [0.0, 1.0].map(|back| zeros(surface, &series, back * before(&series)));
@@ -82,7 +83,8 @@ impl Ring {
         self.zeros[0].iter().map(|zero| zero.s)
     }
 
-    /// Where the motion of s is followed from: on that of the two closed curves which is farther from P⁻ there.
+    /// The point from which the motion of s is followed, on that of the two closed curves that is farther from P⁻
+    /// there.
     #[must_use]
     pub fn start(&self, s: f64) -> Phase {
         let back = if self.earlier(s) { before(&self.series) } else { 0.0 };
@@ -97,7 +99,8 @@ impl Ring {
         away(&self.zeros[1]) > away(&self.zeros[0])
     }
 
-    /// Which crossing of P⁻ after its start the curve of a level has on the motion of s; `None` if it lies before.
+    /// The number of the crossing of P⁻ after its start at which the motion of s meets the curve of a level; `None` if
+    /// that lies before the start.
     #[must_use]
     pub fn number(&self, level: usize, s: f64) -> Option<usize> {
         let turns = s.floor();
@@ -118,13 +121,13 @@ fn before(series: &Series) -> f64 {
     BEFORE / fastest
 }
 
-/// The angles at which S falls through 0 along the motion, each with the change of numbers as the angle rises.
+/// The angles at which S falls through 0 along the motion, each with the change of numbers as the angle increases.
 fn zeros(surface: &Surface, series: &Series, back: f64) -> Vec<(f64, i64)> {
     let seen = |angle: f64| surface.height(&series.at(series.coordinates(angle, -back)));
-    let angle = |k: u32| TAU * f64::from(k) / f64::from(LOOKS);
-    let values: Vec<f64> = (0..=LOOKS).map(|k| seen(angle(k % LOOKS))[0]).collect();
+    let angle = |k: u32| TAU * f64::from(k) / f64::from(SAMPLES);
+    let values: Vec<f64> = (0..=SAMPLES).map(|k| seen(angle(k % SAMPLES))[0]).collect();
     let mut found = Vec::new();
-    for (k, pair) in (0..LOOKS).zip(values.windows(2)) {
+    for (k, pair) in (0..SAMPLES).zip(values.windows(2)) {
         if (pair[0] < 0.0) == (pair[1] < 0.0) {
             continue;
         }

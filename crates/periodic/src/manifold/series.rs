@@ -1,13 +1,13 @@
 //! The unstable manifold of an equilibrium p as a power series z = W(x) in coordinates in which motions are ẋ = Λx.
 //!
-//! The field is X(z) = J(z − p) + B(z − p, z − p) exactly, so that DW(x) Λx = X(W(x)) gives the coefficient of each monomial xᵃ of
-//! degree above 1 as (⟨a,λ⟩ − J)⁻¹ ∑ B(w_b, w_c) over b + c = a; those of degree 1 are eigenvectors.
+//! The field is X(z) = J(z − p) + B(z − p, z − p) exactly, so that DW(x) Λx = X(W(x)) gives the coefficient of each
+//! monomial xᵃ of degree above 1 as (⟨a,λ⟩ − J)⁻¹ ∑ B(w_b, w_c) over b + c = a; those of degree 1 are eigenvectors.
 
 use nalgebra::{Complex, SMatrix, SVector};
 
 use crate::flow::{Phase, Space, Tangent};
 
-/// A number of ℂ; sums and products are all that is done with them.
+/// Complex numbers, used with sums and products only.
 type C = Complex<f64>;
 type Vector = SVector<C, 6>;
 type Double = SMatrix<f64, 12, 12>;
@@ -15,7 +15,7 @@ type Double = SMatrix<f64, 12, 12>;
 /// The eigenvalues of positive real part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Rates {
-    /// One, beside an imaginary pair.
+    /// One, next to an imaginary pair.
     One(f64),
     /// Two real ones, the smaller first.
     Two([f64; 2]),
@@ -23,7 +23,7 @@ pub enum Rates {
     Pair([f64; 2]),
 }
 
-/// The series, to a degree.
+/// The series up to a degree.
 #[derive(Clone, Debug)]
 pub struct Series {
     /// p.
@@ -33,23 +33,23 @@ pub struct Series {
     /// w of x₁ᵐx₂ⁿ at (m + n)(m + n + 1)/2 + n.
     terms: Vec<Vector>,
     degree: usize,
-    /// Half axes of the closed curve on which motions begin: sizes of x₁ and x₂, of a complex pair twice these.
+    /// Half axes of the closed curve on which motions begin: the sizes of x₁ and x₂, for a complex pair twice these.
     pub sizes: [f64; 2],
 }
 
 /// The degree to which manifolds are expanded.
 const DEGREE: usize = 10;
-/// Terms of the highest degree are no larger than this where motions begin.
+/// The terms of highest degree are no larger than this where motions begin.
 const REMAINDER: f64 = 1e-16;
-/// How far from an equilibrium motions begin at most: with two real rates, and else.
+/// The largest distance from an equilibrium at which motions begin: with two real rates, and otherwise.
 const BEGIN: [f64; 2] = [1e-2, 1e-3];
-/// The other size where one rate is larger is what the same time makes of it, but not less than this.
+/// Where the rates differ, both sizes correspond to the same time, but the smaller one is at least this.
 const LEAST: f64 = 1e-4;
-/// Halvings of the beginning.
+/// How often the distance may be halved.
 const HALVINGS: usize = 12;
-/// Two rates that are one, as a part of them.
+/// Rates with a smaller relative difference are equal.
 const SAME: f64 = 1e-9;
-/// Singular values below this part of the largest one vanish.
+/// Singular values below this share of the largest one count as 0.
 const KERNEL: f64 = 1e-9;
 
 const fn place(m: usize, n: usize) -> usize {
@@ -57,15 +57,15 @@ const fn place(m: usize, n: usize) -> usize {
 }
 
 impl Series {
-    /// At an equilibrium; `None` where a coefficient does not exist, since an eigenvalue is a sum of multiples of others, where
-    /// the eigenvectors are not independent, and where terms do not fall fast enough.
+    /// At an equilibrium; `None` where a coefficient does not exist because an eigenvalue is a sum of multiples of
+    /// others, where the eigenvectors are not independent, or where the terms do not decrease fast enough.
     #[must_use]
     pub fn new(space: &Space, center: Phase, rates: Rates) -> Option<Self> {
         let mut series = Self::expanded(space, center, rates, DEGREE)?;
         series.begin().then_some(series)
     }
 
-    /// The coefficients; motions begin nowhere yet.
+    /// The coefficients, without the place where motions begin.
     fn expanded(space: &Space, center: Phase, rates: Rates, degree: usize) -> Option<Self> {
         let turn = space.linearised(&center);
         let real = |x: Phase| x.map(|x| C::new(x, 0.0));
@@ -147,7 +147,7 @@ impl Series {
         false
     }
 
-    /// The coordinates of the motion of an angle, a time after it left the closed curve.
+    /// The coordinates of the motion at an angle, at a time after it left the closed curve.
     #[must_use]
     pub fn coordinates(&self, angle: f64, time: f64) -> [C; 2] {
         let (sin, cos) = libm::sincos(angle);
@@ -190,7 +190,7 @@ fn blocks(turn: &Tangent, [re, im]: [f64; 2]) -> Double {
     })
 }
 
-/// The eigenvector of a simple rate, or two of a double one.
+/// The eigenvector of a simple rate, or two for a double rate.
 fn eigenvectors(turn: &Tangent, rate: f64, is_double: bool) -> Option<[Phase; 2]> {
     let svd = (turn - Tangent::identity() * rate).svd(false, true);
     let (sizes, rows) = (svd.singular_values, svd.v_t?);
@@ -253,7 +253,7 @@ mod tests {
         ]
     }
 
-    /// Motions on the manifold grow with the rates that `critical` prints: the flow takes W(x) to W(eᵗx).
+    /// Motions on the manifold grow with the rates that `critical` prints: the flow maps W(x) to W(e^(Λt)x).
     #[test]
     fn the_flow_along_the_series_is_linear() {
         let mut kinds = [0; 3];
@@ -275,7 +275,7 @@ mod tests {
         assert_eq!(kinds, [1, 1, 1]);
     }
 
-    /// Of degree n the series is off by the power n + 1 of the distance.
+    /// The error of the series of degree n is of order n + 1 in the distance.
     #[test]
     fn the_error_falls_with_the_distance_by_its_order() {
         for (space, point, rates) in bodies() {
@@ -293,7 +293,7 @@ mod tests {
                 };
                 let ratio = missed(0.02) / missed(0.01);
                 let expected = f64::from(1 << (degree + 1));
-                // Where a symmetry makes a term vanish, it falls faster.
+                // Where a symmetry makes a term vanish, the error falls faster.
                 assert!(ratio > 0.8 * expected && ratio < 2.5 * expected, "{degree} {ratio}");
             }
         }

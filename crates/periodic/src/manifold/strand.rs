@@ -1,4 +1,4 @@
-//! The manifolds of an equilibrium with one real and one imaginary pair: two motions leave it and two come to it.
+//! The manifolds of an equilibrium with one real and one imaginary pair: two motions leave it and two approach it.
 
 use bifdiag_dynamics::section::SectionError;
 use bifdiag_schema::{ManifoldEnd, ManifoldKind};
@@ -11,11 +11,11 @@ use super::world::{Course, World};
 use crate::flow::Phase;
 use crate::section_map::Image;
 
-/// Returns that are looked for.
+/// The most returns of a motion.
 const RETURNS: usize = 100;
-/// The same motion is followed from two places; where the two are so far apart it ends.
+/// A motion is followed from two starting points; it ends where the two results differ by more than this.
 const ACCURACY: f64 = 1e-8;
-/// How long before the first place the second one is, in times of growth.
+/// How much earlier on the motion the second starting point lies, in growth times.
 const BEFORE: f64 = 1.0;
 
 /// The two motions that leave an equilibrium in a world.
@@ -29,13 +29,13 @@ pub fn manifold(world: &World<'_>, place: usize, series: &Series) -> Result<Mani
     Ok(Manifold { orbit: place, kind: world.kind(), multiplier: None, curves, are_motions: true })
 }
 
-/// The crossings on which both ways to them agree.
+/// The crossings at which the results from both starting points agree.
 fn curve(world: &World<'_>, course: &Course, other: &Course, side: i8) -> Curve {
     let agree = |pair: &(&Image, &Image)| (pair.0.point - pair.1.point).norm() <= ACCURACY;
     let pairs = course.images.iter().zip(&other.images).take_while(agree);
     let pieces: Vec<Vec<Vertex>> = pairs
         .enumerate()
-        .map(|(level, (image, _))| vec![Vertex { point: world.seen(&image.point), level, s: f64::NEG_INFINITY }])
+        .map(|(level, (image, _))| vec![Vertex { point: world.mirrored(&image.point), level, s: f64::NEG_INFINITY }])
         .collect();
     let is_whole = pieces.len() == course.images.len() && pieces.len() == other.images.len();
     let end = if is_whole && course.came && other.came {
@@ -48,8 +48,8 @@ fn curve(world: &World<'_>, course: &Course, other: &Course, side: i8) -> Curve 
     Curve { end: Some(end), ..Curve::new((0, side), pieces, 0) }
 }
 
-/// How near the motions that leave come to those that arrive; and which cannot be told apart, from the first crossing to the
-/// last. Such a pair is no proof of a homoclinic orbit: manifolds split by some e^(−πω/λ), ±λ and ±iω being the eigenvalues.
+/// How close leaving motions come to approaching ones, and which pairs agree from the first crossing to the last. Such
+/// a pair does not prove a homoclinic orbit: manifolds split by about e^(−πω/λ), where ±λ and ±iω are the eigenvalues.
 pub fn connect(found: &mut Manifolds) {
     let of = |kind: ManifoldKind| {
         let own = found.manifolds.iter().filter(move |manifold| manifold.kind == kind && manifold.are_motions);
@@ -81,7 +81,7 @@ pub fn connect(found: &mut Manifolds) {
         for curve in &mut manifold.curves {
             let apart = points(curve).into_iter().flat_map(|a| others.iter().map(move |b| (a - b).norm()));
             curve.nearest = apart.min_by(f64::total_cmp);
-            // What becomes of a motion that comes so near is not known, unless it is one that comes from there.
+            // Where a motion that comes this close goes is unknown, unless it is also one that approaches.
             let is_alike = points(curve).first().is_some_and(|first| alike.contains(first));
             if curve.end == Some(ManifoldEnd::Orbit) && !is_alike {
                 curve.end = Some(ManifoldEnd::Accuracy);

@@ -10,13 +10,13 @@ use crate::section_map::{Image, SectionMap, reversed};
 
 /// The section and its map, at l or, reversed, at −l.
 pub struct World<'a> {
-    /// Of the section there.
+    /// The return map there.
     pub map: SectionMap<'a>,
-    /// At −l.
+    /// It is at −l.
     pub is_reversed: bool,
-    /// The equilibria at this energy whose manifolds are wanted.
+    /// The equilibria at this energy whose manifolds are followed.
     pub rests: Vec<Phase>,
-    /// A return that takes no longer passes none of them.
+    /// A return that takes less time passes none of them.
     pub long: f64,
 }
 
@@ -24,17 +24,17 @@ pub struct World<'a> {
 pub struct Course {
     /// The first ones.
     pub images: Vec<Image>,
-    /// Then it comes to within [`REST`] of an equilibrium.
+    /// After these it comes within [`REST`] of an equilibrium.
     pub came: bool,
 }
 
-/// A motion that comes so near to an equilibrium is not followed beyond: what was rounded would decide where it goes.
+/// A motion that comes this close to an equilibrium is followed no further: rounding would decide where it goes.
 pub const REST: f64 = 1e-5;
-/// Times that a motion without a further return is looked after.
+/// How long a motion without a further return is checked for equilibria, in units of `long`.
 const WAIT: f64 = 6.0;
-/// Looks at a step.
-const LOOKS: u32 = 4;
-/// Truncation error of a motion of which only the distance is asked.
+/// Points of a step at which the distance is checked.
+const SAMPLES: u32 = 4;
+/// Truncation error where only distances from equilibria are needed.
 const TOLERANCE: f64 = 1e-12;
 
 impl World<'_> {
@@ -43,17 +43,17 @@ impl World<'_> {
         self.map.surface()
     }
 
-    /// Which manifolds the motions that leave fill here, at l.
+    /// The kind of manifold, at l, of motions that leave an orbit in this world.
     pub fn kind(&self) -> ManifoldKind {
         if self.is_reversed { ManifoldKind::Stable } else { ManifoldKind::Unstable }
     }
 
-    /// A point of this world in the other one: the way back is the same.
-    pub fn seen(&self, y: &Phase) -> Phase {
+    /// A point of this world as a point at l, and back: the map is its own inverse.
+    pub fn mirrored(&self, y: &Phase) -> Phase {
         if self.is_reversed { reversed(y) } else { *y }
     }
 
-    /// As [`SectionMap::distant_images`], as far as no equilibrium is near.
+    /// As [`SectionMap::distant_images`], but only up to where an equilibrium is near.
     pub fn courses(&self, starts: &[Phase], count: usize) -> Result<Vec<Course>, SectionError> {
         let images = self.map.distant_images(starts, count)?;
         Ok(starts.iter().zip(images).map(|(start, images)| self.course(start, images, count)).collect())
@@ -80,7 +80,7 @@ impl World<'_> {
         self.rests.iter().any(|rest| (y - rest).norm() < distance)
     }
 
-    /// Whether a motion comes so near to an equilibrium in a time.
+    /// Whether a motion comes within a distance of an equilibrium in the given time.
     pub fn passes(&self, start: &Phase, time: f64, distance: f64) -> bool {
         if time < self.long {
             return false;
@@ -88,7 +88,7 @@ impl World<'_> {
         let surface = self.surface();
         let Ok(mut taylor) = Taylor::new(surface.top(), &surface.state(start), TOLERANCE) else { return false };
         while let Ok(step) = taylor.step() {
-            let mut parts = (1..=LOOKS).map(|k| f64::from(k) / f64::from(LOOKS));
+            let mut parts = (1..=SAMPLES).map(|k| f64::from(k) / f64::from(SAMPLES));
             let near = |x: f64| {
                 let is_within = step.start().seconds() + x * step.length() <= time;
                 is_within && self.is_near(&surface.point(&step.state(x)), distance)
