@@ -8,7 +8,7 @@
 use std::ops::{Add, Mul, Neg, Sub};
 
 use dashu_base::{BitTest, DivRem, Signed};
-use dashu_int::UBig;
+use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
 use super::words::{Words, difference, doubled, down, leading_zeros, product, sum, up};
@@ -50,6 +50,9 @@ fn scaled(x: f64, power: isize) -> f64 {
     if x == 0.0 || !x.is_finite() {
         return x;
     }
+    if power.unsigned_abs() < 1000 {
+        return (x * two_to(power)).max(f64::MIN_POSITIVE);
+    }
     let half = power.clamp(-2000, 2000) / 2;
     (x * two_to(half) * two_to(power.clamp(-2000, 2000) - half)).max(f64::MIN_POSITIVE)
 }
@@ -70,10 +73,16 @@ impl<const N: usize> Ball<N> {
         Self { is_negative: false, mantissa: [0; N], exponent: 0, error: 0.0 }
     }
 
+    #[inline]
     fn new(is_negative: bool, mantissa: Words<N>, exponent: isize, error: f64) -> Self {
         if mantissa[N - 1] >> 63 == 1 && error < Self::WIDE {
             return Self { is_negative, mantissa, exponent, error };
         }
+        Self::shifted(is_negative, mantissa, exponent, error)
+    }
+
+    /// With the highest bit set.
+    fn shifted(is_negative: bool, mantissa: Words<N>, exponent: isize, error: f64) -> Self {
         let zeros = leading_zeros(&mantissa);
         let shift = zeros.cast_signed();
         if shift < Self::BITS {
@@ -123,14 +132,26 @@ impl<const N: usize> Ball<N> {
         };
         // Of as many bits as a mantissa, or one less.
         let (quotient, rest) = above.div_rem(below);
+        let error = if rest == UBig::ZERO { 0.0 } else { Self::LAST };
+        Self::new(x.numerator().is_negative(), Self::mantissa(&quotient), -power, error)
+    }
+
+    /// An integer within a unit of its last place.
+    pub fn integer(n: &IBig) -> Self {
+        let magnitude = n.clone().into_parts().1;
+        let shift = magnitude.bit_len().saturating_sub(Self::BITS.unsigned_abs());
+        let error = if magnitude.trailing_zeros().is_none_or(|zeros| zeros >= shift) { 0.0 } else { Self::LAST };
+        Self::new(n.is_negative(), Self::mantissa(&(magnitude >> shift)), shift.cast_signed(), error)
+    }
+
+    fn mantissa(n: &UBig) -> Words<N> {
         let mut mantissa = [0; N];
-        for (word, given) in mantissa.iter_mut().zip(quotient.to_le_bytes().chunks(8)) {
+        for (word, given) in mantissa.iter_mut().zip(n.to_le_bytes().chunks(8)) {
             let mut bytes = [0; 8];
             bytes[..given.len()].copy_from_slice(given);
             *word = u64::from_le_bytes(bytes);
         }
-        let error = if rest == UBig::ZERO { 0.0 } else { Self::LAST };
-        Self::new(x.numerator().is_negative(), mantissa, -power, error)
+        mantissa
     }
 
     /// All numbers from one to another.
@@ -180,7 +201,7 @@ impl<const N: usize> Ball<N> {
     }
 
     /// 1/x; `None` where x may be 0, or differ from the middle by a half of it.
-    fn recip(&self) -> Option<Self> {
+    pub fn recip(&self) -> Option<Self> {
         self.strict_sign()?;
         let middle = self.clone().exact();
         let first = 1.0 / (self.mantissa[N - 1] as f64 / TWO_TO_64);

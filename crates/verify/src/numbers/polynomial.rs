@@ -174,15 +174,23 @@ pub(super) struct Signs {
 
 impl Signs {
     pub fn new(exact: Polynomial) -> Self {
-        let enclosed = exact.0.iter().map(|c| Ball::of(&RBig::from(c.clone()))).collect();
+        let enclosed = exact.0.iter().map(Ball::integer).collect();
         Self { exact, enclosed }
     }
 
     pub fn at(&self, x: &RBig) -> i8 {
-        let at = Ball::of(x);
-        let value = self.enclosed.iter().rev().fold(Ball::zero(), |sum, c| &(&sum * &at) + c);
-        value.strict_sign().unwrap_or_else(|| self.exact.sign_at(x))
+        self.enclosed(x).strict_sign().unwrap_or_else(|| self.exact.sign_at(x))
     }
+
+    /// The value, up to a positive factor that does not depend on x.
+    pub fn enclosed(&self, x: &RBig) -> Ball<WORDS> {
+        horner(self.enclosed.iter().rev(), &Ball::of(x))
+    }
+}
+
+/// From the highest coefficient to the lowest.
+pub(crate) fn horner<'a, const N: usize>(form: impl Iterator<Item = &'a Ball<N>>, x: &Ball<N>) -> Ball<N> {
+    form.fold(Ball::zero(), |sum, c| &(&sum * x) + c)
 }
 
 pub(crate) fn sign(x: &IBig) -> i8 {

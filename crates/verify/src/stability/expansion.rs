@@ -7,7 +7,7 @@
 
 use std::collections::BTreeMap;
 
-use super::modes::{Complex, Modes, Vector, combined, mapped, nothing, plus};
+use super::modes::{Complex, Modes, Vector, combined, mapped, nothing, plus, real_combined};
 use crate::numbers::ball::Ball;
 
 /// The powers of ζ₁, ζ₂ and of their conjugates.
@@ -18,6 +18,8 @@ pub(super) struct Expansion<'a, const N: usize> {
     modes: &'a Modes<'a, N>,
     known: BTreeMap<Powers, Vector<N>>,
     shifts: BTreeMap<(usize, [u8; 2]), Ball<N>>,
+    /// 1/⟨ω, w⟩ by w.
+    inverses: BTreeMap<[i32; 2], Ball<N>>,
 }
 
 /// How often each phase is in a monomial.
@@ -44,7 +46,7 @@ impl<'a, const N: usize> Expansion<'a, N> {
     pub fn new(modes: &'a Modes<'a, N>) -> Self {
         let unit = |n: usize| std::array::from_fn(|k| u8::from(k == n));
         let known = (0..4).map(|n| (unit(n), modes.vectors[n].clone())).collect();
-        Self { modes, known, shifts: BTreeMap::new() }
+        Self { modes, known, shifts: BTreeMap::new(), inverses: BTreeMap::new() }
     }
 
     /// The coefficient of |ζ₁|^2s₁ |ζ₂|^2s₂ in σ of a mode.
@@ -70,35 +72,45 @@ impl<'a, const N: usize> Expansion<'a, N> {
             return Some(mapped(conjugate, Complex::conjugate));
         }
         let forced = self.forced(powers)?;
-        let own = (0..4).find(|&n| windings(powers) == windings(std::array::from_fn(|k| u8::from(k == n))));
-        let rates = &self.modes.rates;
-        let over = |rate: &Ball<N>| Ball::whole(1).over(rate);
-        let found = if windings(powers) == [0, 0] {
-            // Its own conjugate; so are the modes in pairs.
-            let mut turned = Vec::new();
-            for (n, rate) in rates[..2].iter().enumerate() {
-                let share = self.modes.share(n, &forced);
-                turned.push((share.turned(&over(&-rate)?), &self.modes.vectors[n]));
+        let found = match windings(powers) {
+            [0, 0] => {
+                // Its own conjugate; so are the modes in pairs.
+                let share = |n: usize, inverse: Ball<N>| self.modes.share(n, &forced).turned(&-&inverse);
+                let [one, other] = [self.inverse([1, 0])?, self.inverse([0, 1])?];
+                let terms = [(share(0, one), &self.modes.vectors[0]), (share(1, other), &self.modes.vectors[1])];
+                combined(&real_combined(&nothing(), &terms), &self.at_rest(powers)?)
             }
-            let moved = mapped(&combined(&nothing(), &turned), |x| Complex::real(&x.re + &x.re));
-            combined(&moved, &self.at_rest(powers)?)
-        } else {
-            // What has no share in a mode grows by 1/(iω), the others by 1/(i(ω − ω_n)).
-            let rate = windings(powers)
-                .into_iter()
-                .zip(rates)
-                .fold(Ball::zero(), |sum, (winding, rate)| &sum + &(&Ball::whole(winding) * rate));
-            let plain = over(&rate)?;
-            let mut terms = Vec::new();
-            for n in 0..4 {
-                let share = self.modes.share(n, &forced);
-                let whole = if own == Some(n) { Ball::zero() } else { over(&(&rate - &rates[n]))? };
-                terms.push((share.turned(&(&whole - &plain)), &self.modes.vectors[n]));
+            [p, q] => {
+                // What has no share in a mode grows by 1/(iω), the others by 1/(i(ω − ω_n)).
+                let plain = self.inverse([p, q])?;
+                let mut over = |of: [i32; 2]| match of {
+                    [0, 0] => Some(-&plain),
+                    of => Some(&self.inverse(of)? - &plain),
+                };
+                let over = [[over([p - 1, q])?, over([p + 1, q])?], [over([p, q - 1])?, over([p, q + 1])?]];
+                let factors = [0, 1].map(|n| {
+                    let [one, other] = self.modes.both_shares(n, &forced);
+                    [one.turned(&over[n][0]), other.turned(&over[n][1])]
+                });
+                self.modes.with_modes(&mapped(&forced, |x| x.turned(&plain)), &factors)
             }
-            combined(&mapped(&forced, |x| x.turned(&plain)), &terms)
         };
         self.known.insert(powers, found.clone());
         Some(found)
+    }
+
+    /// 1/⟨ω, w⟩; `None` at a resonance.
+    fn inverse(&mut self, [p, q]: [i32; 2]) -> Option<Ball<N>> {
+        if [p, q] < [0, 0] {
+            return Some(-&self.inverse([-p, -q])?);
+        }
+        if let Some(known) = self.inverses.get(&[p, q]) {
+            return Some(known.clone());
+        }
+        let rates = &self.modes.rates;
+        let inverse = (&(&Ball::whole(p) * &rates[0]) + &(&Ball::whole(q) * &rates[1])).recip()?;
+        self.inverses.insert([p, q], inverse.clone());
+        Some(inverse)
     }
 
     /// What drives a coefficient: products of others, and slower phases of those before it. At a monomial whose frequency is a
@@ -106,8 +118,13 @@ impl<'a, const N: usize> Expansion<'a, N> {
     pub fn forced(&mut self, powers: Powers) -> Option<Vector<N>> {
         let mut sum = nothing();
         for [first, second] in splits(powers) {
-            let product = self.modes.quadratic(&self.coefficient(first)?, &self.coefficient(second)?);
-            sum = plus(&sum, &if first == second { mapped(&product, Complex::half) } else { product });
+            let one = self.coefficient(first)?;
+            let product = if first == second {
+                self.modes.square(&one)
+            } else {
+                self.modes.quadratic(&one, &self.coefficient(second)?)
+            };
+            sum = plus(&sum, &product);
         }
         for s in slower(powers) {
             let mut before = powers;
@@ -128,13 +145,13 @@ impl<'a, const N: usize> Expansion<'a, N> {
         for [first, second] in splits(powers) {
             let [[p, g], [q, h]] = [self.coefficient(first)?, self.coefficient(second)?];
             let of = |f: &dyn Fn(usize) -> Ball<N>| (0..3).fold(Ball::zero(), |sum, k| &sum - &f(k));
-            let longer = of(&|k| (&g[k] * &h[k]).re);
-            let more = of(&|k| &(&(&g[k] * &q[k]) + &(&h[k] * &p[k])).re * &self.modes.at.a[k]);
+            let longer = of(&|k| g[k].real_product(&h[k]));
+            let more = of(&|k| &(&g[k].real_product(&q[k]) + &h[k].real_product(&p[k])) * &self.modes.at.a[k]);
             // A split and its conjugate are both in the list, or it is its own.
             let [longer, more] = [longer, more].map(|x| if first == second { x.half() } else { x });
             (length, moment) = (&length + &longer, &moment + &more);
         }
-        let moment = moment.over(&self.modes.j)?;
+        let moment = &moment * &self.modes.inverse_j;
         let [longer, faster] = &self.modes.beside;
         Some(vec![(Complex::real(&moment - &length), faster), (Complex::real(length), longer)])
     }
@@ -151,7 +168,7 @@ impl<'a, const N: usize> Expansion<'a, N> {
         }
         for [first, second] in splits(powers) {
             let [[p, _], [q, _]] = [self.coefficient(first)?, self.coefficient(second)?];
-            let product = (0..3).fold(Ball::zero(), |sum, k| &sum + &(&at.a[k] * &(&p[k] * &q[k]).re));
+            let product = (0..3).fold(Ball::zero(), |sum, k| &sum + &(&at.a[k] * &p[k].real_product(&q[k])));
             sum = &sum + &(if first == second { product.half() } else { product });
         }
         Some(sum)

@@ -7,8 +7,9 @@ use bifdiag_schema::{Failing, NonlinearVerdict, Reason};
 use dashu_ratio::RBig;
 
 use super::amplitudes::NormalForm;
-use super::determinant::{Determinant, is_axis, rotation};
+use super::determinant::{Determinant, Rotations, is_axis};
 use super::flow::Flow;
+use super::modes::Rotation;
 use super::range::{apart, narrow, uncertain};
 use crate::Refused;
 use crate::equilibria::pieces::Branch;
@@ -18,7 +19,10 @@ use crate::numbers::isolation::roots;
 
 /// Words of the numbers of normal forms: interpolation takes several bits for each degree, and beside special bodies more are
 /// needed.
-const WORDS: [usize; 3] = [4, 8, 24];
+const WORDS: [usize; 3] = [3, 6, 24];
+
+/// Bits to which a zero is narrowed at least, relative to its distance from the ends: l and h are compared with doubles.
+const NARROW: usize = 64;
 
 /// A stretch of a branch, by rising parameter.
 #[derive(Clone)]
@@ -43,6 +47,40 @@ pub(super) struct Exception {
     pub changes: bool,
 }
 
+/// The points of every stretch, with their verdicts; `None` where one of them is not decided.
+pub(super) fn points(spaces: &Spaces, stretches: &[&Stretch]) -> Result<Vec<Option<Vec<Exception>>>, Refused> {
+    let mut found = vec![None; stretches.len()];
+    decide::<{ WORDS[0] }>(spaces, stretches, &mut found)?;
+    decide::<{ WORDS[1] }>(spaces, stretches, &mut found)?;
+    decide::<{ WORDS[2] }>(spaces, stretches, &mut found)?;
+    Ok(found)
+}
+
+/// Decides what is open. The determinant in μ is one polynomial: stretches that touch, as those on both sides of a moment
+/// do, share its values.
+fn decide<const N: usize>(
+    spaces: &Spaces,
+    stretches: &[&Stretch],
+    found: &mut [Option<Vec<Exception>>],
+) -> Result<(), Refused> {
+    let of = |stretch: &Stretch, range: [&RBig; 2]| Determinant::<N>::new(spaces, stretch.branch, &stretch.flow, range);
+    let mut shared: Vec<(Rc<Flow>, [RBig; 2], Option<Determinant<N>>)> = Vec::new();
+    for (stretch, found) in stretches.iter().zip(found).filter(|(_, found)| found.is_none()) {
+        let run = stretch.run(stretches);
+        let is_its = |known: &(Rc<Flow>, [RBig; 2], _)| Rc::ptr_eq(&known.0, &stretch.flow) && known.1 == run;
+        let number = shared.iter().position(is_its).unwrap_or(shared.len());
+        if number == shared.len() {
+            shared.push((Rc::clone(&stretch.flow), run.clone(), of(stretch, run.each_ref())));
+        }
+        // A place in the whole run may be a moment.
+        let alone = if shared[number].2.is_none() { of(stretch, stretch.whole()) } else { None };
+        if let Some(determinant) = shared[number].2.as_ref().or(alone.as_ref()) {
+            *found = stretch.points_with(spaces, determinant)?;
+        }
+    }
+    Ok(())
+}
+
 impl Stretch {
     fn whole(&self) -> [&RBig; 2] {
         [&self.ends[0][0], &self.ends[1][1]]
@@ -57,21 +95,32 @@ impl Stretch {
 
     fn is_nonzero_in_the_middle<const N: usize>(&self, spaces: &Spaces) -> Option<i8> {
         let middle = (&self.ends[0][1] + &self.ends[1][0]) / RBig::from(2);
-        let at = rotation::<N>(spaces, self.branch, &Ball::of(&middle))?;
-        NormalForm::new(&at)?.arnold.strict_sign()
+        NormalForm::new(&self.rotation::<N>(spaces, [&middle, &middle])?)?.arnold.strict_sign()
     }
 
-    /// Every point, with its verdict; `None` where one of them is not decided.
-    pub fn points(&self, spaces: &Spaces) -> Result<Option<Vec<Exception>>, Refused> {
-        let few = self.points_with::<{ WORDS[0] }>(spaces)?;
-        let more = few.map_or_else(|| self.points_with::<{ WORDS[1] }>(spaces), |few| Ok(Some(few)))?;
-        more.map_or_else(|| self.points_with::<{ WORDS[2] }>(spaces), |more| Ok(Some(more)))
+    fn rotation<const N: usize>(&self, spaces: &Spaces, [lo, hi]: [&RBig; 2]) -> Option<Rotation<N>> {
+        Rotations::new(spaces, self.branch).at(&Ball::between(lo, hi))
     }
 
-    fn points_with<const N: usize>(&self, spaces: &Spaces) -> Result<Option<Vec<Exception>>, Refused> {
-        let Some(determinant) = Determinant::<N>::new(spaces, self.branch, &self.flow, self.whole()) else {
-            return Ok(None);
+    /// The whole of the stretches that touch one another and this one, in μ.
+    fn run(&self, stretches: &[&Self]) -> [RBig; 2] {
+        let mut run = self.whole().map(RBig::clone);
+        let is_neighbour = |other: &&&Self, run: &[RBig; 2]| {
+            let [from, to] = other.whole();
+            Rc::ptr_eq(&other.flow, &self.flow) && (*to == run[0] || *from == run[1])
         };
+        while let Some(other) = stretches.iter().find(|other| is_neighbour(other, &run)) {
+            let [from, to] = other.whole();
+            run = [from.min(&run[0]).clone(), to.max(&run[1]).clone()];
+        }
+        run
+    }
+
+    fn points_with<const N: usize>(
+        &self,
+        spaces: &Spaces,
+        determinant: &Determinant<N>,
+    ) -> Result<Option<Vec<Exception>>, Refused> {
         let is_axis = is_axis(spaces, self.branch);
         let mut points = Vec::new();
         for (range, changes) in self.ends.iter().zip(self.collisions) {
@@ -104,16 +153,17 @@ impl Stretch {
                 points.push(Exception { kind, range, verdict, why, changes: false });
             }
         }
-        let Some(zeros) = determinant.zeros(spaces.bits() / 2) else { return Ok(None) };
+        let least = if N < WORDS[2] { NARROW } else { 0 };
+        let zeros = |bits: usize| determinant.zeros(self.whole(), [bits, least]);
+        let Some(found) = zeros(spaces.bits() / 2) else { return Ok(None) };
         let meets = |zero: &[RBig; 2], range: &[RBig; 2]| zero[0] <= range[1] && range[0] <= zero[1];
         let others: Vec<&[RBig; 2]> = points.iter().map(|point| &point.range).chain(&self.ends).collect();
-        if zeros.iter().any(|zero| others.iter().any(|range| meets(zero, range))) {
+        if found.iter().any(|zero| others.iter().any(|range| meets(zero, range))) {
             return Ok(None);
         }
-        let sharper = || determinant.zeros(N * 32);
-        for (n, range) in zeros.into_iter().enumerate() {
+        for (n, range) in found.into_iter().enumerate() {
             let is_decided = |range: &[RBig; 2]| self.has_sixth_degree::<N>(spaces, range);
-            let decided = is_decided(&range) || sharper().is_some_and(|zeros| zeros.get(n).is_some_and(is_decided));
+            let decided = is_decided(&range) || zeros(N * 32).is_some_and(|found| found.get(n).is_some_and(is_decided));
             let (verdict, why) = match decided {
                 true => (NonlinearVerdict::Stable, Reason::Arnold),
                 false if N < WORDS[2] => return Ok(None),
@@ -126,13 +176,13 @@ impl Stretch {
 
     /// D₆ is other than 0 where D₄ = 0.
     fn has_sixth_degree<const N: usize>(&self, spaces: &Spaces, [lo, hi]: &[RBig; 2]) -> bool {
-        let sixth = rotation::<N>(spaces, self.branch, &Ball::between(lo, hi)).and_then(|at| NormalForm::sixth(&at));
+        let sixth = self.rotation::<N>(spaces, [lo, hi]).and_then(|at| NormalForm::sixth(&at));
         sixth.is_some_and(|value| value.strict_sign().is_some())
     }
 
     /// At ω₁ = 3ω₂: |K₁₁ + 3K₁₂ + 9K₂₂| against 3√3|B|.
     fn markeev<const N: usize>(&self, spaces: &Spaces, [lo, hi]: &[RBig; 2]) -> Option<(NonlinearVerdict, Reason)> {
-        let at = rotation::<N>(spaces, self.branch, &Ball::between(lo, hi))?;
+        let at = self.rotation::<N>(spaces, [lo, hi])?;
         let [k11, k12, k22] = &NormalForm::new(&at)?.twist;
         let along = &(k11 + &(&Ball::whole(3) * k12)) + &(&Ball::whole(9) * k22);
         let rest = &along.square() - &(&Ball::whole(27) * &NormalForm::quartic(&at)?);

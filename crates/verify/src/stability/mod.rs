@@ -105,20 +105,21 @@ pub(crate) fn exceptions(
     let Some(claims) = &document.verdict_changes else { return Ok(()) };
     let l2 = orders.spaces.square_of_momentum();
     let id = |own: &Along| orders.pieces.list[own.curve].id.clone();
-    let (mut expected, mut undecided) = (Vec::new(), Vec::new());
+    let mut needed: Vec<&Along> = Vec::new();
     for own in along {
         let curve = document.curves.iter().find(|curve| curve.id == id(own)).ok_or_else(uncertain)?;
-        if !verdicts::needs_normal_form(orders, curve, own.curve) {
-            continue;
+        if verdicts::needs_normal_form(orders, curve, own.curve) {
+            needed.push(own);
         }
-        let mut found = Some(Vec::new());
-        for stretch in &own.elliptic {
-            let points = stretch.points(orders.spaces)?;
-            found = found.zip(points).map(|(found, points)| [found, points].concat());
-        }
-        match found {
-            Some(points) => expected.extend(points.into_iter().map(|point| (own, point))),
-            None => undecided.push(curve.id.clone()),
+    }
+    let stretches: Vec<&Stretch> = needed.iter().flat_map(|own| &own.elliptic).collect();
+    let mut found = hypotheses::points(orders.spaces, &stretches)?.into_iter();
+    let (mut expected, mut undecided) = (Vec::new(), Vec::new());
+    for own in needed {
+        let points: Vec<Option<Vec<_>>> = found.by_ref().take(own.elliptic.len()).collect();
+        match points.into_iter().collect::<Option<Vec<_>>>() {
+            Some(points) => expected.extend(points.into_iter().flatten().map(|point| (own, point))),
+            None => undecided.push(id(own)),
         }
     }
     let (open, mut checked): (Vec<_>, Vec<_>) = claims.iter().partition(|claim| undecided.contains(&claim.curve));
