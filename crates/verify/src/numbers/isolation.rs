@@ -13,6 +13,9 @@ use super::polynomial::{Polynomial, Signs, sign};
 const SIMPLE: usize = 100;
 const MOST: usize = 10_000;
 
+/// 2ᵏ parts of a range at most: doubles tell them apart.
+const FINEST: usize = 32;
+
 /// A number; n/0 is infinite.
 type Fraction = [IBig; 2];
 
@@ -153,6 +156,48 @@ impl Part {
 }
 
 impl Root {
+    /// Narrows the range at least 2ᵇ-fold: to one of its 2ᵏ parts, beside the zero of the chord, where k is doubled as
+    /// long as that holds the root (J. Abbott, Quadratic interval refinement for real roots, 2014).
+    pub fn narrow(&mut self, mut bits: usize) {
+        let mut step = 1;
+        while bits > 0 && self.lo != self.hi {
+            if step == 1 {
+                self.halve();
+            } else if !self.is_beside_chord(step) {
+                step /= 2;
+                continue;
+            }
+            bits = bits.saturating_sub(step);
+            step = (2 * step).min(FINEST);
+        }
+    }
+
+    /// Takes the part of 2ᵏ beside the zero of the chord for the range, if it holds the root.
+    fn is_beside_chord(&mut self, step: usize) -> bool {
+        let parts = IBig::ONE << step;
+        let [below, above] = [&self.lo, &self.hi].map(|x| self.polynomial.enclosed(x));
+        let Some(share) = below.over(&(&below - &above)) else { return false };
+        let nearest = IBig::try_from((share.times_two_to(step.cast_signed()).to_f64()).round()).unwrap_or(IBig::ZERO);
+        let width = (&self.hi - &self.lo) / RBig::from(parts.clone());
+        let place = |n: &IBig| &self.lo + &width * RBig::from(n.clone());
+        let middle = nearest.clamp(IBig::ONE, parts - IBig::ONE);
+        let sign = self.polynomial.at(&place(&middle));
+        let next = if sign == self.above { &middle - IBig::ONE } else { &middle + IBig::ONE };
+        let [middle, next] = [middle, next].map(|n| place(&n));
+        if sign == 0 {
+            (self.lo, self.hi) = (middle.clone(), middle);
+            return true;
+        }
+        let holds = self.polynomial.at(&next) * sign <= 0;
+        match (sign == self.above, holds) {
+            (true, true) => (self.lo, self.hi) = (next, middle),
+            (true, false) => self.hi = next,
+            (false, true) => (self.lo, self.hi) = (middle, next),
+            (false, false) => self.lo = next,
+        }
+        holds
+    }
+
     /// Halves the range.
     pub fn halve(&mut self) {
         if self.lo == self.hi {
@@ -242,6 +287,21 @@ mod tests {
         near(&[(1, 3), (1, 3), (3, 4), (1, 4)], &[0.25, 1.0 / 3.0, 0.75]);
         near(&[(100_000, 300_001), (100_000, 300_000)], &[100_000.0 / 300_001.0, 1.0 / 3.0]);
         near(&[], &[]);
+    }
+
+    #[test]
+    fn roots_are_narrowed() {
+        let list = [(1, 3), (1, 2), (100_000, 150_001), (7, 8), (-5, 1)];
+        for bits in [1, 2, 53, 200, 1000] {
+            let mut found = roots(&with_roots(&list), [&RBig::ZERO, &RBig::ONE]).unwrap();
+            assert_eq!(found.len(), 4);
+            for (root, &(n, d)) in found.iter_mut().zip(&list) {
+                let (exact, before) = (RBig::from(n) / RBig::from(d), &root.hi - &root.lo);
+                root.narrow(bits);
+                assert!(root.lo <= exact && exact <= root.hi, "{n}/{d} {bits}");
+                assert!((&root.hi - &root.lo) * RBig::from(IBig::ONE << bits) <= before, "{n}/{d} {bits}");
+            }
+        }
     }
 
     #[test]

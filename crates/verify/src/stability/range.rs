@@ -71,7 +71,7 @@ pub(crate) fn ends(spaces: &Spaces, pieces: &Pieces, piece: &Piece, whole: &[RBi
     [first.unwrap_or_else(|| at(lo)), last.unwrap_or_else(|| at(hi))]
 }
 
-/// Halves the range of a root until it is 2⁻ᵇ of its distance from the ends of the branch, by which equilibria are
+/// Narrows the range of a root until it is 2⁻ᵇ of its distance from the ends of the branch, by which equilibria are
 /// distinguished.
 pub(super) fn narrow(root: &mut Root, [first, last]: [&RBig; 2], bits: usize) {
     let finer = RBig::from(IBig::ONE << bits);
@@ -83,7 +83,7 @@ pub(super) fn narrow(root: &mut Root, [first, last]: [&RBig; 2], bits: usize) {
         }
         // An end of the range may be one of the branch.
         let halvings = if room.is_zero() { 1 } else { (width / room).floor().bit_len() };
-        (0..halvings).for_each(|_| root.halve());
+        root.narrow(halvings);
     }
 }
 
