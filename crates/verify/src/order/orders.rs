@@ -9,8 +9,8 @@ use crate::equilibria::places::{Place, Point, Side};
 use crate::equilibria::spaces::Spaces;
 use crate::numbers::fixed::Fixed;
 
-/// Newton steps that sharpen a place at most: each doubles its digits. They end where three quarters of the bits are known, or
-/// one gains nothing.
+/// Newton steps that sharpen a place at most: each doubles its digits. They end where half of the bits are known, or one
+/// gains nothing.
 const STEPS: usize = 12;
 /// Halvings at most.
 const HALVINGS: usize = 256;
@@ -132,7 +132,7 @@ impl Coordinate {
     fn sharpened(&self, spaces: &Spaces, mut y: Fixed, x: &Fixed) -> Option<Stand> {
         let state = |y: &Fixed| spaces.point(self.base, self.side, y);
         let (mut steps, mut halvings) = (0, 0);
-        while steps < STEPS && halvings < HALVINGS && !y.is_sharp(spaces.bits() * 3 / 4) {
+        while steps < STEPS && halvings < HALVINGS && !y.is_sharp(spaces.bits() / 2) {
             let middle = y.middle();
             let (at, over) = (spaces.x(self.base, self.side, &middle)?, state(&y)?);
             let slope = over.slopes.as_ref().map(|[log_slope, _]| &over.x * log_slope);
