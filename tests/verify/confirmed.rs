@@ -104,6 +104,16 @@ fn bodies_beside_three_quarters_are_verified() {
     ]);
 }
 
+/// Two real pairs meet at 0, where the discriminant vanishes exactly at the end of a curve.
+#[test]
+fn all_eigenvalues_may_vanish_at_a_pitchfork() {
+    are_verified(&[
+        [["3", "4", "5"], ["0", "0", "1"]],
+        [["5", "3", "4"], ["1", "0", "0"]],
+        [["0.8", "1", "0.6"], ["0", "-2", "0"]],
+    ]);
+}
+
 /// Just below ¾ a pair of saddles lies beside the standing or hanging rotation, with barriers of the square of what is missing: what
 /// they join follows from the symmetry and the saddle between the two other minima (Corollary 9.8), where no path is proved.
 #[test]

@@ -198,6 +198,15 @@ impl Root {
         holds
     }
 
+    /// Whether the root is this number; then it is known exactly.
+    pub fn is_at(&mut self, x: &RBig) -> bool {
+        // An end of the range may be another root.
+        if self.lo < *x && *x < self.hi && self.polynomial.at(x) == 0 {
+            (self.lo, self.hi) = (x.clone(), x.clone());
+        }
+        self.lo == *x && self.hi == *x
+    }
+
     /// Halves the range.
     pub fn halve(&mut self) {
         if self.lo == self.hi {
