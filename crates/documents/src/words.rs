@@ -52,7 +52,7 @@ pub fn motion(curve: &CurveDocument) -> String {
         CurveKind::PoleMinus => return "the centre of mass can stand straight up".to_owned(),
         CurveKind::Generic => "a permanent rotation",
         CurveKind::Pair => "a symmetric pair of permanent rotations",
-        CurveKind::Circle => "a circle of regular precessions",
+        CurveKind::Circle => "a circle of permanent rotations",
         CurveKind::Axis => "rotation about a principal axis",
         CurveKind::Sphere => "any rotation",
     };

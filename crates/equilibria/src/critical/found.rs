@@ -37,11 +37,15 @@ impl RelativeEquilibria<'_> {
         let (c, reduced) = (&self.constants, Reduced::new(&self.constants, &state));
         let kind = if is_set(site.orbit) { reduced.transverse_type() } else { reduced.linear_type() };
         let Some(kind) = kind else { return false };
+        let eigenvalues = reduced.eigenvalues(kind, is_set(site.orbit), self.set.frame.frequency_unit);
+        if eigenvalues.are_coarse() {
+            return false;
+        }
         let judged = nonlinear::Question { c, state: &state, reduced: &reduced, kind, setting: site.setting };
         let Some(nonlinear) = self.deferred(kind, site.setting).or_else(|| judged.verdict([None; 2])) else {
             return false;
         };
-        self.push(found, question, &site, &reduced, (kind, nonlinear));
+        self.push(found, question, &site, &reduced, (kind, nonlinear, eigenvalues));
         true
     }
 
@@ -100,7 +104,8 @@ impl RelativeEquilibria<'_> {
             let site = self.site(exact, question, x)?;
             let judged = || beyond::verdict(self.profile()?, question.branch, exact, site.setting);
             let nonlinear = self.deferred(exact.kind, site.setting).or_else(judged)?;
-            self.push(found, question, &site, &exact.reduced, (exact.kind, nonlinear));
+            let eigenvalues = exact.reduced.eigenvalues(exact.kind, is_set(site.orbit), self.set.frame.frequency_unit);
+            self.push(found, question, &site, &exact.reduced, (exact.kind, nonlinear, eigenvalues));
         }
         Some(())
     }
@@ -185,7 +190,9 @@ impl RelativeEquilibria<'_> {
             let (site, state) = self.enclosed(id, x)?;
             let kind = self.profile()?.without_weight(&self.set.curves[id]);
             let nonlinear = Nonlinear::of(site.setting.verdict(kind)?);
-            self.push(found, question, &site, &Reduced::new(&self.constants, &state), (kind, nonlinear));
+            let reduced = Reduced::new(&self.constants, &state);
+            let eigenvalues = reduced.eigenvalues(kind, is_set(site.orbit), self.set.frame.frequency_unit);
+            self.push(found, question, &site, &reduced, (kind, nonlinear, eigenvalues));
         }
         Some(())
     }
@@ -197,7 +204,7 @@ impl RelativeEquilibria<'_> {
         question: &Question<'_>,
         site: &Site,
         reduced: &Reduced<E>,
-        (kind, nonlinear): (LinearType, Nonlinear),
+        (kind, nonlinear, eigenvalues): (LinearType, Nonlinear, Eigenvalues),
     ) {
         let frame = &self.set.frame;
         let Site { point, orbit, .. } = site;
@@ -219,7 +226,7 @@ impl RelativeEquilibria<'_> {
             stability: kind,
             nonlinear: nonlinear.in_unit(frame.momentum_unit / frame.frequency_unit),
             friction: Friction::new(reduced, kind, site.setting, is_set(*orbit)),
-            eigenvalues: reduced.eigenvalues(kind, is_set(*orbit), frame.frequency_unit),
+            eigenvalues,
             curve: Some(site.curve),
             branch_name: self.words(question.branch),
         };

@@ -31,6 +31,15 @@ pub struct Eigenvalues {
     pub error: f64,
 }
 
+impl Eigenvalues {
+    /// Fewer than seven digits of some part are known.
+    #[must_use]
+    pub fn are_coarse(&self) -> bool {
+        const COARSE: f64 = 1e-7;
+        self.pairs.as_flattened().iter().any(|part| *part != 0.0 && self.error > COARSE * part)
+    }
+}
+
 impl<E: Enclosure> Reduced<E> {
     /// From an equilibrium: with v = γ×Aγ, g = tr A − 2|Aγ|²/J,
     /// β = g²J/det A + Σ_i (τ_j w_k + τ_k w_j + 4v_i²/J)/A_i and χ det A = Σ_i (w_i τ_j τ_k J + 4τ_i v_i²).
