@@ -207,3 +207,23 @@ fn a_spin_down_begins_at_the_end_of_its_curve() {
     bifdiag("spin-down --A 2,3,4 --r 1,0,0 --from L+.1").succeeds().printing("hangs at rest");
     bifdiag("spin-down --A 1,2,3 --r 0,0,0 --from S3.1").succeeds().printing("comes to rest");
 }
+
+/// A fall at fixed l loses energy, so it stays in its component of {U_l ≤ h}: the barriers at these l, found by `critical`, are
+/// higher than where it begins, and the body cannot hang at once.
+#[test]
+fn a_body_does_not_fall_over_a_barrier() {
+    for (line, onto, barrier, hanging) in [
+        ("--A 1.96,1.17,1.16 --r -0.79,0,0 --l 1.95", "S2.1", "S2.2", "L+.1"),
+        ("--A 4/3,5,3/2 --r 0,0.7,0 --l 2.19", "S3.1", "S3.2", "L+.1"),
+    ] {
+        let way = bifdiag(&format!("spin-down {line} --from L-.2 --json")).succeeds().json();
+        let first = &list(&way["path"])[0];
+        assert_eq!(first["onto"], json!([onto]), "{line} {way}");
+        let all = bifdiag(&format!("critical {line} --json")).succeeds().json();
+        let height = |curve: &str| {
+            let found = list(&all["critical"]).iter().find(|point| point["branch"] == json!(curve));
+            number(&found.unwrap_or_else(|| panic!("{curve} {all}"))["h"])
+        };
+        assert!(height(hanging) < height(onto) && height(onto) < height("L-.2") && height("L-.2") < height(barrier));
+    }
+}

@@ -148,7 +148,7 @@ fn symmetric_pairs_are_sorted_by_gamma() {
 fn ties_and_circles_of_axes_are_reported() {
     let body = "--A 1,2,3 --r 0,0,0 --axis 1,1,1";
     let spins = bifdiag(&format!("critical-spin {body}")).succeeds();
-    spins.printing("also at this angle: (1, 0, 0), (0, 1, 0), (0, 0, 1)");
+    spins.printing("the nearest permanent axis is (0, 0, 1), 54.7° away\nalso at this angle: (1, 0, 0), (0, 1, 0)\n");
     let state = bifdiag(&format!("state {body} --spin")).and("1 rad/s").succeeds();
     state.printing("equally near: (").printing("; what follows refers to the first");
     let alone = bifdiag("critical-spin --A 1,2,3 --r 0,0,0 --axis 1,1,2").succeeds().stdout();

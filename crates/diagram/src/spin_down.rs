@@ -2,11 +2,12 @@
 //!
 //! Where friction that conserves l damps all that is not steady, and l is lost much more slowly, the state stays on a curve of
 //! minima of U_l, dh = Ω dl, to the point at which the curve ends. At a pitchfork it goes over to the curve or the pair that is a minimum beyond;
-//! without one, and at a cusp, the body falls, and comes to rest on another minimum at that l. All this in the limit of a
-//! vanishing loss of l.
+//! without one, and at a cusp, the body falls, and comes to rest on another minimum at that l. While it falls its energy decreases,
+//! so it stays in its component of {U_l ≤ h}. All this in the limit of a vanishing loss of l.
 
 use crate::arrangement::{Arrangement, Change, EventId, RegionId, SlabId};
-use bifdiag_equilibria::curves::CurveId;
+use crate::atlas::partition_below;
+use bifdiag_equilibria::curves::{CriticalSet, CurveId, Orbit, Point};
 
 /// A stretch of a curve along which the neighbouring regions are the same, by falling x = l²/2.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,12 +27,40 @@ pub enum Turn {
     Crossing(EventId),
     /// The curve goes over into another minimum, at a pitchfork.
     Onto(EventId, CurveId),
-    /// The minimum ends, and the body falls; these are the minima at that l of less energy.
+    /// The minimum ends, and the body falls; these are the minima at that l of less energy to which it may fall: where the
+    /// component in which it begins is not decided, all.
     Fall(EventId, Vec<CurveId>),
     /// The start is no minimum: with friction the body falls from it at once, to one of these.
     Lost(Vec<CurveId>),
     /// The body comes to rest, and hangs if it has weight.
     Rest,
+}
+
+/// Keeps of some minima at x those in the component of {U_l ≤ h} of a point with U_l = h, given the curves at x; all where f64
+/// does not decide which these are.
+fn keep_reachable(
+    set: &CriticalSet,
+    x: f64,
+    from: &Point,
+    curves: impl Iterator<Item = CurveId>,
+    minima: &mut Vec<CurveId>,
+) {
+    let points: Vec<(CurveId, Point)> = curves.map(|curve| (curve, set.curves[curve].point(&set.frame, x))).collect();
+    let below: Vec<(CurveId, &Point)> =
+        points.iter().filter(|(_, point)| point.h() <= from.h()).map(|(curve, point)| (*curve, point)).collect();
+    let Ok(partition) = partition_below(set, x, below.into_iter()) else { return };
+    let Some(component) = partition.component_of(from.gamma) else { return };
+    minima.retain(|minimum| {
+        let point = points.iter().find(|(curve, _)| curve == minimum).map(|(_, point)| point.gamma);
+        // Of a pair one suffices.
+        point.is_some_and(|gamma| {
+            let mut mirrored = gamma;
+            if let Orbit::Pair(axis) = set.curves[*minimum].orbit {
+                mirrored[axis] = -mirrored[axis];
+            }
+            partition.has_minimum(component, gamma) || partition.has_minimum(component, mirrored)
+        })
+    });
 }
 
 /// The way of a rotation from a point of a curve down to rest, or to a fall after which several minima are left.
@@ -89,12 +118,24 @@ pub fn spin_down(arrangement: &Arrangement, from: CurveId, x: f64) -> Vec<(Stret
                 curve = next;
                 continue;
             }
-            let left = below(slab, upper, arrangement.events[event].h);
+            let mut left = below(slab, upper, arrangement.events[event].h);
+            if let Change::Birth(_) | Change::Death(_) = change {
+                let place = set.curves[curve].point(&set.frame, upper);
+                let lower = arrangement.slabs[slab].order.iter().copied();
+                keep_reachable(set, upper, &place, lower.filter(|other| !change.curves().contains(other)), &mut left);
+            }
             way.push((stretch, Turn::Fall(event, left.clone())));
             left
         } else {
             let mut left = below(slab, upper, set.curves[curve].point(&set.frame, upper).h());
             left.retain(|other| !meets(other));
+            let is_fork = end.is_some_and(|event| matches!(event.change, Change::Open { .. } | Change::Close { .. }));
+            if !is_fork {
+                // At a cusp the curves that meet change no component.
+                let place = set.curves[curve].point(&set.frame, upper);
+                let curves = strip.order.iter().copied().filter(|other| !meets(other));
+                keep_reachable(set, upper, &place, curves, &mut left);
+            }
             let order = &strip.order;
             let lowest = order.iter().position(meets).unwrap_or(place);
             let highest = order.iter().rposition(meets).unwrap_or(place);

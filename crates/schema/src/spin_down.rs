@@ -38,7 +38,8 @@ pub struct SlowdownDocument {
     pub regions: [Option<String>; 2],
     /// What ends it.
     pub event: SlowdownEvent,
-    /// Ids of the curves at which the body can be afterwards: after a fall every minimum at that l of less energy.
+    /// Ids of the curves at which the body can be afterwards: after a fall the minima at that l of less energy to which
+    /// it may fall: those in the component of U_l ≤ h in which the fall begins, or all where that is not decided.
     pub onto: Vec<String>,
 }
 

@@ -1,7 +1,7 @@
 //! `bifdiag critical-spin`.
 
 use bifdiag_documents::{AxisQuestion, Subject, words};
-use bifdiag_equilibria::permanent::{AxisKind, equally_near};
+use bifdiag_equilibria::permanent::{AxisKind, angle_between, equally_near};
 use bifdiag_exact::AxisSpins;
 use bifdiag_schema::{AxisEnd, CriticalSpinDocument, NearestAxisDocument, Reason, SpinStretchDocument};
 use bifdiag_survey::tolerance::{Tolerances, Tolerated};
@@ -182,6 +182,9 @@ fn stretches(report: &mut Report, document: &CriticalSpinDocument) {
     }
 }
 
+/// Axes that are nearer to each other, in radians, are one.
+const SAME: f64 = 1e-9;
+
 /// The other permanent axes at the same angle.
 fn as_near(report: &mut Report, subject: &Subject, document: &CriticalSpinDocument, nearest: &NearestAxisDocument) {
     if !subject.body.is_euler() {
@@ -194,8 +197,11 @@ fn as_near(report: &mut Report, subject: &Subject, document: &CriticalSpinDocume
     }
     let near = principal_near(subject, document.axis, nearest.angle_deg);
     let listed: Vec<String> = near.iter().map(|axis| listed(*axis)).collect();
-    if listed.len() > 1 {
-        report.line(format!("also at this angle: {}", listed.join(", ")));
+    let is_other = |axis: [f64; 3]| angle_between(axis, nearest.axis) > SAME;
+    let others: Vec<&str> =
+        near.iter().zip(&listed).filter(|(axis, _)| is_other(**axis)).map(|(_, listed)| &**listed).collect();
+    if !others.is_empty() {
+        report.line(format!("also at this angle: {}", others.join(", ")));
     }
     for (axis, listed) in near.iter().zip(&listed) {
         if one_of(subject, *axis).is_some() {

@@ -61,6 +61,12 @@ impl<'a> Partition<'a> {
         descend(&self.potential, start, &self.minima).map(|m| self.home[m])
     }
 
+    /// Whether one of the minima that the partition was made of lies in a component.
+    #[must_use]
+    pub fn has_minimum(&self, component: usize, gamma: [f64; 3]) -> bool {
+        self.minima.iter().zip(&self.home).any(|(minimum, home)| minimum.gamma == gamma && *home == component)
+    }
+
     /// A minimum of U, in the frame, that lies in a component.
     #[must_use]
     pub fn minimum_of(&self, component: usize) -> Option<[f64; 3]> {
