@@ -236,5 +236,7 @@ fn a_special_body_is_reported_with_the_generic_classes_beside_it() {
     assert_eq!((&generic["class"], &generic["share"]), (&beside["name"], &json!(1.0)));
     assert_eq!((beside.get("stratum"), beside.get("generic")), (None, None));
     let reply = bifdiag("classes --at --body paper --lines 2").succeeds();
-    reply.printing("a special body: r in the plane of axes 1 and 3").printing("generic bodies beside it");
+    reply
+        .printing("a special body: r in the plane of axes 1 and 3")
+        .printing("random generic bodies within 1e-6 of it");
 }

@@ -3,7 +3,8 @@
 //! Where friction that conserves l damps all that is not steady, and l is lost much more slowly, the state stays on a curve of
 //! minima of U_l, dh = Ω dl, to the point at which the curve ends. At a pitchfork it goes over to the curve or the pair that is a minimum beyond;
 //! without one, and at a cusp, the body falls, and comes to rest on another minimum at that l. While it falls its energy decreases,
-//! so it stays in its component of {U_l ≤ h}. All this in the limit of a vanishing loss of l.
+//! so it stays in its component of {U_l ≤ h}, which is not decided where it falls from a pitchfork: the degenerate point there may be
+//! a saddle too flat for f64. All this in the limit of a vanishing loss of l.
 
 use crate::arrangement::{Arrangement, Change, EventId, RegionId, SlabId};
 use crate::atlas::partition_below;

@@ -75,8 +75,9 @@ pub(crate) fn why(body: &Body, list: &OrbitList) -> String {
 fn beside(near: &NearCurve) -> String {
     let NearCurve { curve, margin, within } = near;
     format!(
-        ", all within {} of where P is singular on the curve {curve}, which is {} away in h (choose h farther away)",
-        significant(*within, 2),
+        ", within {} of where P is singular on the curve {curve}, which is {} away in h (choose h farther away)",
+        // Rounded to two digits it is still a bound.
+        significant(1.05 * within, 2),
         significant(*margin, 3)
     )
 }
@@ -103,13 +104,13 @@ fn found_or_missing(list: &OrbitList) -> String {
         }
         Gap::Cells { count, spent, gamma: [x, y, z], at_tangency } => {
             let kind = if *at_tangency { " on the line of tangency" } else { "" };
-            let cells = counted(*count, "cell", "cells");
             let fate = if *spent {
-                format!("were still open when the search ended after {} cells", list.effort[0])
+                let open = counted(*count, "cell was", "cells were");
+                format!("{open} still open{kind} when the search ended after {} cells", list.effort[0])
             } else {
-                "could not be decided".to_owned()
+                format!("{}{kind} could not be decided", counted(*count, "cell", "cells"))
             };
-            format!("{cells}{kind} {fate}, one of them at gamma = {x:.6},{y:.6},{z:.6}")
+            format!("{fate}, one of them at gamma = {x:.6},{y:.6},{z:.6}")
         }
         Gap::Points { count } => {
             format!("{} found at some of the crossings only", counted(*count, "orbit was", "orbits were"))

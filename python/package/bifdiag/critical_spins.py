@@ -81,7 +81,7 @@ class SpinBounds(Table):
     widest_by : array (n,) of str
         The number that alone moves the spin most; ``""`` where that was not found.
     widest_rpm : array (n,)
-        So far, in rpm, or NaN.
+        So far, in rpm: ``inf`` where the change vanishes with it, NaN where ``widest_by`` is ``""``.
     """
 
     up: Texts

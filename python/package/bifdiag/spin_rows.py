@@ -138,8 +138,10 @@ def bounds(ranges: Iterable[Document]) -> Iterator[Document]:
         low, high = one["rpm"]
         row = {"up": one["up"], "below": one["from"], "above": one["to"], "rpm_from": low or 0.0}
         row |= {"rpm_to": np.inf if high is None else high, "between": ", ".join(one["between"])}
-        widest = one.get("most_rpm")
-        yield row | {"widest_by": one.get("most"), "widest_rpm": np.nan if widest is None else widest}
+        by, widest = one.get("most"), one.get("most_rpm")
+        if widest is None:
+            widest = np.nan if by is None else np.inf
+        yield row | {"widest_by": by, "widest_rpm": widest}
 
 
 def _end(axis: list[float], up: str) -> list[float]:

@@ -167,7 +167,8 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
             })
             .collect();
         report.line(format!(
-            "{BESIDE} random generic bodies beside it (at a distance of 1e-6) have the class {}; rare classes may be missing",
+            "of {BESIDE} random generic bodies within 1e-6 of it those whose class was found have the class {}; rare ones may be \
+            missing",
             beside.join(", ")
         ));
     }

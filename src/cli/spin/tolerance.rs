@@ -107,8 +107,8 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
     report.line(classes(tolerance));
     if !tolerance.ranges.is_empty() {
         report.line(format!(
-            "what is found inside a range comes from {} sampled parts; what matters most is said of the last change of the \
-            nominal part in it",
+            "what is found inside a range comes from {} sampled parts; \"matters most\" refers to the nominal part's last \
+            change in that range",
             tolerance.sampled_parts
         ));
     }

@@ -16,7 +16,7 @@ pub struct ExactSpin {
     pub fourth: RBig,
 }
 
-/// Of an irrational number.
+/// Digits to which an irrational number is known.
 const DIGITS: usize = 60;
 
 impl ExactSpin {
@@ -67,9 +67,8 @@ struct Balance<'a> {
 
 impl<'a> Balance<'a> {
     fn new(body: &Body, n: &'a [RBig; 3]) -> Self {
-        let turned = std::array::from_fn(|k| body.moments()[k].value() * &n[k]);
         let center = body.center().each_ref().map(|x| x.value().clone());
-        Self { n, left: cross(n, &turned), right: cross(n, &center) }
+        Self { n, left: cross(n, &body.angular_momentum(n)), right: cross(n, &center) }
     }
 
     /// Of some Ω² ≥ 0.

@@ -202,7 +202,9 @@ impl AxisRotation {
             let polynomial = Polynomial::from_rationals(coefficients);
             let mut roots =
                 if polynomial.is_zero() { Vec::new() } else { polynomial.positive_roots().unwrap_or_default() };
-            roots.iter_mut().for_each(|root| root.refine(120));
+            for root in &mut roots {
+                root.refine(120);
+            }
             roots
         };
         let spin = |root: &Root| root.hi.to_f64().value().sqrt();

@@ -20,7 +20,8 @@ pub struct SteadyRotation {
     pub angle: f64,
     /// h and l at this spin.
     pub place: [Number; 2],
-    /// h and l are exact: the direction of the question is that of a steady rotation, to the last digit.
+    /// h is exact, and l exact or known to 60 digits: the direction of the question is that of a steady rotation, to the last
+    /// digit.
     pub is_exact: bool,
     /// The relative equilibrium, with its stability.
     pub equilibrium: Equilibrium,
@@ -82,10 +83,9 @@ fn exact_place(body: &Body, spin: &ExactSpin, up: &[RBig; 3]) -> Option<[Number;
     if !spin.is_steady(body, up) || &spin.squared * &spin.squared != spin.fourth {
         return None;
     }
-    let (moments, center) = (body.moments(), body.center());
-    let sum = |term: &dyn Fn(usize) -> RBig| (0..3).map(term).fold(RBig::ZERO, |sum, x| sum + x);
-    let moment = sum(&|k| moments[k].value() * up[k].sqr()) / inner(up, up);
-    let height = sum(&|k| center[k].value() * &up[k]) / length(up)?;
+    let center = body.center().each_ref().map(|x| x.value().clone());
+    let moment = inner(up, &body.angular_momentum(up)) / inner(up, up);
+    let height = inner(up, &center) / length(up)?;
     let h = &spin.squared * &moment / RBig::from(2) + height;
     Some([h, &spin.omega * moment].map(Number::from_rational))
 }

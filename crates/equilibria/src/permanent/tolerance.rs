@@ -129,7 +129,8 @@ fn varied(rotation: &AxisRotation, steps: [i8; 4], tolerances: &[RBig; 4]) -> Ax
 }
 
 /// The input that by itself moves the last of some changes of the nominal part most, and how far in Ω: infinitely far where
-/// with it the condition whose root the change is (K_A, K_B or the discriminant) has none. Of equals the first.
+/// with it the condition whose root the change is (K_A, K_B or the discriminant; where several vanish there, each of them) has
+/// none. Of equals the first.
 fn most(rotation: &AxisRotation, tolerances: &[RBig; 4], change: &SpinChange) -> Option<(&'static str, f64)> {
     let is_here = |omega: &f64| (omega - change.omega).abs() <= change.error_bound;
     let held: Vec<usize> = rotation
@@ -141,8 +142,8 @@ fn most(rotation: &AxisRotation, tolerances: &[RBig; 4], change: &SpinChange) ->
         .collect();
     let moved_to = |part: AxisRotation| {
         let found = part.thresholds();
-        let moved = held.iter().map(move |&k| found[k].map_or(f64::INFINITY, |omega| (omega - change.omega).abs()));
-        moved.fold(0.0, f64::max)
+        let left = held.iter().filter_map(|&k| found[k]).map(|omega| (omega - change.omega).abs());
+        left.reduce(f64::max).unwrap_or(f64::INFINITY)
     };
     let mut most: Option<(&'static str, f64)> = None;
     for (input, name) in INPUTS.into_iter().enumerate() {
@@ -308,6 +309,19 @@ mod tests {
         let rotation = AxisRotation::new(&body, BodyAxis::ALL[0], Sign::Negative).unwrap();
         let found = spin_ranges(&rotation, &[RBig::ZERO, RBig::ZERO, percent(1), RBig::ZERO]);
         assert_eq!(found.last().unwrap().most, Some((INPUTS[2], f64::INFINITY)), "{found:?}");
+    }
+
+    /// K_A and K_B vanish together, and K_B still does where a larger A leaves K_A no root; C moves both.
+    #[test]
+    fn of_two_conditions_at_one_spin_one_may_keep_its_root() {
+        let body = Body::parse(&["0.995", "0.995", "1"], &["0", "0", "1"]).unwrap();
+        let rotation = AxisRotation::new(&body, BodyAxis::ALL[2], Sign::Negative).unwrap();
+        let found = spin_ranges(&rotation, &[RBig::ZERO, percent(1), RBig::ZERO, RBig::ZERO]);
+        let (input, moved) = found.last().unwrap().most.unwrap();
+        // s = 1/(C − A), at A = 0.99 × 0.995.
+        let spin = |a: f64| (1.0 / (1.0 - a)).sqrt();
+        assert_eq!(input, INPUTS[1]);
+        assert!((moved - (spin(0.995) - spin(0.98505))).abs() < 1e-9, "{found:?}");
     }
 
     /// Of a symmetric part the ends of the minimum come apart when one of the equal moments is larger: 95.493 rpm becomes 94.092.

@@ -188,7 +188,12 @@ impl Root {
             (self.lo, self.hi) = (middle.clone(), middle);
             return true;
         }
-        let holds = self.polynomial.at(&next) * sign <= 0;
+        let beyond = self.polynomial.at(&next);
+        if beyond == 0 && self.lo < next && next < self.hi {
+            (self.lo, self.hi) = (next.clone(), next);
+            return true;
+        }
+        let holds = beyond * sign <= 0;
         match (sign == self.above, holds) {
             (true, true) => (self.lo, self.hi) = (next, middle),
             (true, false) => self.hi = next,
