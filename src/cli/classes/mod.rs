@@ -167,8 +167,7 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
             })
             .collect();
         report.line(format!(
-            "of {BESIDE} random generic bodies within 1e-6 of it those whose class was found have the class {}; rare ones may be \
-            missing",
+            "classes found among {BESIDE} random generic bodies within 1e-6 of it: {}; rare ones may be missing",
             beside.join(", ")
         ));
     }

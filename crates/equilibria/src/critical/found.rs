@@ -37,7 +37,7 @@ impl RelativeEquilibria<'_> {
         let (c, reduced) = (&self.constants, Reduced::new(&self.constants, &state));
         let kind = if is_set(site.orbit) { reduced.transverse_type() } else { reduced.linear_type() };
         let Some(kind) = kind else { return false };
-        let eigenvalues = reduced.eigenvalues(kind, is_set(site.orbit), self.set.frame.frequency_unit);
+        let eigenvalues = self.eigenvalues(&reduced, kind, &site);
         if eigenvalues.are_coarse() {
             return false;
         }
@@ -104,7 +104,7 @@ impl RelativeEquilibria<'_> {
             let site = self.site(exact, question, x)?;
             let judged = || beyond::verdict(self.profile()?, question.branch, exact, site.setting);
             let nonlinear = self.deferred(exact.kind, site.setting).or_else(judged)?;
-            let eigenvalues = exact.reduced.eigenvalues(exact.kind, is_set(site.orbit), self.set.frame.frequency_unit);
+            let eigenvalues = self.eigenvalues(&exact.reduced, exact.kind, &site);
             self.push(found, question, &site, &exact.reduced, (exact.kind, nonlinear, eigenvalues));
         }
         Some(())
@@ -191,10 +191,15 @@ impl RelativeEquilibria<'_> {
             let kind = self.profile()?.without_weight(&self.set.curves[id]);
             let nonlinear = Nonlinear::of(site.setting.verdict(kind)?);
             let reduced = Reduced::new(&self.constants, &state);
-            let eigenvalues = reduced.eigenvalues(kind, is_set(site.orbit), self.set.frame.frequency_unit);
+            let eigenvalues = self.eigenvalues(&reduced, kind, &site);
             self.push(found, question, &site, &reduced, (kind, nonlinear, eigenvalues));
         }
         Some(())
+    }
+
+    /// In the body's unit of time.
+    fn eigenvalues<E: Enclosure>(&self, reduced: &Reduced<E>, kind: LinearType, site: &Site) -> Eigenvalues {
+        reduced.eigenvalues(kind, is_set(site.orbit), self.set.frame.frequency_unit)
     }
 
     /// Enters a point, or both of a symmetric pair.

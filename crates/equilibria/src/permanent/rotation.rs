@@ -168,14 +168,7 @@ impl AxisRotation {
         let [first, second, _] = self.polynomials();
         let mut roots: Vec<Root> = Vec::new();
         for coefficients in [first, second, self.discriminant()] {
-            let polynomial = Polynomial::from_rationals(&coefficients);
-            if polynomial.is_zero() {
-                continue;
-            }
-            for mut root in polynomial.positive_roots().unwrap_or_default() {
-                root.refine(120);
-                roots.push(root);
-            }
+            roots.extend(positive_roots(&coefficients));
         }
         roots.sort_by(|p, q| p.lo.cmp(&q.lo));
         // Equal roots of two of the polynomials overlap.
@@ -198,18 +191,9 @@ impl AxisRotation {
 
     /// The spins Ω > 0 at which K_A, K_B and the discriminant vanish, its smaller root first; a double one is both.
     pub(super) fn thresholds(&self) -> [Option<f64>; 4] {
-        let roots = |coefficients: &[RBig]| {
-            let polynomial = Polynomial::from_rationals(coefficients);
-            let mut roots =
-                if polynomial.is_zero() { Vec::new() } else { polynomial.positive_roots().unwrap_or_default() };
-            for root in &mut roots {
-                root.refine(120);
-            }
-            roots
-        };
         let spin = |root: &Root| root.hi.to_f64().value().sqrt();
-        let [first, second, _] = self.polynomials().map(|stiffness| roots(&stiffness).first().map(spin));
-        let [lower, upper] = match &roots(&self.discriminant())[..] {
+        let [first, second, _] = self.polynomials().map(|stiffness| positive_roots(&stiffness).first().map(spin));
+        let [lower, upper] = match &positive_roots(&self.discriminant())[..] {
             // The other root is 0.
             [root] if root.odd => [None, Some(spin(root))],
             found => [found.first(), found.last()].map(|root| root.map(spin)),
@@ -268,6 +252,19 @@ impl AxisRotation {
     pub fn h(&self, omega: f64) -> f64 {
         0.5 * self.moments[0].to_f64().value() * omega * omega - self.weight.to_f64().value()
     }
+}
+
+/// The positive roots of a polynomial, refined to 120 bits; none where it vanishes everywhere.
+fn positive_roots(coefficients: &[RBig]) -> Vec<Root> {
+    let polynomial = Polynomial::from_rationals(coefficients);
+    if polynomial.is_zero() {
+        return Vec::new();
+    }
+    let mut roots = polynomial.positive_roots().unwrap_or_default();
+    for root in &mut roots {
+        root.refine(120);
+    }
+    roots
 }
 
 /// The value of a polynomial.
