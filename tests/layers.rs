@@ -16,7 +16,7 @@ const ORDER: [(&str, &str); 16] = [
         "crates/schema/src",
         "term shown json head integrable part command certificate classification nonlinear critical atlas point_proof find grid listing section chaos motion periodic rotation tolerance spin state spin_down steady scan border comparison classes",
     ),
-    ("crates/body/src", "axis rigid_body frame principal presets integrable part"),
+    ("crates/body/src", "axis rigid_body frame integrable coincidence principal presets part"),
     ("crates/equilibria/src", "curves stability nonlinear critical permanent"),
     ("crates/diagram/src", "topology arrangement atlas class fast accessible region_changes spin_down"),
     (

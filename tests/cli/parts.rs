@@ -610,3 +610,42 @@ fn an_axis_is_permanent_on_both_sides_of_the_fixed_point() {
         found.printing("the axis is permanent for all of them");
     }
 }
+
+/// Parts with equal entries in their tensors: J_r is a moment, and the principal form is irrational.
+#[test]
+fn coincidences_of_a_part_survive_the_rounding_of_its_principal_form() {
+    // A = (0.99, 1, 1.01) and r = (-1, 0, 1)/√2: fold and fork are at 10 rad/s both.
+    let cube = "--inertia 1,1,1,0,0.01,0 --products tensor --com 0,0,0.1 --mass 1 --g 10";
+    bifdiag(&format!("critical-spin {cube}"))
+        .succeeds()
+        .printing("95.492966 (fold)  95.505691      saddle-centre")
+        .printing("2 up to 95.492966 rpm, 6 at faster spins");
+    let axes = bifdiag(&format!("critical {cube} --spin")).and("10 rad/s").and("--json").succeeds().json();
+    let axes = axes["axes"].as_array().unwrap();
+    assert_eq!(axes.len(), 3);
+    assert_eq!((&axes[1]["h"], &axes[1]["l"], &axes[1]["stability"]), (&json!(50.0), &json!(10.0), &json!("zero")));
+    bifdiag(&format!("state {cube} --axis 1,0,0 --spin"))
+        .and("10 rad/s")
+        .succeeds()
+        .printing("steady rotation, open (degenerate): zero")
+        .printing("rotation about this axis is steady at this spin only");
+    bifdiag(&format!("spin-down {cube} --from G0.1")).succeeds();
+    for part in [
+        cube,
+        "--inertia 3,3,5,0,1,0 --products tensor --com 0.1,0,0 --mass 1 --g 10",
+        "--inertia 1,1,1,0.1,0.2,0 --products tensor --com 0,0,0.1 --mass 1 --g 10",
+        "--inertia 4/3,4/3,2,0,1/3,0 --products tensor --com 0.1,0,0 --mass 1 --g 10",
+    ] {
+        let atlas = bifdiag(&format!("atlas {part} --certificate --json")).succeeds();
+        assert_eq!(atlas.json()["regions"].as_array().map(Vec::len), Some(8), "{part}");
+        bifdiag("verify -").reading(atlas.stdout()).succeeds().printing("verified: 8 regions, 4 events");
+    }
+}
+
+/// Hess and Appelrot's case: the eigenvalues at rest are double, and split at once.
+#[test]
+fn a_brick_of_hess_and_appelrot_has_no_stretch_of_rounding() {
+    let brick = "--inertia-com 15625/6,53125/6,62500/6,0,0,0 --com 100,0,25 --mass 2.5 --units kg,mm,s --g 9.80665";
+    bifdiag(&format!("critical-spin {brick}")).succeeds().printing("G0      0                 1942.8821  complex");
+    bifdiag(&format!("critical {brick} --l 0")).succeeds().printing("double-elliptic").printing("double-real");
+}

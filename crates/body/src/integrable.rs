@@ -53,7 +53,7 @@ impl IntegrableCase {
             Some(k) if k.others().into_iter().all(|i| r[i].value().is_zero()) => vec![Self::Lagrange(Some(k))],
             Some(k) if exact.has_ratio(2) => vec![Self::Kovalevskaya(k)],
             Some(k) if exact.has_ratio(4) => vec![Self::GoryachevChaplygin(k)],
-            _ if exact.is_hess() => vec![Self::HessAppelrot],
+            _ if is_hess(&exact.matrix, &exact.center) => vec![Self::HessAppelrot],
             _ => Vec::new(),
         }
     }
@@ -130,15 +130,16 @@ impl ExactBody {
             && -determinant == &double * &double * c
             && along.iter().zip(&self.center).all(|(image, r)| *image == &double * r)
     }
+}
 
-    /// The form ⟨L, adj(A) L⟩ on the plane across r is a multiple of ⟨L,L⟩: trace² = 4 det there. On this plane the trace is
-    /// tr M − rᵀMr/|r|² and the determinant rᵀ adj(M) r/|r|², with M = adj A and adj M = (det A) A.
-    fn is_hess(&self) -> bool {
-        let (adjugate, squared) = (self.matrix.adjugate(), dot(&self.center, &self.center));
-        let trace = adjugate.trace() * &squared - dot(&self.center, &adjugate.times(&self.center));
-        let determinant = self.matrix.determinant() * dot(&self.center, &self.matrix.times(&self.center));
-        &trace * &trace == RBig::from(4) * determinant * squared
-    }
+/// Whether A and r are of Hess and Appelrot's case: the form ⟨L, adj(A) L⟩ on the plane across r is a multiple of ⟨L,L⟩, so
+/// that trace² = 4 det there. On this plane the trace is tr M − rᵀMr/|r|² and the determinant rᵀ adj(M) r/|r|², with
+/// M = adj A and adj M = (det A) A.
+pub(super) fn is_hess(matrix: &Symmetric, center: &[RBig; 3]) -> bool {
+    let (adjugate, squared) = (matrix.adjugate(), dot(center, center));
+    let trace = adjugate.trace() * &squared - dot(center, &adjugate.times(center));
+    let determinant = matrix.determinant() * dot(center, &matrix.times(center));
+    &trace * &trace == RBig::from(4) * determinant * squared
 }
 
 #[cfg(test)]

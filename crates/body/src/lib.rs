@@ -2,6 +2,7 @@
 //! have them.
 
 mod axis;
+mod coincidence;
 mod frame;
 mod integrable;
 pub mod part;

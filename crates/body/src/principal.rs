@@ -1,10 +1,11 @@
 //! The principal form of a tensor.
 
-use std::sync::Arc;
+use dashu_ratio::RBig;
 
-use super::rigid_body::{Body, BodyError, Tensor, TensorError};
+use super::coincidence::{Relation, keep_ratios, keep_trace, rounded};
+use super::rigid_body::{Body, Tensor, TensorError};
 use bifdiag_numbers::symmetric::{PrincipalAxes, Real};
-use bifdiag_numbers::{Number, ParseNumberError, decimal};
+use bifdiag_numbers::{Number, decimal};
 
 /// A tensor in its principal axes.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,17 +30,21 @@ impl Tensor {
         let found = PrincipalAxes::new(self.matrix(), self.center(), Self::DIGITS + 2);
         let digits = Self::DIGITS + 1 + lost_in_differences(&found.values);
         let exact = found.values.iter().chain(&found.components).all(Real::is_exact);
-        let triple = |name: &'static str, values: &[Real; 3], digits: usize| {
-            let mut numbers = Vec::with_capacity(3);
-            for (k, value) in values.iter().enumerate() {
-                let out_of_range = |source| TensorError::OutOfRange { name, axis: k + 1, source };
-                numbers.push(number(value, digits).map_err(out_of_range)?);
-            }
-            <[Number; 3]>::try_from(numbers).map_err(|numbers| BodyError::CenterCount { count: numbers.len() }.into())
-        };
-        let moments: Result<_, TensorError> = triple("A", &found.values, digits);
-        let body = Body::new(moments?, triple("r", &found.components, Self::DIGITS + 1)?)?;
-        let body = if exact { body } else { body.with_tensor(Arc::new(self.clone())) };
+        let kept = |x: &Real, digits| if x.is_exact() { x.lo.clone() } else { rounded(x, digits) };
+        let mut moments = found.values.each_ref().map(|a| kept(a, digits));
+        let mut center = found.components.each_ref().map(|r| kept(r, Self::DIGITS + 1));
+        if !exact {
+            keep_trace(self, &found, &mut moments);
+            keep_ratios(&found, &mut center);
+        }
+        let body = Relation::of(self, &found).filter(|_| !exact).and_then(|relation| {
+            let (mut moments, mut center) = (moments.clone(), center.clone());
+            relation.impose(&found, &mut moments, &mut center);
+            // Numbers of hundreds of digits get too long.
+            body(&moments, &center).ok()
+        });
+        let body = body.map_or_else(|| self::body(&moments, &center), Ok)?;
+        let body = if exact { body } else { body.with_tensor(self.clone()) };
         Ok(PrincipalForm { body, axes: found.axes, exact })
     }
 }
@@ -58,19 +63,20 @@ fn lost_in_differences(values: &[Real; 3]) -> usize {
     lost
 }
 
-/// The exact decimal where there is a short one, else the exact rational; a rounded number as a decimal.
-fn number(x: &Real, digits: usize) -> Result<Number, ParseNumberError> {
-    if x.is_exact() {
-        return decimal::short(&x.lo).parse();
-    }
-    let rounded: Number = x.decimal(digits).parse()?;
-    decimal::short(rounded.value()).parse()
+/// With short decimals where there are such, else exact rationals.
+fn body(moments: &[RBig; 3], center: &[RBig; 3]) -> Result<Body, TensorError> {
+    let number = |name: &'static str, x: &RBig, axis: usize| {
+        decimal::short(x).parse::<Number>().map_err(|source| TensorError::OutOfRange { name, axis, source })
+    };
+    let numbers = |name: &'static str, [x, y, z]: &[RBig; 3]| {
+        Ok::<_, TensorError>([number(name, x, 1)?, number(name, y, 2)?, number(name, z, 3)?])
+    };
+    Ok(Body::new(numbers("A", moments)?, numbers("r", center)?)?)
 }
 
 #[cfg(test)]
 mod tests {
     use bifdiag_numbers::symmetric::Symmetric;
-    use dashu_ratio::RBig;
 
     use super::*;
 

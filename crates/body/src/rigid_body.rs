@@ -14,7 +14,15 @@ use thiserror::Error;
 pub struct Body {
     moments: [Number; 3],
     center: [Number; 3],
-    tensor: Option<Arc<Tensor>>,
+    origin: Option<Origin>,
+}
+
+/// Of what moments and r were rounded.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Origin {
+    tensor: Arc<Tensor>,
+    /// See [`Body::square_correction`].
+    correction: RBig,
 }
 
 /// Why three moments and a centre of mass are not a body.
@@ -63,25 +71,33 @@ impl Body {
                 return Err(BodyError::MomentNotPositive { axis: i + 1, value: moment.text().to_owned() });
             }
         }
-        Ok(Self { moments, center, tensor: None })
+        Ok(Self { moments, center, origin: None })
     }
 
     /// The body whose moments and centre of mass are those of a tensor, rounded.
-    pub(super) fn with_tensor(mut self, tensor: Arc<Tensor>) -> Self {
-        self.tensor = Some(tensor);
+    pub(super) fn with_tensor(mut self, tensor: Tensor) -> Self {
+        let correction = tensor.square_correction(&self);
+        self.origin = Some(Origin { tensor: Arc::new(tensor), correction });
         self
     }
 
     /// The tensor from which the moments and r were rounded; `None` when they are exact.
     #[must_use]
     pub fn tensor(&self) -> Option<&Tensor> {
-        self.tensor.as_deref()
+        self.origin.as_ref().map(|origin| &*origin.tensor)
+    }
+
+    /// The factor next to 1 by which the squares of r are multiplied where Ω⁴ is compared with them: the forks of steady
+    /// axes then are at the spins of the tensor, which may be rational. 1 for a body that is not rounded.
+    #[must_use]
+    pub fn square_correction(&self) -> RBig {
+        self.origin.as_ref().map_or(RBig::ONE, |origin| origin.correction.clone())
     }
 
     /// |r|², exact.
     #[must_use]
     pub fn center_squared(&self) -> RBig {
-        match &self.tensor {
+        match self.tensor() {
             Some(tensor) => tensor.center_squared(),
             None => self.center.iter().fold(RBig::ZERO, |sum, r| sum + r.value() * r.value()),
         }
@@ -99,7 +115,7 @@ impl Body {
     #[must_use]
     pub fn weighted_moment(&self) -> RBig {
         let weighted = |k: usize| self.moments[k].value() * self.center[k].value() * self.center[k].value();
-        match &self.tensor {
+        match self.tensor() {
             Some(tensor) => tensor.weighted_moment(),
             None => (0..3).fold(RBig::ZERO, |sum, k| sum + weighted(k)),
         }
@@ -176,7 +192,7 @@ impl Body {
             flags.symmetric |= a[i] == a[j];
             flags.plane |= r[k].is_zero();
         }
-        if let Some(tensor) = &self.tensor {
+        if let Some(tensor) = self.tensor() {
             [flags.unphysical, flags.plate] = tensor.existence();
         }
         flags.plate &= !flags.unphysical;
@@ -291,6 +307,35 @@ impl Tensor {
     #[must_use]
     pub fn weighted_moment(&self) -> RBig {
         dot(&self.center, &self.matrix.times(&self.center))
+    }
+
+    /// [`Body::square_correction`] for the rounded body: the ratio of the sums Σ r_j²/(A_k − A_j)², which is Ω⁴ at the fork over
+    /// an axis k across r, where A_k is rational and with it the sum; else that of |r|².
+    fn square_correction(&self, body: &Body) -> RBig {
+        if body.is_euler() {
+            return RBig::ONE;
+        }
+        let (moments, center) = (body.moments(), body.center());
+        let fork = (0..3).filter(|&k| center[k].value().is_zero()).find_map(|k| {
+            let a_k = moments[k].value();
+            // M = A_k − A has the eigenvalues 0 and two others, m and n, with (m + n − M) M v = m n v for every v across axis k.
+            let shifted = self.matrix.subtracted_from(a_k);
+            let product = shifted.adjugate().trace();
+            if !shifted.determinant().is_zero() || product.is_zero() {
+                return None;
+            }
+            let turned = shifted.times(&self.center);
+            let v: [RBig; 3] = std::array::from_fn(|i| (shifted.trace() * &self.center[i] - &turned[i]) / &product);
+            let of_body = (0..3).filter(|&j| j != k).fold(RBig::ZERO, |sum, j| {
+                let term = center[j].value() / (a_k - moments[j].value());
+                sum + &term * &term
+            });
+            Some(dot(&v, &v) / of_body)
+        });
+        fork.unwrap_or_else(|| {
+            let of_body = center.iter().fold(RBig::ZERO, |sum, r| sum + r.value() * r.value());
+            self.center_squared() / of_body
+        })
     }
 
     /// Whether the body is unphysical, and whether it is a plate. Some distribution of mass has the tensor and r if and only if

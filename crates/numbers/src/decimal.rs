@@ -63,23 +63,38 @@ pub fn outward([lo, hi]: &[RBig; 2], digits: usize) -> [String; 2] {
     [rounded(lo, digits, false), rounded(hi, digits, true)]
 }
 
-/// The exact decimal without exponent where it has at most 200 places, else `p/q`.
+/// The exact decimal without exponent where it has at most 200 places, else `p/q`; where p or q would leave the range of a
+/// [`crate::Number`], a quotient of decimals, the second one below 1.
 #[must_use]
 pub fn short(x: &RBig) -> String {
     const MAX_PLACES: usize = 200;
+    const MAX_DIGITS: usize = 150;
+    let mut rest = x.denominator().clone();
     let [twos, fives] = [2u8, 5].map(|prime| {
-        let (mut rest, mut count) = (x.denominator().clone(), 0);
-        while (&rest % prime) == 0 && count <= MAX_PLACES {
+        let mut count = 0;
+        while (&rest % prime) == 0 {
             rest /= prime;
             count += 1;
         }
         count
     });
     let places = twos.max(fives);
-    let shifted = x * RBig::from(IBig::from(10).pow(places));
-    if places > MAX_PLACES || *shifted.denominator() != UBig::ONE {
-        return x.to_string();
+    if rest == UBig::ONE && places <= MAX_PLACES {
+        return with_places(x, places);
     }
+    let text = x.to_string();
+    if text.trim_start_matches('-').split('/').all(|part| part.len() <= MAX_DIGITS) {
+        return text;
+    }
+    let divisor = if rest == UBig::ONE { 0 } else { rest.to_string().len() };
+    let scaled = RBig::from_parts(IBig::from(rest), UBig::from(10u8).pow(divisor));
+    let decimal = with_places(&(x * &scaled), places + divisor);
+    if divisor == 0 { decimal } else { format!("{decimal}/{}", with_places(&scaled, divisor)) }
+}
+
+/// A decimal that has at most so many places.
+fn with_places(x: &RBig, places: usize) -> String {
+    let shifted = x * RBig::from(IBig::from(10).pow(places));
     let digits = shifted.numerator().to_string();
     let (sign, digits) = digits.strip_prefix('-').map_or(("", digits.as_str()), |rest| ("-", rest));
     if places == 0 {
@@ -169,6 +184,18 @@ mod tests {
     }
 
     #[test]
+    fn exact_numbers_are_read_back_however_long() {
+        let power = |base: u8, n: usize| RBig::from(UBig::from(base).pow(n));
+        let long = power(3, 600) / power(7, 400);
+        assert_eq!(short(&RBig::from_parts((-9).into(), 8u8.into())), "-1.125");
+        assert_eq!(short(&RBig::from_parts(2.into(), 7u8.into())), "2/7");
+        for x in [long.clone(), -long, power(3, 500) / power(2, 800), power(3, 500) / power(2, 790) / RBig::from(7)] {
+            let number: Number = short(&x).parse().unwrap();
+            assert_eq!(*number.value(), x);
+        }
+    }
+
+    #[test]
     fn a_bound_is_rounded_up() {
         assert_eq!(bound(4.1e-15, 1), "5e-15");
         assert_eq!(bound(4e-15, 1), "4e-15");
@@ -219,6 +246,6 @@ mod tests {
         assert_eq!(short(&value("1e-119")).len(), 121);
         let least = value("1e-100") * value("1e-100");
         assert_eq!(short(&least).len(), 202);
-        assert!(short(&(least / RBig::from(10))).starts_with("1/1000"));
+        assert_eq!(short(&(least / RBig::from(7))).split('/').nth(1).map(str::len), Some("0.7".len()));
     }
 }

@@ -104,6 +104,14 @@ fn check_axes(matrix: &Symmetric, vector: &[RBig; 3], found: &PrincipalAxes) -> 
                 < 1e-13 * (1.0 + dot(vector, vector).to_f64().value())
         );
     }
+    for (square, component) in found.squares.iter().zip(&found.components) {
+        if let Some(square) = square {
+            // The component is enclosed, and its square with it.
+            let [lo, hi] = [&component.lo, &component.hi].map(|x| x * x);
+            let (least, most) = if lo <= hi { (lo, hi) } else { (hi, lo) };
+            prop_assert!(least <= *square && *square <= most);
+        }
+    }
     let [x, y, z] = &found.axes;
     let cross = [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]];
     prop_assert!(product(&cross, z) > 0.99);

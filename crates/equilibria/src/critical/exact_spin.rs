@@ -63,12 +63,19 @@ struct Balance<'a> {
     left: [RBig; 3],
     /// n × r.
     right: [RBig; 3],
+    /// See [`Body::square_correction`].
+    correction: RBig,
 }
 
 impl<'a> Balance<'a> {
     fn new(body: &Body, n: &'a [RBig; 3]) -> Self {
         let center = body.center().each_ref().map(|x| x.value().clone());
-        Self { n, left: cross(n, &body.angular_momentum(n)), right: cross(n, &center) }
+        Self {
+            n,
+            left: cross(n, &body.angular_momentum(n)),
+            right: cross(n, &center),
+            correction: body.square_correction(),
+        }
     }
 
     /// Of some Ω² ≥ 0.
@@ -78,7 +85,7 @@ impl<'a> Balance<'a> {
 
     /// Of n × An and of |n|(n × r).
     fn squares(&self) -> [RBig; 2] {
-        [dot(&self.left, &self.left), dot(self.n, self.n) * dot(&self.right, &self.right)]
+        [dot(&self.left, &self.left), dot(self.n, self.n) * dot(&self.right, &self.right) * &self.correction]
     }
 }
 

@@ -115,7 +115,7 @@ fn directions(body: &Body, spin: &ExactSpin, down: [f64; 3]) -> Vec<[f64; 3]> {
         let fixed: [f64; 3] = std::array::from_fn(|k| if shares.contains(&k) { 0.0 } else { r[k] / apart[axis][k] });
         // Exact: where it is 0 the direction is that of an axis on which the centre of mass lies.
         let taken = (0..3).filter(|k| !shares.contains(k)).map(|k| body.center()[k].value() / between(axis, k));
-        let missing = &spin.fourth - taken.fold(RBig::ZERO, |sum, x| sum + x.sqr());
+        let missing = &spin.fourth - taken.fold(RBig::ZERO, |sum, x| sum + x.sqr()) * body.square_correction();
         let missing = if missing.is_zero() { 0.0 } else { (missing / &spin.fourth).to_f64().value() };
         if missing < 0.0 {
             continue;

@@ -19,6 +19,8 @@ pub struct PrincipalAxes {
     pub values: [Real; 3],
     /// The components of the vector; exactly 0 where it is orthogonal to an axis.
     pub components: [Real; 3],
+    /// The squares of the components, where they are rational.
+    pub squares: [Option<RBig>; 3],
     /// Row k is axis k, a unit vector within rounding.
     pub axes: [[f64; 3]; 3],
 }
@@ -31,6 +33,7 @@ impl PrincipalAxes {
             return Self {
                 values: std::array::from_fn(|k| Real::exact(matrix.rows()[k][k].clone())),
                 components: vector.clone().map(Real::exact),
+                squares: vector.each_ref().map(|x| Some(x * x)),
                 axes: std::array::from_fn(|k| std::array::from_fn(|i| f64::from(u8::from(i == k)))),
             };
         }
@@ -57,10 +60,15 @@ impl PrincipalAxes {
             });
             if let (Some(lines), true) = (lines, apart && values.iter().all(|value| value.is_known_to(digits))) {
                 let [x, y, z] = <[Line; 3]>::try_from(lines).unwrap_or_else(|_| unreachable!("three axes"));
+                let mut squares = [x.square, y.square, z.square];
+                if let Some(equal) = equal_squares(matrix, vector, &values, &squares) {
+                    squares = squares.map(|square| square.or_else(|| Some(equal.clone())));
+                }
                 return Self {
                     values,
                     axes: [x.axis, y.axis, z.axis],
                     components: [x.component, y.component, z.component],
+                    squares,
                 };
             }
             bits *= 2;
@@ -74,9 +82,11 @@ impl PrincipalAxes {
         let own = column(matrix, &value(single));
         let squared = dot(&own, &own);
         let overlap = dot(&own, vector);
-        let along = signed(Real::root_of(&(&overlap * &overlap / &squared), digits), &overlap);
+        let along_squared = &overlap * &overlap / &squared;
+        let along = signed(Real::root_of(&along_squared, digits), &overlap);
         let across: [RBig; 3] = std::array::from_fn(|i| &vector[i] - &overlap * &own[i] / &squared);
-        let length = Real::root_of(&dot(&across, &across), digits);
+        let across_squared = dot(&across, &across);
+        let length = Real::root_of(&across_squared, digits);
         let axis = oriented(unit(&own));
         let along = if axis_follows(&axis, &own) { along } else { along.negated() };
         let lead = if across.iter().all(RBig::is_zero) { orthogonal_to(&axis) } else { unit(&across) };
@@ -85,10 +95,12 @@ impl PrincipalAxes {
         let simple = Real::exact(value(single));
         if single == 0 {
             let values = [simple, double.clone(), double];
-            Self { values, components: [along, length, zero], axes: [axis, lead, third] }
+            let squares = [along_squared, across_squared, RBig::ZERO].map(Some);
+            Self { values, components: [along, length, zero], squares, axes: [axis, lead, third] }
         } else {
             let values = [double.clone(), double, simple];
-            Self { values, components: [length, zero, along], axes: [lead, third, axis] }
+            let squares = [across_squared, RBig::ZERO, along_squared].map(Some);
+            Self { values, components: [length, zero, along], squares, axes: [lead, third, axis] }
         }
     }
 
@@ -104,10 +116,27 @@ impl PrincipalAxes {
     }
 }
 
+/// The square of both components along two axes with irrational eigenvalues, if they are equal. Else it is irrational, like the
+/// eigenvalues: the squares are conjugate, too. With q = v_i² + v_j² and m = (a_i + a_j)/2, which are rational, they are equal if
+/// and only if a_i v_i² + a_j v_j² = m q.
+fn equal_squares(
+    matrix: &Symmetric,
+    vector: &[RBig; 3],
+    values: &[Real; 3],
+    squares: &[Option<RBig>; 3],
+) -> Option<RBig> {
+    let k = values.iter().position(Real::is_exact)?;
+    let (value, own) = (&values[k].lo, squares[k].as_ref()?);
+    let half = (dot(vector, vector) - own) / RBig::from(2);
+    let weighted = dot(vector, &matrix.times(vector)) - value * own;
+    (weighted == (matrix.trace() - value) * &half).then_some(half)
+}
+
 /// One axis of three, and the vector's component along it.
 struct Line {
     axis: [f64; 3],
     component: Real,
+    square: Option<RBig>,
 }
 
 impl Line {
@@ -123,11 +152,12 @@ impl Line {
         if value.is_exact() {
             let own = column(matrix, &value.lo);
             let overlap = dot(&own, vector);
-            let length = Real::root_of(&(&overlap * &overlap / dot(&own, &own)), digits);
+            let square = &overlap * &overlap / dot(&own, &own);
+            let length = Real::root_of(&square, digits);
             let axis = oriented(unit(&own));
             let component = signed(length, &overlap);
             let component = if axis_follows(&axis, &own) { component } else { component.negated() };
-            return Some(Self { axis, component });
+            return Some(Self { axis, component, square: Some(square) });
         }
         let mu = Wide::rational(&value.lo, bits).hull(&Wide::rational(&value.hi, bits));
         let columns: [[Wide; 3]; 3] = std::array::from_fn(|j| matrix.resolvent_column(&mu, j, bits));
@@ -147,14 +177,14 @@ impl Line {
             *to = 0.5 * (lo + hi);
         }
         if vanishes {
-            return Some(Self { axis, component: Real::exact(RBig::ZERO) });
+            return Some(Self { axis, component: Real::exact(RBig::ZERO), square: Some(RBig::ZERO) });
         }
         let overlap =
             (0..3).fold(Wide::small(0, bits), |sum, i| sum + unit[i].clone() * Wide::rational(&vector[i], bits));
         overlap.strict_sign()?;
         let [lo, hi] = overlap.exact_bounds()?;
         let component = Real { lo, hi };
-        component.is_known_to(digits).then_some(Self { axis, component })
+        component.is_known_to(digits).then_some(Self { axis, component, square: None })
     }
 }
 

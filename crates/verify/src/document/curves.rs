@@ -124,14 +124,17 @@ impl<'a> Expected<'a> {
         {
             return Err(Refused::UnknownCurve { id: self.id.to_owned() });
         }
-        let same = |claim: Option<f64>, found: Option<&Fixed>, power: i32, unit: &RBig| match (claim, found) {
-            (None, None) => true,
-            (Some(claim), Some(found)) => is_near(claim, power, unit, found, &size(found), ROOT),
-            _ => false,
-        };
+        let same =
+            |claim: Option<f64>, found: Option<&Fixed>, power: i32, unit: &RBig, least: &RBig| match (claim, found) {
+                (None, None) => true,
+                (Some(claim), Some(found)) => is_near(claim, power, unit, found, &size(found).max(least.clone()), ROOT),
+                _ => false,
+            };
+        // μ is a moment up to what the weight adds, and may be 0.
+        let smallest = size(&spaces.list[0].a_set);
         let mu = match (&curve.mu_range, &self.mu) {
             (None, None) => true,
-            (Some(claim), Some(found)) => (0..2).all(|end| same(claim[end], found[end].as_ref(), 1, moment)),
+            (Some(claim), Some(found)) => (0..2).all(|end| same(claim[end], found[end].as_ref(), 1, moment, &smallest)),
             _ => false,
         };
         let l2 = spaces.square_of_momentum();
@@ -148,7 +151,7 @@ impl<'a> Expected<'a> {
             ("curves.branch_name", curve.branch_name == self.words),
             ("curves.index", curve.index == self.index),
             ("curves.mu_range", mu),
-            ("curves.l_range", (0..2).all(|end| same(curve.l_range[end], self.x[end].as_ref(), 2, &l2))),
+            ("curves.l_range", (0..2).all(|end| same(curve.l_range[end], self.x[end].as_ref(), 2, &l2, &RBig::ZERO))),
             ("curves.tail", tail),
         ];
         match fields.into_iter().find(|(_, is_right)| !is_right) {

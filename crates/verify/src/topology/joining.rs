@@ -83,7 +83,7 @@ impl<'a> Joining<'a> {
     }
 
     /// The arms of all unknown saddles: of all that the symmetry allows those that leave the sphere connected, if they join the same
-    /// components at every height.
+    /// components at every height, and each of these holds as many saddles.
     fn only_choice(&self, open: &[usize]) -> Option<Choice> {
         let position = |n: usize| self.saddles[n].position;
         let groups: Vec<&[usize]> = open.chunk_by(|&m, &n| position(m) == position(n)).collect();
@@ -103,7 +103,11 @@ impl<'a> Joining<'a> {
             let above = |group: &&[usize]| {
                 let mut classes = self.classes(position(group[0]) + 1, chosen);
                 // Each class is named by its least member.
-                (0..self.minima.len()).map(|n| classes.root(n)).collect::<Vec<usize>>()
+                let parts: Vec<usize> = (0..self.minima.len()).map(|n| classes.root(n)).collect();
+                let here = chosen.iter().filter(|(n, _)| group.contains(n));
+                let mut saddles: Vec<usize> = here.map(|(_, [p, _])| classes.root(*p)).collect();
+                saddles.sort_unstable();
+                (parts, saddles)
             };
             groups.iter().map(above).collect::<Vec<_>>()
         };
@@ -201,14 +205,22 @@ mod tests {
         })
     }
 
-    /// The minima below each position, by the components in which they lie.
-    fn partition(minima: &[usize], saddles: &[(usize, [usize; 2])], position: usize) -> Vec<Option<usize>> {
+    /// The minima below each position and the saddles up to it, by the components in which they lie.
+    fn partition(
+        minima: &[usize],
+        saddles: &[(usize, [usize; 2])],
+        position: usize,
+    ) -> (Vec<Option<usize>>, Vec<Option<usize>>) {
         let mut classes = Classes::new(minima.len());
-        saddles.iter().filter(|(p, _)| *p <= position).for_each(|(_, [p, q])| {
+        let below = || saddles.iter().filter(|(p, _)| *p <= position);
+        below().for_each(|(_, [p, q])| {
             classes.join(*p, *q);
         });
         let first = |classes: &mut Classes, n: usize| (0..minima.len()).find(|&m| classes.root(m) == classes.root(n));
-        (0..minima.len()).map(|n| if minima[n] <= position { first(&mut classes, n) } else { None }).collect()
+        let mut held: Vec<Option<usize>> = below().map(|(_, [p, _])| first(&mut classes, *p)).collect();
+        held.sort_unstable();
+        let parts = (0..minima.len()).map(|n| if minima[n] <= position { first(&mut classes, n) } else { None });
+        (parts.collect(), held)
     }
 
     proptest! {
@@ -220,7 +232,7 @@ mod tests {
             let Tree { minima, saddles, mirrored } = &tree;
             let arms: Vec<(usize, [usize; 2])> = saddles.iter().map(|(position, arms, _)| (*position, *arms)).collect();
             let whole = partition(minima, &arms, usize::MAX);
-            if whole.iter().any(|class| *class != whole[0]) {
+            if whole.0.iter().any(|class| *class != whole.0[0]) {
                 return Ok(());
             }
             let mirror = |exchanges| {

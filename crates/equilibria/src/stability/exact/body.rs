@@ -30,6 +30,8 @@ pub struct ExactBody {
     squares: [RBig; 3],
     momentum_unit: RBig,
     frequency_unit: RBig,
+    /// See [`Body::square_correction`].
+    correction: RBig,
 }
 
 impl ExactBody {
@@ -65,6 +67,7 @@ impl ExactBody {
             squares,
             frequency_unit: energy / &momentum,
             momentum_unit: momentum,
+            correction: body.square_correction(),
         }
     }
 
@@ -82,7 +85,7 @@ impl ExactBody {
         // s' = (M/N) s.
         let ratio = RBig::from(self.unit_r.clone()) / RBig::from(self.unit_a.clone());
         let unit = self.frequency_unit.sqr();
-        fourth / unit.sqr() * ratio.sqr()
+        fourth / &self.correction / unit.sqr() * ratio.sqr()
     }
 
     /// A difference of multipliers in the frame's units.

@@ -1,0 +1,192 @@
+//! What holds exactly of a tensor and r, and is kept where its principal form is rounded.
+//!
+//! The diagram changes its type, or its curves meet in another way, where components of r have certain ratios, where a moment is
+//! the mean of the others, and where one of two [`Relation`]s holds; parts with equal entries in their tensors meet these. A body
+//! with rounded numbers would lie a hair beside such a border.
+
+use dashu_ratio::RBig;
+
+use super::integrable::is_hess;
+use super::rigid_body::Tensor;
+use bifdiag_numbers::Number;
+use bifdiag_numbers::symmetric::{PrincipalAxes, Real};
+
+/// Makes the ratio of two components of r exact where it is rational, although they are not.
+pub(super) fn keep_ratios(found: &PrincipalAxes, center: &mut [RBig; 3]) {
+    for k in 1..3 {
+        let ratio_to = |i: usize| {
+            let (Some(square), Some(other)) = (&found.squares[k], &found.squares[i]) else { return None };
+            // The one root of a square that is wanted is exact: no digits.
+            let ratio = (!other.is_zero()).then(|| Real::root_of(&(square / other), 0))?;
+            ratio.is_exact().then(|| ratio.lo * &center[i])
+        };
+        if !found.components[k].is_exact()
+            && let Some(size) = (0..k).find_map(ratio_to)
+        {
+            center[k] = if (size < RBig::ZERO) == (center[k] < RBig::ZERO) { size } else { -size };
+        }
+    }
+}
+
+/// Makes the sum of two irrational moments beside a rational one exact, which is rational, so that this one stays their mean
+/// where it is.
+pub(super) fn keep_trace(tensor: &Tensor, found: &PrincipalAxes, moments: &mut [RBig; 3]) {
+    if let Some(k) = (0..3).find(|&k| found.values[k].is_exact()) {
+        let [i, j] = others(k);
+        moments[j] = tensor.matrix().trace() - &moments[k] - &moments[i];
+    }
+}
+
+/// A relation between the moments and r in which one moment, A_k, is rational:
+/// w (f_i − f_k) + f_j − f_k = 0 for the other two axes i and j.
+pub(super) struct Relation {
+    kind: Kind,
+    /// Number of the axis k.
+    k: usize,
+}
+
+enum Kind {
+    /// J_r = rᵀAr/|r|² = A_k, with f = A and w = (r_i/r_j)²: the pole lines and the curve of axis k run side by side.
+    PoleLines,
+    /// Hess and Appelrot's, with f = 1/A and w = (r_j/r_i)², where r_k = 0.
+    Hess,
+}
+
+impl Relation {
+    /// The relation that holds of this tensor, if its body has one and two further components of r.
+    pub(super) fn of(tensor: &Tensor, found: &PrincipalAxes) -> Option<Self> {
+        let is_zero = |k: usize| found.components[k] == Real::exact(RBig::ZERO);
+        let has_weights = |k: usize| others(k).into_iter().all(|i| !is_zero(i));
+        let along = tensor.weighted_moment();
+        let squared = tensor.center_squared();
+        let is_mean = |k: usize| found.values[k].is_exact() && along == &found.values[k].lo * &squared;
+        if let Some(k) = (0..3).find(|&k| is_mean(k) && has_weights(k)) {
+            return Some(Self { kind: Kind::PoleLines, k });
+        }
+        let k = (0..3).find(|&k| found.values[k].is_exact() && is_zero(k) && has_weights(k))?;
+        is_hess(tensor.matrix(), tensor.center()).then_some(Self { kind: Kind::Hess, k })
+    }
+
+    /// Makes it hold of rounded numbers, within what they are rounded by anyway: of the last of the two other moments and, so
+    /// that this does not become long, of the ratio t = r_i/r_j.
+    pub(super) fn impose(&self, found: &PrincipalAxes, moments: &mut [RBig; 3], center: &mut [RBig; 3]) {
+        let (k, [i, j]) = (self.k, others(self.k));
+        let ratio = &center[i] / &center[j];
+        let is_rational = matches!([&found.squares[i], &found.squares[j]],
+            [Some(square), Some(other)] if *square == &ratio * &ratio * other);
+        let t = if is_rational { ratio } else { rounded(&Real::exact(ratio), Tensor::DIGITS + 1) };
+        center[i] = &t * &center[j];
+        let (f, w): (fn(&RBig) -> RBig, _) = match self.kind {
+            Kind::PoleLines => (RBig::clone, &t * &t),
+            Kind::Hess => (|a| RBig::ONE / a, RBig::ONE / (&t * &t)),
+        };
+        let [f_i, f_k] = [i, k].map(|k| f(&moments[k]));
+        // f is its own inverse.
+        moments[j] = f(&(&f_k - (f_i - &f_k) * w));
+    }
+}
+
+/// A decimal of so many significant digits.
+pub(super) fn rounded(x: &Real, digits: usize) -> RBig {
+    // A decimal always is a rational.
+    x.decimal(digits).parse::<Number>().map_or_else(|_| x.lo.clone(), |number| number.value().clone())
+}
+
+/// The other two axes.
+fn others(k: usize) -> [usize; 2] {
+    [[1, 2], [0, 2], [0, 1]][k]
+}
+
+#[cfg(test)]
+mod tests {
+    use bifdiag_numbers::symmetric::Symmetric;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::{Body, IntegrableCase};
+
+    fn tensor(matrix: [&str; 6], center: [&str; 3]) -> Tensor {
+        let rational = |text: &str| text.parse::<Number>().unwrap().value().clone();
+        Tensor::new(Symmetric::new(matrix.map(rational)), center.map(rational)).unwrap()
+    }
+
+    fn values(numbers: &[Number; 3]) -> [RBig; 3] {
+        numbers.each_ref().map(|x| x.value().clone())
+    }
+
+    /// J_r of the rounded numbers.
+    fn mean(body: &Body) -> RBig {
+        let [a, r] = [body.moments(), body.center()].map(values);
+        let along = (0..3).fold(RBig::ZERO, |sum, k| sum + &a[k] * &r[k] * &r[k]);
+        along / r.iter().fold(RBig::ZERO, |sum, r| sum + r * r)
+    }
+
+    #[test]
+    fn a_mean_moment_that_is_a_moment_stays_one() {
+        for (matrix, center) in [
+            (["3", "3", "5", "0", "1", "0"], ["1", "0", "0"]),
+            (["1", "1", "1", "0", "0.01", "0"], ["0", "0", "1"]),
+            (["1", "1", "1", "0.1", "0.2", "0"], ["0", "0", "1"]),
+            (["4/3", "4/3", "2", "0", "1/3", "0"], ["1/7", "0", "0"]),
+            // A = (1, 2, 4) and r₁² = 2 r₃²: all moments are rational, and the ratio of the components is not.
+            (["5/2", "5/2", "2", "1/2", "1", "1"], ["2", "2", "-1"]),
+        ] {
+            let form = tensor(matrix, center).principal().unwrap();
+            assert!(!form.exact);
+            let moments = values(form.body.moments());
+            assert!(moments.contains(&mean(&form.body)), "{matrix:?}");
+            assert_eq!(mean(&form.body), form.body.weighted_moment() / form.body.center_squared());
+        }
+    }
+
+    #[test]
+    fn a_moment_that_is_the_mean_of_the_others_stays_it() {
+        let form = tensor(["5", "5", "5", "1", "0", "1"], ["1", "-1", "1"]).principal().unwrap();
+        assert!(!form.exact);
+        let [first, second, third] = values(form.body.moments());
+        assert_eq!((first + third, second), (RBig::from(10), RBig::from(5)));
+    }
+
+    #[test]
+    fn components_with_a_rational_ratio_keep_it() {
+        let form = tensor(["1", "1", "1", "0", "0.01", "0"], ["0", "0", "1"]).principal().unwrap();
+        let [x, y, z] = values(form.body.center());
+        assert_eq!((&x + &z, y), (RBig::ZERO, RBig::ZERO));
+        assert_ne!(x.sqr() * RBig::from(2), RBig::ONE);
+        // A = (5 − √0.13, 5, 5 + √0.13) and r = (−1, 0, 1)/√2, up to signs.
+        let form = tensor(["5", "5", "5", "0.3", "0.2", "0"], ["1", "0", "0"]).principal().unwrap();
+        let [x, y, z] = values(form.body.center());
+        assert_eq!((x.sqr(), y), (z.sqr(), RBig::ZERO));
+        // 1 + v vᵀ with v = (1, 1, 0): along v and across it the components of (2, 1, 0) are 3 and 1, by √2.
+        let form = tensor(["2", "2", "1", "1", "0", "0"], ["2", "1", "0"]).principal().unwrap();
+        let [first, _, last] = values(form.body.center());
+        assert_eq!(last / first, RBig::from(3));
+    }
+
+    /// A brick that is held beside its centre.
+    #[test]
+    fn hess_and_appelrots_case_stays_one() {
+        let form = tensor(["2", "17", "17", "0", "-3", "0"], ["4", "0", "1"]).principal().unwrap();
+        assert!(!form.exact);
+        for body in [form.body.clone(), Body::new(form.body.moments().clone(), form.body.center().clone()).unwrap()] {
+            assert_eq!(IntegrableCase::of(&body), [IntegrableCase::HessAppelrot]);
+        }
+    }
+
+    proptest! {
+        /// r along an axis of the part with a moment that an axis across it has, too.
+        #[test]
+        fn parts_with_equal_entries_keep_the_relation(a in 1_i32..40, b in 1_i32..40, x in 1_i32..40, weight in 1_i32..9) {
+            let [a, b, x] = [a, b, x].map(RBig::from);
+            let matrix = Symmetric::new([a.clone(), a.clone(), b, RBig::ZERO, x, RBig::ZERO]);
+            let Ok(tensor) = Tensor::new(matrix, [weight, 0, 0].map(RBig::from)) else { return Ok(()) };
+            let form = tensor.principal().unwrap();
+            let [moments, center] = [form.body.moments(), form.body.center()].map(values);
+            if !center[1].is_zero() || center[0].is_zero() || center[2].is_zero() {
+                return Ok(());
+            }
+            prop_assert_eq!(mean(&form.body), a);
+            prop_assert!(form.exact || moments[0] < moments[1] && moments[1] < moments[2]);
+        }
+    }
+}
