@@ -210,6 +210,16 @@ fn a_spin_down_begins_at_the_end_of_its_curve() {
 
 /// A fall at fixed l loses energy, so it stays in its component of {U_l ≤ h}: the barriers at these l, found by `critical`, are
 /// higher than where it begins, and the body cannot hang at once.
+/// At l = 2 a pair meets the axis, beside another fork at the same l: no region is left between the curves.
+#[test]
+fn regions_of_no_width_are_not_named() {
+    for from in ["S3.1", "L-.1"] {
+        let line = format!("spin-down --A 3,2,1 --r 0,1,0 --from {from} --json");
+        let found = bifdiag(&line).succeeds().json();
+        assert_eq!(found["path"][0]["regions"], json!(["R1", "R4"]), "{from}");
+    }
+}
+
 #[test]
 fn a_body_does_not_fall_over_a_barrier() {
     for (line, onto, barrier, hanging) in [

@@ -104,6 +104,11 @@ fn another_axis_than_the_given_one_is_reported() {
     off.printing("rotation about the vertical is steady at one spin only: 11.356091 rpm, with this end up");
     let never = bifdiag(&format!("state {cone} --axis 1,2,3 --spin")).and("5 rad/s").succeeds();
     never.printing("rotation about the vertical is steady at no spin");
+    let rests = "the body rests with either end up, but rotation about";
+    for (spin, axis) in [("5 rad/s", "the vertical"), ("0 rpm", "this axis")] {
+        let through_com = bifdiag(&format!("state {cone} --axis 1,2,0 --spin")).and(spin).succeeds();
+        through_com.printing(&format!("{rests} {axis} is steady at no spin"));
+    }
     for (axis, up) in [("1,1.01,0.1", "+axis"), ("-1,-1.01,-0.1", "-axis")] {
         let found = bifdiag(&format!("critical-spin {cone} --axis={axis} --json")).succeeds().json();
         assert_eq!(found["nearest"]["up"], json!(up), "{found}");

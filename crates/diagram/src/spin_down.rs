@@ -6,7 +6,7 @@
 //! so it stays in its component of {U_l ≤ h}, which is not decided where it falls from a pitchfork: the degenerate point there may be
 //! a saddle too flat for f64. All this in the limit of a vanishing loss of l.
 
-use crate::arrangement::{Arrangement, Change, EventId, RegionId, SlabId};
+use crate::arrangement::{Arrangement, Change, Event, EventId, RegionId, SlabId};
 use crate::atlas::partition_below;
 use bifdiag_equilibria::curves::{CriticalSet, CurveId, Orbit, Point};
 
@@ -37,6 +37,138 @@ pub enum Turn {
     Rest,
 }
 
+/// The way of a rotation from a point of a curve down to rest, or to a fall after which several minima are left.
+#[must_use]
+pub fn spin_down(arrangement: &Arrangement, from: CurveId, x: f64) -> Vec<(Stretch, Turn)> {
+    let down = Down { arrangement };
+    let mut way = Vec::new();
+    // x may lie beyond the upper end of the curve by its rounding.
+    let mut along = arrangement.slabs.pairs().filter(|(_, slab)| slab.x[0] < x && slab.order.contains(&from));
+    let Some((slab, start)) = along.next_back() else { return way };
+    let end = down.upper_end(from, start.x[1], x);
+    // A minimum that ends there continues as one of the curves that it meets.
+    let curve = match end.map(|event| event.change) {
+        Some(Change::Close { pair, .. }) if down.is_minimum(pair) => pair,
+        _ => from,
+    };
+    let mut place = Some(Place { curve, slab, x: x.min(start.x[1]) });
+    while let Some(here) = place {
+        let (stretch, turn, slab) = if down.is_minimum(here.curve) { down.along(&here) } else { down.lost(&here, end) };
+        let next = match &turn {
+            Turn::Crossing(_) => Some(here.curve),
+            Turn::Onto(_, next) => Some(*next),
+            Turn::Fall(_, left) | Turn::Lost(left) => {
+                if let [next] = left[..] {
+                    Some(next)
+                } else {
+                    None
+                }
+            }
+            Turn::Rest => None,
+        };
+        place = next.map(|curve| Place { curve, slab, x: stretch.x[1] });
+        way.push((stretch, turn));
+    }
+    way
+}
+
+/// A point of a curve over a slab.
+struct Place {
+    curve: CurveId,
+    slab: SlabId,
+    x: f64,
+}
+
+/// The way down.
+struct Down<'a> {
+    arrangement: &'a Arrangement,
+}
+
+impl<'a> Down<'a> {
+    fn set(&self) -> &'a CriticalSet {
+        &self.arrangement.set
+    }
+
+    fn is_minimum(&self, curve: CurveId) -> bool {
+        self.set().curves[curve].index == Some(0)
+    }
+
+    /// Where a curve ends over x, the event at which it does. Other events may be at the same x, with empty slabs between.
+    fn upper_end(&self, curve: CurveId, end: f64, x: f64) -> Option<&'a Event> {
+        let room = 4.0 * f64::EPSILON * end;
+        let ends = |event: &&Event| (event.x - end).abs() <= room && event.change.curves().contains(&curve);
+        if end - x <= room { self.arrangement.events.iter().find(ends) } else { None }
+    }
+
+    /// Minima at x in a slab of less energy than h.
+    fn below(&self, slab: SlabId, x: f64, h: f64) -> Vec<CurveId> {
+        let set = self.set();
+        let is_below = |&other: &CurveId| self.is_minimum(other) && set.curves[other].point(&set.frame, x).h() < h;
+        self.arrangement.slabs[slab].order.iter().copied().filter(is_below).collect()
+    }
+
+    /// From a minimum down to the next event of its curve; the slab below it.
+    fn along(&self, from: &Place) -> (Stretch, Turn, SlabId) {
+        let Place { curve, mut slab, x } = *from;
+        loop {
+            let strip = &self.arrangement.slabs[slab];
+            let place = strip.order.iter().position(|&other| other == curve).unwrap_or(0);
+            let regions =
+                [place.checked_sub(1).map(|below| strip.region_above[below]), Some(strip.region_above[place])];
+            let stretch = Stretch { curve, x: [x, strip.x[0]], regions };
+            let Some(before) = slab.before() else { return (stretch, Turn::Rest, slab) };
+            slab = before;
+            let mut events = self.arrangement.events_after(before);
+            if let Some(event) = events.find(|event| self.arrangement.events[*event].change.curves().contains(&curve)) {
+                return (stretch, self.turn(curve, event, before), before);
+            }
+        }
+    }
+
+    /// What becomes of a minimum at an event of its curve above a slab.
+    fn turn(&self, curve: CurveId, event: EventId, slab: SlabId) -> Turn {
+        let (set, Event { change, x, h, .. }) = (self.set(), &self.arrangement.events[event]);
+        let minimum = |curves: &[CurveId]| curves.iter().copied().find(|&curve| self.is_minimum(curve));
+        let onto = match *change {
+            Change::Swap(_) => return Turn::Crossing(event),
+            Change::Birth(_) | Change::Death(_) => None,
+            Change::Open { through: [before, _], .. } => minimum(&[before]),
+            Change::Close { through: [before, _], pair } => minimum(&[pair, before]),
+        };
+        if let Some(next) = onto {
+            return Turn::Onto(event, next);
+        }
+        let mut left = self.below(slab, *x, *h);
+        if let Change::Birth(_) | Change::Death(_) = change {
+            let place = set.curves[curve].point(&set.frame, *x);
+            let lower = self.arrangement.slabs[slab].order.iter().copied();
+            keep_reachable(set, *x, &place, lower.filter(|other| !change.curves().contains(other)), &mut left);
+        }
+        Turn::Fall(event, left)
+    }
+
+    /// From a point that is no minimum, at the upper end of its curve if there is one: the curves that meet there bound no region
+    /// there.
+    fn lost(&self, from: &Place, end: Option<&Event>) -> (Stretch, Turn, SlabId) {
+        let (set, &Place { curve, slab, x }) = (self.set(), from);
+        let strip = &self.arrangement.slabs[slab];
+        let meets = |other: &CurveId| *other == curve || end.is_some_and(|event| event.change.curves().contains(other));
+        let place = set.curves[curve].point(&set.frame, x);
+        let mut left = self.below(slab, x, place.h());
+        left.retain(|other| !meets(other));
+        // At a cusp the curves that meet change no component.
+        if !end.is_some_and(|event| matches!(event.change, Change::Open { .. } | Change::Close { .. })) {
+            let others = strip.order.iter().copied();
+            let others = others.filter(|other| !end.is_some_and(|event| event.change.curves().contains(other)));
+            keep_reachable(set, x, &place, others, &mut left);
+        }
+        let (lowest, highest) = (strip.order.iter().position(meets), strip.order.iter().rposition(meets));
+        let region = |place: usize| strip.region_above[place];
+        let regions = [lowest.and_then(|place| place.checked_sub(1)).map(region), highest.map(region)];
+        (Stretch { curve, x: [x; 2], regions }, Turn::Lost(left), slab)
+    }
+}
+
 /// Keeps of some minima at x those in the component of {U_l ≤ h} of a point with U_l = h, given the curves at x; all where f64
 /// does not decide which these are.
 fn keep_reachable(
@@ -62,91 +194,4 @@ fn keep_reachable(
             partition.has_minimum(component, gamma) || partition.has_minimum(component, mirrored)
         })
     });
-}
-
-/// The way of a rotation from a point of a curve down to rest, or to a fall after which several minima are left.
-#[must_use]
-pub fn spin_down(arrangement: &Arrangement, from: CurveId, x: f64) -> Vec<(Stretch, Turn)> {
-    let set = &arrangement.set;
-    let is_minimum = |curve: CurveId| set.curves[curve].index == Some(0);
-    let mut way = Vec::new();
-    // x may lie beyond the upper end of the curve by its rounding.
-    let mut along = arrangement.slabs.pairs().filter(|(_, slab)| slab.x[0] < x && slab.order.contains(&from));
-    let Some((mut slab, start)) = along.next_back() else { return way };
-    let (mut curve, mut upper) = (from, x.min(start.x[1]));
-    // At its upper end the curve meets others: a minimum there continues as one of them, and they bound no region
-    // there.
-    let is_end = start.x[1] - x <= 4.0 * f64::EPSILON * start.x[1];
-    let of_curve = |event: &EventId, curve: CurveId| arrangement.events[*event].change.curves().contains(&curve);
-    let end = arrangement.events_after(slab).find(|event| is_end && of_curve(event, from));
-    let end = end.map(|event| &arrangement.events[event]);
-    if let Some(Change::Close { pair, .. }) = end.map(|event| event.change)
-        && is_minimum(pair)
-    {
-        curve = pair;
-    }
-    let meets = |other: &CurveId| end.is_some_and(|event| event.change.curves().contains(other));
-    // Minima of less energy at x in a slab.
-    let below = |slab: SlabId, x: f64, h: f64| -> Vec<CurveId> {
-        let is_below = |&other: &CurveId| is_minimum(other) && set.curves[other].point(&set.frame, x).h() < h;
-        arrangement.slabs[slab].order.iter().copied().filter(is_below).collect()
-    };
-    while let Some(place) = arrangement.slabs[slab].order.iter().position(|&other| other == curve) {
-        let strip = &arrangement.slabs[slab];
-        let regions = [place.checked_sub(1).map(|below| strip.region_above[below]), Some(strip.region_above[place])];
-        let stretch = Stretch { curve, x: [upper, strip.x[0]], regions };
-        let falls = if is_minimum(curve) {
-            let Some(before) = slab.before() else {
-                way.push((stretch, Turn::Rest));
-                break;
-            };
-            slab = before;
-            let Some(event) = arrangement.events_after(before).find(|event| of_curve(event, curve)) else { continue };
-            let change = arrangement.events[event].change;
-            upper = stretch.x[1];
-            let minimum = |curves: &[CurveId]| curves.iter().copied().find(|&curve| is_minimum(curve));
-            let onto = match change {
-                Change::Swap(_) => {
-                    way.push((stretch, Turn::Crossing(event)));
-                    continue;
-                }
-                Change::Birth(_) | Change::Death(_) => None,
-                Change::Open { through: [before, _], .. } => minimum(&[before]),
-                Change::Close { through: [before, _], pair } => minimum(&[pair, before]),
-            };
-            if let Some(next) = onto {
-                way.push((stretch, Turn::Onto(event, next)));
-                curve = next;
-                continue;
-            }
-            let mut left = below(slab, upper, arrangement.events[event].h);
-            if let Change::Birth(_) | Change::Death(_) = change {
-                let place = set.curves[curve].point(&set.frame, upper);
-                let lower = arrangement.slabs[slab].order.iter().copied();
-                keep_reachable(set, upper, &place, lower.filter(|other| !change.curves().contains(other)), &mut left);
-            }
-            way.push((stretch, Turn::Fall(event, left.clone())));
-            left
-        } else {
-            let mut left = below(slab, upper, set.curves[curve].point(&set.frame, upper).h());
-            left.retain(|other| !meets(other));
-            let is_fork = end.is_some_and(|event| matches!(event.change, Change::Open { .. } | Change::Close { .. }));
-            if !is_fork {
-                // At a cusp the curves that meet change no component.
-                let place = set.curves[curve].point(&set.frame, upper);
-                let curves = strip.order.iter().copied().filter(|other| !meets(other));
-                keep_reachable(set, upper, &place, curves, &mut left);
-            }
-            let order = &strip.order;
-            let lowest = order.iter().position(meets).unwrap_or(place);
-            let highest = order.iter().rposition(meets).unwrap_or(place);
-            let regions =
-                [lowest.checked_sub(1).map(|below| strip.region_above[below]), Some(strip.region_above[highest])];
-            way.push((Stretch { x: [upper; 2], regions, ..stretch }, Turn::Lost(left.clone())));
-            left
-        };
-        let [next] = falls[..] else { break };
-        curve = next;
-    }
-    way
 }

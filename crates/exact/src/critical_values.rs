@@ -103,8 +103,12 @@ impl<'a> CriticalValues<'a> {
 
     /// The precisions worth trying: what more bits would show of a rounded body is its rounding.
     fn useful_stages(&self) -> std::ops::Range<usize> {
-        let is_useful = |bits: &&usize| !self.model.rounded || **bits <= 400;
-        0..STAGES.iter().take_while(is_useful).count()
+        0..STAGES.iter().take_while(|bits| **bits <= Self::most_bits(self.model)).count()
+    }
+
+    /// The highest of them.
+    pub fn most_bits(model: &Model) -> usize {
+        if model.rounded { STAGES[2] } else { STAGES[STAGES.len() - 1] }
     }
 
     /// All heights, enclosed with at least the bits of a stage.

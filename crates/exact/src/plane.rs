@@ -29,16 +29,18 @@ pub enum Open {
     #[error("the roots of 4(q'D - 2qD')p - 3(p'D - 2pD')q, the cusps, are not isolated")]
     Cusps,
     /// The sign of h against a height.
-    #[error("the sign of h - h_c on the curve {curve} is not decided with 6000 bits")]
+    #[error("the sign of h - h_c on the curve {curve} is not decided with {bits} bits")]
     Sign {
         /// The curve.
         curve: CurveName,
+        /// The most with which it was tried; fewer where a part's principal form is rounded.
+        bits: usize,
     },
     /// The latitudes on which the components between two heights begin and end.
     #[error("the order of the latitudes on which the components of U end is not decided with 4096 bits")]
     Latitudes,
     /// The curves on both sides of a point on curves.
-    #[error("the order of the curves beside the point is not decided with 6000 bits")]
+    #[error("the order of the curves beside the point is not decided with the bits of the proof")]
     Beside,
 }
 
@@ -91,7 +93,10 @@ impl<'a> Plane<'a> {
     pub fn open(&self, none: CriticalValueError, x: &RBig) -> Open {
         match none {
             CriticalValueError::Roots => Open::Roots,
-            CriticalValueError::Sign(source) => Open::Sign { curve: self.name(&source, x) },
+            CriticalValueError::Sign(source) => Open::Sign {
+                curve: self.name(&source, x),
+                bits: crate::critical_values::CriticalValues::most_bits(self.model),
+            },
         }
     }
 

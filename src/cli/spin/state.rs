@@ -173,6 +173,7 @@ fn text(subject: &Subject, document: &StateDocument, question: &SpinQuestion, fo
             report_steady(&mut report, steady);
             match AxisKind::of(&subject.body, question.up) {
                 AxisKind::Permanent { .. } => changes(&mut report, steady, document.note.is_none()),
+                AxisKind::AtOneSpin(axis) if axis.squared_spin == Some(0.0) => report.line(rests("this axis")),
                 AxisKind::AtOneSpin(_) => report.line("rotation about this axis is steady at this spin only"),
                 AxisKind::Principal => report.line(
                     "the axis is principal, but the centre of mass does not lie on it: at this spin a steady rotation is \
@@ -184,6 +185,11 @@ fn text(subject: &Subject, document: &StateDocument, question: &SpinQuestion, fo
         None => other_text(&mut report, subject, document, (question, found)),
     }
     report.text()
+}
+
+/// What holds of an axis through the centre of mass that is not principal.
+fn rests(axis: &str) -> String {
+    format!("the body rests with either end up, but rotation about {axis} is steady at no spin")
 }
 
 /// The axis of the rotation that is reported, where it is not the given one to the last digits.
@@ -226,6 +232,9 @@ fn other_text(
     let (Some(nearest), Some(steady)) = (&document.nearest, &found.nearest) else { return };
     let kind = AxisKind::of(&subject.body, question.up);
     match kind {
+        AxisKind::AtOneSpin(axis) if axis.squared_spin == Some(0.0) => {
+            report.line(rests("the vertical"));
+        }
         AxisKind::AtOneSpin(_) => {
             let given = bifdiag_documents::nearest_axis(subject, &kind);
             if let Some((spin, up)) = given.and_then(|given| given.spin.zip(given.up)) {
