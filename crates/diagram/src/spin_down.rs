@@ -95,6 +95,9 @@ impl<'a> Down<'a> {
 
     /// Where a curve ends over x, the event at which it does. Other events may be at the same x, with empty slabs between.
     fn upper_end(&self, curve: CurveId, end: f64, x: f64) -> Option<&'a Event> {
+        if end.is_infinite() {
+            return None;
+        }
         let room = 4.0 * f64::EPSILON * end;
         let ends = |event: &&Event| (event.x - end).abs() <= room && event.change.curves().contains(&curve);
         if end - x <= room { self.arrangement.events.iter().find(ends) } else { None }

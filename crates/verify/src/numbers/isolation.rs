@@ -163,7 +163,7 @@ impl Root {
         while bits > 0 && self.lo != self.hi {
             if step == 1 {
                 self.halve();
-            } else if !self.is_beside_chord(step) {
+            } else if !self.narrow_by_chord(step) {
                 step /= 2;
                 continue;
             }
@@ -172,8 +172,9 @@ impl Root {
         }
     }
 
-    /// Takes the part of 2ᵏ beside the zero of the chord for the range, if it holds the root.
-    fn is_beside_chord(&mut self, step: usize) -> bool {
+    /// Takes the part of 2ᵏ beside the zero of the chord for the range, or, where it does not hold the root, what is left on the
+    /// root's side of it; true in the first case.
+    fn narrow_by_chord(&mut self, step: usize) -> bool {
         let parts = IBig::ONE << step;
         let [below, above] = [&self.lo, &self.hi].map(|x| self.polynomial.enclosed(x));
         let Some(share) = below.over(&(&below - &above)) else { return false };
@@ -203,8 +204,8 @@ impl Root {
         holds
     }
 
-    /// Whether the root is this number; then it is known exactly.
-    pub fn is_at(&mut self, x: &RBig) -> bool {
+    /// Makes the range this number alone, if it is the root; true in that case.
+    pub fn settle_at(&mut self, x: &RBig) -> bool {
         // An end of the range may be another root.
         if self.lo < *x && *x < self.hi && self.polynomial.at(x) == 0 {
             (self.lo, self.hi) = (x.clone(), x.clone());

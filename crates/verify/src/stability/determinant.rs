@@ -125,10 +125,14 @@ impl<const N: usize> Determinant<N> {
             if &width * &finer <= room {
                 break;
             }
-            let middle = (&lo + &hi) / RBig::from(2);
-            match sign(&middle) {
-                Some(found) if found == above => hi = middle,
-                Some(_) => lo = middle,
+            // The zero may be in the middle.
+            let cut = [4, 3].into_iter().find_map(|part: i32| {
+                let place = &lo + &width * RBig::from_parts(part.into(), 8u8.into());
+                sign(&place).map(|found| (place, found))
+            });
+            match cut {
+                Some((place, found)) if found == above => hi = place,
+                Some((place, _)) => lo = place,
                 None if &width * &fine <= room => break,
                 None => return None,
             }
@@ -324,5 +328,20 @@ mod tests {
             [sign(0, 1000), sign(200, 1000), sign(549, 1000), sign(950, 1000)],
             [Some(1), Some(-1), None, Some(1)]
         );
+    }
+
+    /// The only zero is in the middle of the range, where no sign is known.
+    #[test]
+    fn a_zero_in_the_middle_is_found() {
+        let places = places(2);
+        let values: Vec<Ball<3>> = places
+            .iter()
+            .map(|&p| Ball::of(&RBig::from_parts((2 * p - UNIT).into(), UNIT.unsigned_abs().into())))
+            .collect();
+        let form = interpolated(&places, &values).unwrap();
+        let determinant = Determinant { from: RBig::ZERO, width: RBig::ONE, known: Vec::new(), form };
+        let found = determinant.zeros([&RBig::ZERO, &RBig::ONE], [60, 60]).unwrap();
+        let half = RBig::from_parts(1.into(), 2u8.into());
+        assert!(matches!(&found[..], [[low, high]] if *low < half && half < *high), "{found:?}");
     }
 }

@@ -89,7 +89,7 @@ pub(super) fn narrow(root: &mut Root, [first, last]: [&RBig; 2], bits: usize) {
 
 /// Narrows a root until it lies aside of the range that holds an end of a curve; false where it is that end.
 pub(super) fn apart(root: &mut Root, [low, high]: &[RBig; 2]) -> Result<bool, Refused> {
-    if low == high && root.is_at(low) {
+    if low == high && root.settle_at(low) {
         return Ok(false);
     }
     for _ in 0..NARROWEST {
