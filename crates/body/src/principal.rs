@@ -10,7 +10,7 @@ use bifdiag_numbers::{Number, decimal};
 /// A tensor in its principal axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PrincipalForm {
-    /// A and r; [`Body::tensor`] leads back when they had to be rounded.
+    /// A and r; [`Body::tensor`] leads back unless the tensor is diagonal.
     pub body: Body,
     /// Row k is principal axis k in the axes of the tensor, rounded: v_principal = axes · v. A proper rotation.
     pub axes: [[f64; 3]; 3],
@@ -44,7 +44,7 @@ impl Tensor {
             body(&moments, &center).ok()
         });
         let body = body.map_or_else(|| self::body(&moments, &center), Ok)?;
-        let body = if exact { body } else { body.with_tensor(self.clone()) };
+        let body = if self.matrix().is_diagonal() { body } else { body.with_tensor(self.clone(), !exact) };
         Ok(PrincipalForm { body, axes: found.axes, exact })
     }
 }

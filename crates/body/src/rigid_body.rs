@@ -17,12 +17,11 @@ pub struct Body {
     origin: Option<Origin>,
 }
 
-/// Of what moments and r were rounded.
+/// A tensor that is not diagonal, and whether moments and r are rounded.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Origin {
     tensor: Arc<Tensor>,
-    /// See [`Body::square_correction`].
-    correction: RBig,
+    is_rounded: bool,
 }
 
 /// Why three moments and a centre of mass are not a body.
@@ -74,24 +73,43 @@ impl Body {
         Ok(Self { moments, center, origin: None })
     }
 
-    /// The body whose moments and centre of mass are those of a tensor, rounded.
-    pub(super) fn with_tensor(mut self, tensor: Tensor) -> Self {
-        let correction = tensor.square_correction(&self);
-        self.origin = Some(Origin { tensor: Arc::new(tensor), correction });
+    /// The body whose moments and centre of mass are those of a tensor.
+    pub(super) fn with_tensor(mut self, tensor: Tensor, is_rounded: bool) -> Self {
+        self.origin = Some(Origin { tensor: Arc::new(tensor), is_rounded });
         self
     }
 
-    /// The tensor from which the moments and r were rounded; `None` when they are exact.
+    /// The tensor by which the body was given; `None` when it was given in principal axes.
     #[must_use]
     pub fn tensor(&self) -> Option<&Tensor> {
         self.origin.as_ref().map(|origin| &*origin.tensor)
     }
 
-    /// The factor next to 1 by which the squares of r are multiplied where Ω⁴ is compared with them: the forks of steady
-    /// axes then are at the spins of the tensor, which may be rational. 1 for a body that is not rounded.
+    /// The moments and r are those of the tensor, rounded.
     #[must_use]
-    pub fn square_correction(&self) -> RBig {
-        self.origin.as_ref().map_or(RBig::ONE, |origin| origin.correction.clone())
+    pub fn is_rounded(&self) -> bool {
+        self.origin.as_ref().is_some_and(|origin| origin.is_rounded)
+    }
+
+    /// r in the axes in which the body was given: those of the tensor, if there is one.
+    #[must_use]
+    pub fn center_as_given(&self) -> [RBig; 3] {
+        let own = || self.center.each_ref().map(|x| x.value().clone());
+        self.tensor().map_or_else(own, |tensor| tensor.center.clone())
+    }
+
+    /// Ω⁴ at the fork over an axis across r, Σ r_j²/(A_k − A_j)² over the other moments: from the tensor where A_k is rational.
+    #[must_use]
+    pub fn fork(&self, axis: usize) -> RBig {
+        let a_k = self.moments[axis].value();
+        if let Some(exact) = self.tensor().and_then(|tensor| tensor.fork(a_k)) {
+            return exact;
+        }
+        let others = (0..3).filter(|&j| self.moments[j] != self.moments[axis]);
+        others.fold(RBig::ZERO, |sum, j| {
+            let term = self.center[j].value() / (a_k - self.moments[j].value());
+            sum + &term * &term
+        })
     }
 
     /// |r|², exact.
@@ -125,6 +143,12 @@ impl Body {
     #[must_use]
     pub fn angular_momentum(&self, omega: &[RBig; 3]) -> [RBig; 3] {
         std::array::from_fn(|k| self.moments[k].value() * &omega[k])
+    }
+
+    /// Aω, exact, in the axes in which the body was given: those of the tensor, if there is one.
+    #[must_use]
+    pub fn angular_momentum_as_given(&self, omega: &[RBig; 3]) -> [RBig; 3] {
+        self.tensor().map_or_else(|| self.angular_momentum(omega), |tensor| tensor.matrix.times(omega))
     }
 
     /// A body from texts, each a decimal or a rational.
@@ -309,33 +333,17 @@ impl Tensor {
         dot(&self.center, &self.matrix.times(&self.center))
     }
 
-    /// [`Body::square_correction`] for the rounded body: the ratio of the sums Σ r_j²/(A_k − A_j)², which is Ω⁴ at the fork over
-    /// an axis k across r, where A_k is rational and with it the sum; else that of |r|².
-    fn square_correction(&self, body: &Body) -> RBig {
-        if body.is_euler() {
-            return RBig::ONE;
+    /// |v|² with (a − A)v = r, for a simple moment a across r.
+    fn fork(&self, a: &RBig) -> Option<RBig> {
+        // M = a − A has the eigenvalues 0 and two others, m and n, with (m + n − M) M v = m n v for every v across their axis.
+        let shifted = self.matrix.subtracted_from(a);
+        let product = shifted.adjugate().trace();
+        if !shifted.determinant().is_zero() || product.is_zero() {
+            return None;
         }
-        let (moments, center) = (body.moments(), body.center());
-        let fork = (0..3).filter(|&k| center[k].value().is_zero()).find_map(|k| {
-            let a_k = moments[k].value();
-            // M = A_k − A has the eigenvalues 0 and two others, m and n, with (m + n − M) M v = m n v for every v across axis k.
-            let shifted = self.matrix.subtracted_from(a_k);
-            let product = shifted.adjugate().trace();
-            if !shifted.determinant().is_zero() || product.is_zero() {
-                return None;
-            }
-            let turned = shifted.times(&self.center);
-            let v: [RBig; 3] = std::array::from_fn(|i| (shifted.trace() * &self.center[i] - &turned[i]) / &product);
-            let of_body = (0..3).filter(|&j| j != k).fold(RBig::ZERO, |sum, j| {
-                let term = center[j].value() / (a_k - moments[j].value());
-                sum + &term * &term
-            });
-            Some(dot(&v, &v) / of_body)
-        });
-        fork.unwrap_or_else(|| {
-            let of_body = center.iter().fold(RBig::ZERO, |sum, r| sum + r.value() * r.value());
-            self.center_squared() / of_body
-        })
+        let turned = shifted.times(&self.center);
+        let v: [RBig; 3] = std::array::from_fn(|i| (shifted.trace() * &self.center[i] - &turned[i]) / &product);
+        Some(dot(&v, &v))
     }
 
     /// Whether the body is unphysical, and whether it is a plate. Some distribution of mass has the tensor and r if and only if

@@ -102,7 +102,8 @@ fn every_body_of_the_box_has_the_type_outside_the_ranges() {
             for _ in 0..6 {
                 let (body, up) = case.member(&mut random);
                 let rational = |x: f64| RBig::try_from(x).unwrap();
-                let steady = nearest_steady(&body, &ExactSpin::rational(rational(omega)), &up.map(rational)).unwrap();
+                let steady =
+                    nearest_steady(&body, &ExactSpin::rational(rational(omega)), up, Some(&up.map(rational))).unwrap();
                 assert!(steady.angle <= found.tilt.unwrap() + 1e-9, "{:?} {omega} {steady:?}", case.nominal);
                 assert_eq!(
                     kind(&steady.equilibrium),

@@ -75,7 +75,7 @@ impl Model {
         let line =
             [body.center_squared() / (&energy * &energy), body.weighted_moment() / (&energy * &energy * &moment)];
         let (active, passive) = (0..groups.len()).partition(|&k| !groups[k].q.is_zero());
-        Self { groups, r2, line, rounded: body.tensor().is_some(), active, passive, axis }
+        Self { groups, r2, line, rounded: body.is_rounded(), active, passive, axis }
     }
 
     pub fn a(&self, group: usize) -> &RBig {

@@ -61,7 +61,7 @@ impl fmt::Display for UnknownOfState {
 
 impl State {
     /// The state with an angular velocity, in principal axes and the body's units; `along` is a vector along
-    /// it, or against it, exact. The question's axis is the upward vertical, and its spin is |ω|.
+    /// it, or against it, exact and in the axes in which the body was given. The question's axis is the upward vertical, and its spin is |ω|.
     ///
     /// # Errors
     /// [`ParseNumberError`] where h or l leaves the range of doubles.
@@ -76,7 +76,7 @@ impl State {
         let momentum: [f64; 3] = std::array::from_fn(|k| a[k] * omega[k]);
         // γ = −up: U = −⟨γ, r⟩ = ⟨up, r⟩; l = ⟨Aω, γ⟩, whose sign does not matter.
         let h = 0.5 * dot(omega, momentum) + dot(up, r);
-        let is_level = symmetric::dot(&body.angular_momentum(along), &question.exact_up).is_zero();
+        let is_level = symmetric::dot(&body.angular_momentum_as_given(along), &question.exact_up).is_zero();
         let l = if is_level { 0.0 } else { dot(momentum, up) };
         let is_upright = norm(cross(omega, up)) <= UPRIGHT * norm(omega);
         let found = Steady::nearest(solver, question);

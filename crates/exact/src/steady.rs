@@ -18,7 +18,7 @@ use dashu_ratio::RBig;
 use crate::solver::Solver;
 
 /// Distances in h at which the regions beside a curve are looked up, relative to the size of the energies.
-const STEPS: [f64; 4] = [1e-9, 1e-12, 1e-15, 1e-18];
+const STEPS: [f64; 6] = [1e-9, 1e-12, 1e-15, 1e-18, 1e-26, 1e-40];
 
 /// How many of them are above the rounding of a point that is not exactly on the curve.
 const ROUNDED: usize = 2;
@@ -31,7 +31,7 @@ const SAME: f64 = 1e-12;
 pub struct SpinQuestion {
     /// The axis that points up.
     pub up: [f64; 3],
-    /// The same, exact, of any length.
+    /// The same, exact, of any length, in the axes in which the body was given.
     pub exact_up: [RBig; 3],
     /// Ω ≥ 0, with a rational square.
     pub spin: ExactSpin,
@@ -70,7 +70,7 @@ impl Steady {
         if let AxisKind::Permanent { axis, .. } = AxisKind::of(body, *up) {
             return Self::about(solver, question, axis, 0.0);
         }
-        let found = nearest_steady(body, spin, exact_up)?;
+        let found = nearest_steady(body, spin, *up, Some(exact_up))?;
         let up = found.gamma.map(|x| 0.0 - x);
         match permanent_axis(body, up).filter(|axis| angle_between(axis.direction, up) <= SAME) {
             Some(axis) => Self::about(solver, question, axis, found.angle),
@@ -86,8 +86,9 @@ impl Steady {
         let rotation = AxisRotation::about(body, axis, Sign::Negative)?;
         let changes = changes_beside(&rotation_changes(&rotation, solver.atlas()), squared);
         let Some(judged) = rotation.stability_at(squared) else {
-            let up = axis.direction.map(|x| RBig::try_from(x).unwrap_or_default());
-            let found = SteadyRotation { angle, ..nearest_steady(body, spin, &up)? };
+            let exact = axis.direction.map(|x| RBig::try_from(x).unwrap_or_default());
+            let exact = body.tensor().is_none().then_some(&exact);
+            let found = SteadyRotation { angle, ..nearest_steady(body, spin, axis.direction, exact)? };
             return Some(Self { changes, ..Self::beyond(solver, omega, found) });
         };
         let (frequencies, growth) = rotation.frequencies_and_growth(squared);

@@ -4,7 +4,6 @@ use bifdiag_documents::Subject;
 use bifdiag_equilibria::critical::Multiplicity;
 use bifdiag_equilibria::permanent::{permanent_multiplicity, principal_at};
 use bifdiag_schema::NearestAxisDocument;
-use dashu_ratio::RBig;
 
 use crate::cli::failure::Failure;
 use crate::cli::input::values::{self, Triple};
@@ -43,19 +42,6 @@ impl AxisArgument {
         };
         axis(&center)
     }
-
-    /// The direction in principal axes; exact without a part.
-    pub fn in_principal_axes(&self, subject: &Subject) -> [RBig; 3] {
-        in_principal_axes(&self.given, subject)
-    }
-}
-
-/// A vector in principal axes; exact without a part.
-pub fn in_principal_axes(given: &Triple, subject: &Subject) -> [RBig; 3] {
-    if subject.part.is_none() {
-        return given.values();
-    }
-    subject.to_principal(given.rounded()).map(|x| RBig::try_from(x).unwrap_or_default())
 }
 
 /// A direction as it is printed.

@@ -62,7 +62,7 @@ pub fn run(arguments: &CriticalSpinArguments, timings: &Timings) -> Result<(), F
     };
     let up = subject.to_principal(axis.direction);
     let (found, tolerated) = timings.stage("spins", || {
-        let found = AxisSpins::new(&subject.body, up, &axis.in_principal_axes(&subject));
+        let found = AxisSpins::new(&subject.body, up, &axis.given.values());
         let followed = match found.kind {
             AxisKind::Permanent { axis, .. } => subject.to_given(axis.direction),
             _ => axis.direction,

@@ -11,7 +11,7 @@ use bifdiag_schema::{AxisEnd, StateDocument, SteadyDocument};
 use clap::Args;
 use dashu_ratio::RBig;
 
-use super::axis::{AxisArgument, as_near, axis, in_principal_axes, listed};
+use super::axis::{AxisArgument, as_near, axis, listed};
 use super::steady::{changes, report_steady};
 use crate::cli::export::answer;
 use crate::cli::failure::{Failure, failed, incomplete};
@@ -74,7 +74,7 @@ pub fn run(arguments: &StateArguments, timings: &Timings) -> Result<(), Failure>
     let found = timings.stage("state", || {
         let solver = Solver::new(subject.body.clone(), Accuracy::Exact);
         let omega = subject.to_principal(state.omega).map(|x| x / subject.second());
-        exact::State::new(&solver, omega, &state.along(&subject), &question)
+        exact::State::new(&solver, omega, &state.along(), &question)
     });
     let found = found.map_err(failed("the state overflows"))?;
     let document = bifdiag_documents::state(&subject, state.asked(&subject), &found);
@@ -119,11 +119,11 @@ impl<'a> State<'a> {
         }
     }
 
-    /// A vector along ω in principal axes, exact without a part.
-    fn along(&self, subject: &Subject) -> [RBig; 3] {
+    /// A vector along ω, exact, in the axes in which the body was given.
+    fn along(&self) -> [RBig; 3] {
         match self.turning {
-            Turning::About { axis, .. } => axis.in_principal_axes(subject),
-            Turning::Omega(omega) => in_principal_axes(omega, subject),
+            Turning::About { axis, .. } => axis.given.values(),
+            Turning::Omega(omega) => omega.values(),
         }
     }
 
@@ -142,7 +142,7 @@ impl<'a> State<'a> {
     fn question(&self, subject: &Subject) -> SpinQuestion {
         SpinQuestion {
             up: subject.to_principal(self.vertical.direction),
-            exact_up: self.vertical.in_principal_axes(subject),
+            exact_up: self.vertical.given.values(),
             spin: self.spin(&subject.unit_of_time()),
         }
     }

@@ -33,7 +33,7 @@ impl ExactSpin {
         Self { omega: Real::root_of(&squared, DIGITS).lo, fourth: &squared * &squared, squared }
     }
 
-    /// The spin at which rotation with n = `up` pointing up is steady; `None` where there is no such spin, and for a
+    /// The spin at which rotation with n = `up` pointing up is steady, n in the axes in which the body was given; `None` where there is no such spin, and for a
     /// principal axis.
     #[must_use]
     pub fn of_steady(body: &Body, up: &[RBig; 3]) -> Option<Self> {
@@ -47,7 +47,7 @@ impl ExactSpin {
         Some(Self { omega: Real::root_of(&squared, DIGITS).lo, squared, fourth })
     }
 
-    /// Whether rotation with n = `up` pointing up is steady at this spin.
+    /// Whether rotation with n = `up` pointing up, in the axes in which the body was given, is steady at this spin.
     #[must_use]
     pub fn is_steady(&self, body: &Body, up: &[RBig; 3]) -> bool {
         let balance = Balance::new(body, up);
@@ -63,19 +63,12 @@ struct Balance<'a> {
     left: [RBig; 3],
     /// n × r.
     right: [RBig; 3],
-    /// See [`Body::square_correction`].
-    correction: RBig,
 }
 
 impl<'a> Balance<'a> {
     fn new(body: &Body, n: &'a [RBig; 3]) -> Self {
-        let center = body.center().each_ref().map(|x| x.value().clone());
-        Self {
-            n,
-            left: cross(n, &body.angular_momentum(n)),
-            right: cross(n, &center),
-            correction: body.square_correction(),
-        }
+        let center = body.center_as_given();
+        Self { n, left: cross(n, &body.angular_momentum_as_given(n)), right: cross(n, &center) }
     }
 
     /// Of some Ω² ≥ 0.
@@ -85,7 +78,7 @@ impl<'a> Balance<'a> {
 
     /// Of n × An and of |n|(n × r).
     fn squares(&self) -> [RBig; 2] {
-        [dot(&self.left, &self.left), dot(self.n, self.n) * dot(&self.right, &self.right) * &self.correction]
+        [dot(&self.left, &self.left), dot(self.n, self.n) * dot(&self.right, &self.right)]
     }
 }
 

@@ -332,5 +332,5 @@ fn at_rest(body: &ExactBody, side: f64) -> (Reduced<Wide>, bool) {
     let total = c.rho[0].clone() + c.rho[1].clone() + c.rho[2].clone();
     let w = c.rho.clone().map(|rho| rho / total.clone());
     let r = total.sqrt() * Wide::double(side, REST_BITS);
-    (Reduced::at_rest(&c, &w, &r), body.is_round_across_r())
+    (Reduced::at_rest(&c, &w, &r), body.invariants.is_round_across_r())
 }

@@ -26,21 +26,21 @@ pub struct OneSpin {
 }
 
 impl OneSpin {
-    /// For an axis on the cone, given as `exact`, of any length; `None` for one that is in equilibrium at rest.
+    /// For an axis on the cone, given as `exact` in the axes in which the body was given, of any length; `None` for one that is in
+    /// equilibrium at rest.
     #[must_use]
     pub fn of(body: &Body, axis: &NearestAxis, exact: &[RBig; 3]) -> Option<Self> {
         let s = axis.squared_spin.filter(|s| *s != 0.0)?;
         let up = axis.axis.map(|x| s.signum() * x);
         let rational = |x: f64| RBig::try_from(x).unwrap_or_default();
         let exact_up = exact.each_ref().map(|x| x * rational(s.signum()));
-        let (exact_up, spin) = match ExactSpin::of_steady(body, &exact_up) {
-            Some(spin) => (exact_up, spin),
-            None => (up.map(rational), ExactSpin::rational(rational(s.abs().sqrt()))),
-        };
+        let exact_spin = ExactSpin::of_steady(body, &exact_up);
+        let is_exact = exact_spin.is_some();
+        let spin = exact_spin.unwrap_or_else(|| ExactSpin::rational(rational(s.abs().sqrt())));
         let omega = spin.omega.to_f64().value();
         let (a, r) = (body.moments_f64(), body.center_f64());
         let l = omega * dot(up, [0, 1, 2].map(|k| a[k] * up[k]));
-        let found = nearest_steady(body, &spin, &exact_up).filter(|found| found.angle <= MEANT);
+        let found = nearest_steady(body, &spin, up, is_exact.then_some(&exact_up)).filter(|found| found.angle <= MEANT);
         Some(Self {
             end: AxisEnd::of_squared_spin(s),
             omega,

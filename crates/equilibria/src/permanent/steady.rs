@@ -27,13 +27,18 @@ pub struct SteadyRotation {
     pub equilibrium: Equilibrium,
 }
 
-/// The steady rotation at the spin Ω ≥ 0 whose upward direction −γ is nearest to `up`, of any length, in principal axes;
-/// `None` where numbers leave the range of `f64`.
+/// The steady rotation at the spin Ω ≥ 0 whose upward direction −γ is nearest to `up` in principal axes; `exact` is the same
+/// direction in the axes in which the body was given, both of any length. `None` where numbers leave the range of `f64`.
 #[must_use]
-pub fn nearest_steady(body: &Body, spin: &ExactSpin, up: &[RBig; 3]) -> Option<SteadyRotation> {
+pub fn nearest_steady(
+    body: &Body,
+    spin: &ExactSpin,
+    up: [f64; 3],
+    exact: Option<&[RBig; 3]>,
+) -> Option<SteadyRotation> {
     let (a, r, omega) = (body.moments_f64(), body.center_f64(), spin.omega.to_f64().value());
-    let down = normalised(up.each_ref().map(|x| -x.to_f64().value()));
-    let (gamma, angle) = if spin.is_steady(body, up) {
+    let down = normalised(up.map(|x| -x));
+    let (gamma, angle) = if exact.is_some_and(|up| spin.is_steady(body, up)) {
         (down, 0.0)
     } else {
         let candidates = directions(body, spin, down).into_iter().map(|gamma| (gamma, angle_between(gamma, down)));
@@ -53,7 +58,7 @@ pub fn nearest_steady(body: &Body, spin: &ExactSpin, up: &[RBig; 3]) -> Option<S
         (found.h - h).abs() / size.max(f64::MIN_POSITIVE) + apart
     };
     let equilibrium = all.list.into_iter().min_by(|p, q| distance(p).total_cmp(&distance(q)))?;
-    let exact = exact_place(body, spin, up);
+    let exact = exact.and_then(|up| exact_place(body, spin, up));
     let is_exact = exact.is_some();
     let rounded = || Some([Number::from_f64(equilibrium.h).ok()?, Number::from_f64(equilibrium.l).ok()?]);
     let place = exact.or_else(rounded)?;
@@ -83,8 +88,8 @@ fn exact_place(body: &Body, spin: &ExactSpin, up: &[RBig; 3]) -> Option<[Number;
     if !spin.is_steady(body, up) || &spin.squared * &spin.squared != spin.fourth {
         return None;
     }
-    let center = body.center().each_ref().map(|x| x.value().clone());
-    let moment = inner(up, &body.angular_momentum(up)) / inner(up, up);
+    let center = body.center_as_given();
+    let moment = inner(up, &body.angular_momentum_as_given(up)) / inner(up, up);
     let height = inner(up, &center) / length(up)?;
     let h = &spin.squared * &moment / RBig::from(2) + height;
     Some([h, &spin.omega * moment].map(Number::from_rational))
@@ -114,8 +119,7 @@ fn directions(body: &Body, spin: &ExactSpin, down: [f64; 3]) -> Vec<[f64; 3]> {
         }
         let fixed: [f64; 3] = std::array::from_fn(|k| if shares.contains(&k) { 0.0 } else { r[k] / apart[axis][k] });
         // Exact: where it is 0 the direction is that of an axis on which the centre of mass lies.
-        let taken = (0..3).filter(|k| !shares.contains(k)).map(|k| body.center()[k].value() / between(axis, k));
-        let missing = &spin.fourth - taken.fold(RBig::ZERO, |sum, x| sum + x.sqr()) * body.square_correction();
+        let missing = &spin.fourth - body.fork(axis);
         let missing = if missing.is_zero() { 0.0 } else { (missing / &spin.fourth).to_f64().value() };
         if missing < 0.0 {
             continue;
@@ -185,7 +189,7 @@ mod tests {
 
     fn nearest(body: &Body, omega: f64, up: [f64; 3]) -> SteadyRotation {
         let rational = |x: f64| RBig::try_from(x).unwrap();
-        nearest_steady(body, &ExactSpin::rational(rational(omega)), &up.map(rational)).unwrap()
+        nearest_steady(body, &ExactSpin::rational(rational(omega)), up, Some(&up.map(rational))).unwrap()
     }
 
     /// s Aγ + r is along γ, and every relative equilibrium at the l of a steady rotation is one at its own spin.
@@ -240,7 +244,7 @@ mod tests {
         let up = [-3, -4, 0].map(RBig::from);
         let spin = ExactSpin::of_steady(&body, &up).unwrap();
         assert_eq!(spin, ExactSpin::rational(RBig::ONE));
-        let found = nearest_steady(&body, &spin, &up).unwrap();
+        let found = nearest_steady(&body, &spin, [-3.0, -4.0, 0.0], Some(&up)).unwrap();
         let [h, l] = ["-0.54", "1.64"].map(|text| text.parse::<Number>().unwrap().value().clone());
         assert_eq!([found.place[0].value(), found.place[1].value()], [&h, &l]);
         assert!(found.is_exact && found.angle == 0.0);

@@ -73,6 +73,23 @@ impl Polynomial {
         Self::from_rationals(&quotient)
     }
 
+    /// self / divisor, which must divide and have the leading coefficient 1.
+    #[must_use]
+    pub fn over_monic(&self, divisor: &Self) -> Self {
+        let mut rest = self.c.clone();
+        let n = divisor.c.len();
+        let mut quotient = vec![IBig::ZERO; (rest.len() + 1).saturating_sub(n)];
+        while rest.len() >= n {
+            let Some(factor) = rest.pop() else { break };
+            let offset = rest.len() + 1 - n;
+            for (k, d) in divisor.c[..n - 1].iter().enumerate() {
+                rest[offset + k] -= d * &factor;
+            }
+            quotient[offset] = factor;
+        }
+        Self::new(quotient)
+    }
+
     /// p / gcd(p, p′): the same roots, each simple.
     #[must_use]
     pub fn squarefree(&self) -> Self {

@@ -97,6 +97,12 @@ impl Polynomial {
         value
     }
 
+    /// p(x).
+    #[must_use]
+    pub fn at(&self, x: &RBig) -> RBig {
+        self.c.iter().rev().fold(RBig::ZERO, |sum, c| sum * x + RBig::from(c.clone()))
+    }
+
     /// p′.
     #[must_use]
     pub fn derivative(&self) -> Self {

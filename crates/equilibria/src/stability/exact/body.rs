@@ -1,37 +1,49 @@
-//! A body as integers, moments and squares of r in the frame's order with the units in which they are whole, and the
-//! polynomials of its generic family in μ (Proposition 13.4 of docs/algorithms.md).
+//! An exact body in units in which it is whole, and the polynomials of its generic family in μ (Proposition 13.4 of
+//! docs/algorithms.md).
 
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
-use crate::stability::{Constants, RESONANCES};
+use super::invariants::Invariants;
+use crate::stability::Constants;
 use bifdiag_body::{Axis, Body, Frame};
 use bifdiag_numbers::Number;
 use bifdiag_numbers::enclosure::Arithmetic;
 use bifdiag_numbers::polynomial::Polynomial;
 use bifdiag_numbers::polynomial::rational::over_one_denominator;
+use bifdiag_numbers::symmetric::Symmetric;
 
-/// A body in the frame's order of axes, exact.
+/// A body in the frame's order of axes, exact: where its principal form is rounded, what decides is that of its tensor.
 #[derive(Clone, Debug)]
 pub struct ExactBody {
-    /// Moments times `unit_a`, ascending.
-    pub a: [IBig; 3],
-    /// |r|² on each eigenspace, at its first axis, times `unit_r`².
-    pub rho: [IBig; 3],
+    /// Moments times `unit_a`, ascending; rounded ones serve as places from which μ is measured.
+    pub a: [RBig; 3],
     /// Number of the eigenspace of each axis.
     pub group: [usize; 3],
     /// The axes that carry r.
     pub active: Vec<Axis>,
     /// The axes, one for each eigenspace, on which r vanishes.
     pub passive: Vec<Axis>,
+    /// Of the tensor and r times `unit_a` and `unit_r`.
+    pub invariants: Invariants,
     unit_a: UBig,
     unit_r: UBig,
     moments: [RBig; 3],
     squares: [RBig; 3],
     momentum_unit: RBig,
     frequency_unit: RBig,
-    /// See [`Body::square_correction`].
-    correction: RBig,
+}
+
+/// Sums over the axes that carry r at a moment a_i across it, and the product of a_i − a_k over all other axes.
+pub struct Over {
+    /// R̂ = Σ r_k²/(a_i − a_k).
+    pub r_sum: RBig,
+    /// P̂ = Σ r_k²/(a_i − a_k)².
+    pub p_sum: RBig,
+    /// Σ a_kⁿ r_k²/(a_i − a_k)² for n = 1, 2, 3.
+    pub moments: [RBig; 3],
+    /// Π (a_i − a_k).
+    pub rest: RBig,
 }
 
 impl ExactBody {
@@ -51,24 +63,52 @@ impl ExactBody {
             let first = (0..=k).find(|&m| frame.group[m] == frame.group[k]).unwrap_or(k);
             squares[first] += &center[order[k]] * &center[order[k]];
         }
-        let unit_a = over_one_denominator(&moments).1;
+        let (matrix, center) = match body.tensor() {
+            Some(tensor) => {
+                (tensor.matrix().map(|_, _, x| x / &a_unit), tensor.center().each_ref().map(|r| r / &energy))
+            }
+            None => (Symmetric::diagonal(given), center),
+        };
+        let unit_a = over_one_denominator(matrix.rows().as_flattened()).1;
         let unit_r = over_one_denominator(&center).1;
-        let whole = |x: RBig| x.numerator().clone();
         let (n, m) = (RBig::from(unit_a.clone()), RBig::from(unit_r.clone()));
         Self {
-            a: moments.each_ref().map(|a| whole(a * &n)),
-            rho: squares.each_ref().map(|x| whole(x * &m * &m)),
+            a: moments.each_ref().map(|a| a * &n),
             group: frame.group,
             active: frame.active(),
             passive: frame.passive(),
+            invariants: Invariants::new(&matrix.map(|_, _, x| x * &n), &center.map(|r| r * &m)),
             unit_a,
             unit_r,
             moments,
             squares,
             frequency_unit: energy / &momentum,
             momentum_unit: momentum,
-            correction: body.square_correction(),
         }
+    }
+
+    /// The sums at a passive moment: where it is rational, from the tensor.
+    #[must_use]
+    pub fn over(&self, axis: Axis) -> Over {
+        let (a, known) = (&self.a[axis], &self.invariants);
+        let m = RBig::from(self.unit_r.clone());
+        let squared = RBig::from(known.squared.clone());
+        let along = RBig::from(known.along.clone());
+        let (r_sum, p_sum, rest) = if known.has_moment(a) {
+            let d = known.active.at(a);
+            let rest = known.characteristic.derivative().at(a);
+            (known.numerator.at(a) / &d, known.weight().at(a) / (&d * &d), rest)
+        } else {
+            let gap = |k: Axis| a - &self.a[k];
+            let term = |&k: &Axis| &self.squares[k.index()] * &m * &m / gap(k);
+            let sum = |of: &dyn Fn(&Axis) -> RBig| self.active.iter().map(of).fold(RBig::ZERO, |sum, x| sum + x);
+            let [j, k] = axis.others().map(gap);
+            (sum(&term), sum(&|k| term(k) / gap(*k)), j * k)
+        };
+        let first = a * &p_sum - &r_sum;
+        let second = a * (&first - &r_sum) + &squared;
+        let third = a * a * (&first - RBig::from(2) * &r_sum) + RBig::from(2) * a * &squared + along;
+        Over { r_sum, p_sum, moments: [first, second, third], rest }
     }
 
     /// x = l²/2 in the units of the integers.
@@ -85,7 +125,7 @@ impl ExactBody {
         // s' = (M/N) s.
         let ratio = RBig::from(self.unit_r.clone()) / RBig::from(self.unit_a.clone());
         let unit = self.frequency_unit.sqr();
-        fourth / &self.correction / unit.sqr() * ratio.sqr()
+        fourth / unit.sqr() * ratio.sqr()
     }
 
     /// A difference of multipliers in the frame's units.
@@ -112,21 +152,8 @@ impl ExactBody {
     /// docs/mathematics.md).
     #[must_use]
     pub fn has_cusp_at_pitchfork(&self, i: Axis) -> bool {
-        let term = |&k: &Axis| {
-            let gap = &self.a[i] - &self.a[k];
-            RBig::from(&self.rho[k] * (&self.a[i] + IBig::from(3) * &gap)) / RBig::from(&gap * &gap)
-        };
-        self.active.iter().map(term).fold(RBig::ZERO, |sum, term| sum + term) == RBig::ZERO
-    }
-
-    /// True when A⁻¹ across r is a multiple of 1, so that both pairs of eigenvalues at rest agree:
-    /// (Σ(1 − r̂_i²)/A_i)² = 4J_r/det A.
-    #[must_use]
-    pub fn is_round_across_r(&self) -> bool {
-        let [a, b, c] = &self.a;
-        let [p, q, r] = &self.rho;
-        let sum = (q + r) * b * c + (p + r) * a * c + (p + q) * a * b;
-        &sum * &sum == IBig::from(4) * (p + q + r) * (p * a + q * b + r * c) * (a * b * c)
+        let Over { r_sum, p_sum, .. } = self.over(i);
+        (&self.a[i] * p_sum + RBig::from(3) * r_sum).is_zero()
     }
 }
 
@@ -152,20 +179,15 @@ impl Forms {
     /// The polynomials of a body with r ≠ 0.
     #[must_use]
     pub fn new(body: &ExactBody) -> Self {
-        let line = body.a.each_ref().map(Polynomial::linear);
-        let one = Polynomial::constant(IBig::ONE);
-        let product_of = |axes: &mut dyn Iterator<Item = Axis>| axes.fold(one.clone(), |p, k| p.times(&line[k]));
-        let product = product_of(&mut body.active.iter().copied());
-        let passive = product_of(&mut Axis::ALL.into_iter().filter(|k| !body.active.contains(k)));
-        // D² r_k²/τ_k²
-        let weight: [Polynomial; 3] = Axis::ALL.map(|k| {
-            let others = product_of(&mut body.active.iter().copied().filter(|&m| m != k));
-            if body.active.contains(&k) { others.squared().scaled(&body.rho[k]) } else { Polynomial::new(Vec::new()) }
-        });
-        let (p, q) = (moment(body, &weight, 0), moment(body, &weight, 1));
-        let cusp = cusp(&p, &q, &product);
-        let zero = passive.times(&cusp);
-        let (swing, resonances) = swing_and_resonances(body, &line, &weight, &zero);
+        let known = &body.invariants;
+        let p = known.weight();
+        let moments = known.moments(&p);
+        let product = known.active.clone();
+        let cusp = cusp(&p, &moments[0], &product);
+        let zero = known.passive.times(&cusp);
+        let mu = [Polynomial::linear(&IBig::ZERO), Polynomial::constant(IBig::ONE)];
+        let (swing, resonances) = known.swing_and_resonances(&mu, &moments, (&zero, &IBig::ONE));
+        let [q, ..] = moments;
         Self { p, q, product, cusp, zero, swing, resonances }
     }
 
@@ -193,12 +215,6 @@ impl Forms {
     }
 }
 
-/// Σ a_k^power g_k.
-fn moment(body: &ExactBody, weight: &[Polynomial; 3], power: usize) -> Polynomial {
-    let zero = Polynomial::new(Vec::new());
-    (0..3).fold(zero, |sum, k| sum.plus(&weight[k].scaled(&body.a[k].pow(power))))
-}
-
 /// f′D − 2fD′, which is D³ times the derivative of f/D².
 fn slope(f: &Polynomial, d: &Polynomial) -> Polynomial {
     f.derivative().times(d).minus(&f.times(&d.derivative()).scaled(&IBig::from(2)))
@@ -208,28 +224,4 @@ fn slope(f: &Polynomial, d: &Polynomial) -> Polynomial {
 fn cusp(p: &Polynomial, q: &Polynomial, d: &Polynomial) -> Polynomial {
     let twice = slope(p, d).times(q).scaled(&IBig::from(3)).minus(&slope(q, d).times(p).scaled(&IBig::from(4)));
     Polynomial::new(twice.coefficients().iter().map(|c| c / IBig::from(2)).collect())
-}
-
-/// The signs of b and of mb² − nc on a family with weights g_k, proportional to γ_k², and lines T_k = μ − a_k; `zero` is
-/// C = Σ (g_i T_j T_k Q + 4 (a_j − a_k)² T_i g_j g_k). With Q = Σ a g and S = Σ a² g they are
-/// B = (tr A Q − 2S)² + Σ a_j a_k ((T_j g_k + T_k g_j) Q + 4 (a_j − a_k)² g_j g_k) and mB² − n det A Q² C.
-pub(super) fn swing_and_resonances(
-    body: &ExactBody,
-    line: &[Polynomial; 3],
-    weight: &[Polynomial; 3],
-    zero: &Polynomial,
-) -> (Polynomial, [Polynomial; 3]) {
-    let [a, b, c] = &body.a;
-    let (q, second) = (moment(body, weight, 1), moment(body, weight, 2));
-    let gyroscopic = q.scaled(&(a + b + c)).minus(&second.scaled(&IBig::from(2))).squared();
-    let swing = (0..3).fold(gyroscopic, |sum, i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        let gap = &body.a[j] - &body.a[k];
-        let hanging = line[j].times(&weight[k]).plus(&line[k].times(&weight[j])).times(&q);
-        let coupled = weight[j].times(&weight[k]).scaled(&(IBig::from(4) * &gap * &gap));
-        sum.plus(&hanging.plus(&coupled).scaled(&(&body.a[j] * &body.a[k])))
-    });
-    let (square, product) = (swing.squared(), q.squared().times(zero).scaled(&(a * b * c)));
-    let resonances = RESONANCES.map(|[m, n]| square.scaled(&IBig::from(m)).minus(&product.scaled(&IBig::from(n))));
-    (swing, resonances)
 }

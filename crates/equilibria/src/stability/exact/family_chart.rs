@@ -3,7 +3,7 @@
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use super::body::{ExactBody, Forms, swing_and_resonances};
+use super::body::{ExactBody, Forms, Over};
 use crate::stability::{Constants, State};
 use bifdiag_body::Axis;
 use bifdiag_numbers::enclosure::{Enclosure, horner};
@@ -86,27 +86,22 @@ impl FamilyChart {
     /// The family over a passive moment; needs r ≠ 0.
     #[must_use]
     pub fn over(body: &ExactBody, axis: Axis) -> Self {
-        let number = |x: &IBig| RBig::from(x.clone());
-        let gap = |k: Axis| &body.a[axis] - &body.a[k];
-        let sums = |power: isize| {
-            body.active.iter().fold(RBig::ZERO, |sum, &k| sum + number(&body.rho[k]) / number(&gap(k)).pow(power))
-        };
-        let (r_sum, z_max) = (sums(1), RBig::ONE / sums(2));
-        // γ_k² and a_i + 3zR̂ are linear in t: [at 0, slope], taken over one denominator.
-        let mut linear = [const { [RBig::ZERO, RBig::ZERO] }; 4];
-        for &k in &body.active {
-            linear[k.index()][1] = number(&body.rho[k]) * &z_max / number(&gap(k)).pow(2);
-        }
-        linear[axis.index()] = [RBig::ONE, linear[..3].iter().fold(RBig::ZERO, |rest, [_, slope]| rest - slope)];
-        linear[3] = [number(&body.a[axis]), RBig::from(3) * &r_sum * &z_max];
+        let Over { r_sum, p_sum, moments, rest } = body.over(axis);
+        let (a, z_max) = (&body.a[axis], RBig::ONE / p_sum);
+        // Σ a_kⁿ γ_k², γ_i² and a_i + 3zR̂ are linear in t, with γ_i² = 1 − t: [at 0, slope], taken over one denominator.
+        let power = [a.clone(), a * a, a * a * a];
+        let moment = |n: usize| [power[n].clone(), &moments[n] * &z_max - &power[n]];
+        let cusp = [a.clone(), RBig::from(3) * &r_sum * &z_max];
+        let linear = [moment(0), moment(1), moment(2), [RBig::ONE, -RBig::ONE], cusp];
         let whole = over_one_denominator(linear.as_flattened()).0;
         let polynomial = |n: usize| Polynomial::new(whole[2 * n..2 * n + 2].to_vec());
-        let (weight, cusp) = ([0, 1, 2].map(polynomial), polynomial(3));
+        let (moments, cusp) = ([0, 1, 2].map(polynomial), polynomial(4));
         // χ det A = γ_i² τ_j τ_k (a_i + 3zR̂).
-        let [j, k] = axis.others().map(gap);
-        let zero = weight[axis].times(&cusp).scaled(&(j * k));
-        let line = Axis::ALL.map(|k| Polynomial::constant(gap(k)));
-        let (swing, resonances) = swing_and_resonances(body, &line, &weight, &zero);
+        let zero = polynomial(3).times(&cusp).scaled(rest.numerator());
+        let constant = |x: IBig| Polynomial::constant(x);
+        let mu = [constant(a.numerator().clone()), constant(IBig::from(a.denominator().clone()))];
+        let times = IBig::from(rest.denominator().clone());
+        let (swing, resonances) = body.invariants.swing_and_resonances(&mu, &moments, (&zero, &times));
         let [zero, cusp, swing] = [zero, cusp, swing].map(Polynomial::primitive);
         let resonances = resonances.map(Polynomial::primitive);
         let (family, coordinate) = (Family::Over(axis), Coordinate::Over { axis, r_sum, z_max });
@@ -121,7 +116,7 @@ impl FamilyChart {
             return self.coordinate.mapped(body, &forms.at_momentum(x));
         };
         // (a − zR̂)⁴ = 4x²z
-        let j = [RBig::from(body.a[*axis].clone()), -(r_sum * z_max)];
+        let j = [body.a[*axis].clone(), -(r_sum * z_max)];
         let square = rational::mul(&j, &j);
         let fourth = rational::mul(&square, &square);
         Polynomial::from_rationals(&rational::sub(&fourth, &[RBig::ZERO, RBig::from(4) * x * x * z_max]))
@@ -233,7 +228,7 @@ impl FamilyChart {
 
 impl Coordinate {
     fn mapped(&self, body: &ExactBody, p: &Polynomial) -> Polynomial {
-        let number = |k: &Axis| RBig::from(body.a[*k].clone());
+        let number = |k: &Axis| body.a[*k].clone();
         match self {
             Self::Left(first) => p.composed(&number(first), &RBig::from(-1)),
             Self::Inner(left, right) => p.composed(&number(left), &(number(right) - number(left))),
@@ -244,7 +239,7 @@ impl Coordinate {
 
     /// t of μ = a_k, if that is on the family.
     fn of_moment(&self, body: &ExactBody, k: Axis) -> Option<RBig> {
-        let gap = |i: Axis, j: Axis| RBig::from(&body.a[i] - &body.a[j]);
+        let gap = |i: Axis, j: Axis| &body.a[i] - &body.a[j];
         let t = match *self {
             Self::Left(first) => gap(first, k),
             Self::Inner(left, right) => gap(k, left) / gap(right, left),
@@ -262,7 +257,7 @@ impl Coordinate {
             Self::Right(last) => (last, RBig::ONE, RBig::ZERO),
             Self::Over { axis, .. } => (axis, RBig::ZERO, RBig::ZERO),
             Self::Inner(left, right) => {
-                let width = RBig::from(&body.a[right] - &body.a[left]);
+                let width = &body.a[right] - &body.a[left];
                 let is_left = *hi <= RBig::ONE / RBig::from(2);
                 if is_left { (left, width, RBig::ZERO) } else { (right, width, RBig::ONE) }
             }

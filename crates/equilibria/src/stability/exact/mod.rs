@@ -3,6 +3,7 @@
 
 mod body;
 mod family_chart;
+mod invariants;
 mod profile;
 mod strands;
 
@@ -189,8 +190,9 @@ impl StabilityProfile {
         let (Orbit::Pair(axis), a) = (curve.orbit, &self.body.a) else { return Signs::transverse_type(Sign::Positive) };
         let [i, j] = axis.others().map(|k| &a[k]);
         let product = (&a[axis] - i) * (&a[axis] - j);
-        let apart = Sign::from(&(&product - i * j));
-        Signs { b: Sign::Positive, c: Sign::from(&product), discriminant: apart * apart }.linear_type()
+        let sign = |x: &RBig| Sign::from(x.numerator());
+        let apart = sign(&(&product - i * j));
+        Signs { b: Sign::Positive, c: sign(&product), discriminant: apart * apart }.linear_type()
     }
 }
 
