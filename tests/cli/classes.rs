@@ -152,3 +152,10 @@ fn a_body_on_a_border_has_both_of_its_classes() {
             .printing("the body is on a border of its class");
     }
 }
+
+/// J_r = A₂: one of the two bodies is on the border itself.
+#[test]
+fn a_border_may_be_at_a_body() {
+    bifdiag("compare A=2,3,4;r=1,1,1 A=2,3,4;r=1,1,1.001").succeeds().printing("\n0   7b9223626649  J_r passes A2");
+    bifdiag("classes --at --A 2,3,4 --r 1,1,1").succeeds().printing("the body is on a border of its class");
+}

@@ -649,3 +649,28 @@ fn a_brick_of_hess_and_appelrot_has_no_stretch_of_rounding() {
     bifdiag(&format!("critical-spin {brick}")).succeeds().printing("G0      0                 1942.8821  complex");
     bifdiag(&format!("critical {brick} --l 0")).succeeds().printing("double-elliptic").printing("double-real");
 }
+
+/// Parts whose principal moments are irrational, exactly at a fork, a fold and resonances: the tensor decides.
+#[test]
+fn a_part_may_lie_exactly_on_a_threshold() {
+    let part = |numbers: &str| format!("--products tensor --g 10 {numbers}");
+    // About z at 2 rad/s, l = 10, h = 14: r_z = Ω²(Izz − Iyy).
+    let fork = part("--inertia 3,4,5,0,1,0 --com 0.2,0,0.2 --mass 2");
+    let found = bifdiag(&format!("critical {fork} --l 10 --json")).succeeds().json();
+    let list = found["equilibria"].as_array().unwrap();
+    assert_eq!(list.iter().map(|point| &point["stability"]).filter(|word| **word == "zero").count(), 1, "{found}");
+    assert_eq!(list.len(), 4);
+    bifdiag(&format!("classify {fork} --l 10 --h 14")).succeeds().printing("critical: exactly on a curve");
+    bifdiag(&format!("critical-spin {fork} --axis z")).succeeds().printing("open (degenerate): zero");
+    let fold = part("--inertia 3,4,5,0,1,0 --com 0.1,0,0.2 --mass 1");
+    bifdiag(&format!("critical {fold} --spin")).and("1 rad/s").succeeds().printing("two steady axes of G1.2 meet");
+    for (numbers, expected) in [
+        ("--inertia 4,4,5,0,1,1/2 --com 1/10,1/20,157/770 --mass 1", "unstable (1:2 resonance)"),
+        ("--inertia 6,6,7,0,1,1 --com 1/10,1/10,1/4 --mass 1", "double-elliptic"),
+        ("--inertia 3,4,3,1,0,0 --com 0,0,0.08 --mass 1", "double-elliptic"),
+    ] {
+        let part = part(numbers);
+        bifdiag(&format!("state {part} --axis z --spin")).and("1 rad/s").succeeds().printing(expected);
+        bifdiag(&format!("critical {part} --spin")).and("1 rad/s").succeeds().printing(expected);
+    }
+}

@@ -145,7 +145,7 @@ impl<'a> CriticalValues<'a> {
 
     /// q⁴ − 4x²p³D² (Proposition 4.8).
     fn level_polynomial(&self) -> Polynomial {
-        let [d, p, q, _] = self.model.family();
+        let [d, p, q, _] = self.model.known_family();
         let q2 = rational::mul(&q, &q);
         let cube = rational::mul(&rational::mul(&p, &p), &rational::mul(&p, &rational::mul(&d, &d)));
         let weight = &self.x * &self.x * RBig::from(4);
@@ -160,7 +160,7 @@ impl<'a> CriticalValues<'a> {
 
     /// (a v − R̂)⁴ = 4x² v³ for v = s² ≥ P̂ (Proposition 4.8), in y = v − P̂.
     fn over(&self, group: usize) -> Result<Vec<CriticalSource>, CriticalValueError> {
-        let (r_sum, p_sum) = self.model.sums_over(group);
+        let (r_sum, p_sum) = self.model.known_sums(group);
         let moment = [-r_sum, self.model.a(group).clone()];
         let square = rational::mul(&moment, &moment);
         let cube = [RBig::ZERO, RBig::ZERO, RBig::ZERO, &self.x * &self.x * RBig::from(4)];
@@ -277,7 +277,7 @@ impl<'a> CriticalValues<'a> {
     fn is_root_at(&self, place: &Place, condition: &Polynomial) -> bool {
         let [origin, direction] = match place.half {
             Half::Generic { base, sign } => [self.model.a(base).clone(), RBig::from(i8::from(sign))],
-            Half::Over { group } => [self.model.sums_over(group).1, RBig::ONE],
+            Half::Over { group } => [self.model.known_sums(group).1, RBig::ONE],
         };
         match &place.root {
             None => condition.sign_at(&(&origin + &direction * &place.lo)) == Sign::Zero,
@@ -290,7 +290,7 @@ impl<'a> CriticalValues<'a> {
 
     /// hQ² − xP(Q − 2R), times D⁴.
     fn generic_condition(&self, h: &RBig) -> Polynomial {
-        let [d, p, q, r] = self.model.family();
+        let [d, p, q, r] = self.model.known_family();
         let energy = rational::sub(&q, &rational::scale(&rational::mul(&r, &d), &RBig::from(2)));
         let right = rational::scale(&rational::mul(&p, &energy), &self.x);
         Polynomial::from_rationals(&rational::sub(&rational::scale(&rational::mul(&q, &q), h), &right))
@@ -298,7 +298,7 @@ impl<'a> CriticalValues<'a> {
 
     /// h(a v − R̂)² − x v (a v − 3R̂).
     fn condition_over(&self, group: usize, h: &RBig) -> Polynomial {
-        let (r_sum, _) = self.model.sums_over(group);
+        let (r_sum, _) = self.model.known_sums(group);
         let a = self.model.a(group).clone();
         let moment = [-r_sum.clone(), a.clone()];
         let left = rational::scale(&rational::mul(&moment, &moment), h);

@@ -4,6 +4,7 @@ use dashu_int::IBig;
 use dashu_ratio::RBig;
 
 use bifdiag_body::{Axis, Body, Frame, Number};
+use bifdiag_equilibria::stability::exact::ExactBody;
 use bifdiag_numbers::enclosure::Arithmetic;
 use bifdiag_numbers::polynomial::{Polynomial, rational};
 
@@ -28,12 +29,23 @@ pub(super) struct Model {
     pub line: [RBig; 2],
     /// The moments and r are those of a tensor, rounded to 130 digits.
     pub rounded: bool,
+    /// What the tensor of a rounded body says itself: by it points are compared with curves.
+    known: Option<Known>,
     /// Numbers of the groups that carry r.
     pub active: Vec<usize>,
     /// Numbers of the others.
     pub passive: Vec<usize>,
     /// First axis of the frame in each group.
     pub axis: Vec<Axis>,
+}
+
+/// Of a tensor: rational, and not rounded.
+#[derive(Clone, Debug)]
+struct Known {
+    /// See [`Model::family`].
+    family: [Vec<RBig>; 4],
+    /// R̂ and P̂ of each passive group.
+    sums: Vec<(RBig, RBig)>,
 }
 
 /// A power of two, exactly.
@@ -75,7 +87,16 @@ impl Model {
         let line =
             [body.center_squared() / (&energy * &energy), body.weighted_moment() / (&energy * &energy * &moment)];
         let (active, passive) = (0..groups.len()).partition(|&k| !groups[k].q.is_zero());
-        Self { groups, r2, line, rounded: body.is_rounded(), active, passive, axis }
+        let rounded = body.is_rounded();
+        let known = rounded.then(|| {
+            let exact = ExactBody::new(body, frame);
+            let passive: &Vec<usize> = &passive;
+            Known {
+                family: exact.family_in_frame(),
+                sums: passive.iter().map(|&group| exact.sums_in_frame(axis[group])).collect(),
+            }
+        });
+        Self { groups, r2, line, rounded, known, active, passive, axis }
     }
 
     pub fn a(&self, group: usize) -> &RBig {
@@ -122,21 +143,29 @@ impl Model {
         [product(None), p, q, r]
     }
 
+    /// [`family`](Self::family) by the tensor, if there is one.
+    pub fn known_family(&self) -> [Vec<RBig>; 4] {
+        self.known.as_ref().map_or_else(|| self.family(), |known| known.family.clone())
+    }
+
+    /// [`sums_over`](Self::sums_over) by the tensor, if there is one.
+    pub fn known_sums(&self, group: usize) -> (RBig, RBig) {
+        let place = || self.passive.iter().position(|&k| k == group);
+        let known = self.known.as_ref().and_then(|known| known.sums.get(place()?).cloned());
+        known.unwrap_or_else(|| self.sums_over(group))
+    }
+
+    /// [`cusp_polynomial`](Self::cusp_polynomial) by the tensor, if there is one.
+    pub fn known_cusp_polynomial(&self) -> Polynomial {
+        cusp_polynomial(&self.known_family())
+    }
+
     /// 4(q'D − 2qD')p − 3(p'D − 2pD')q: its roots of odd multiplicity are the cusps of the generic family (Lemma 4.5 of
     /// docs/mathematics.md).
     /// Built over the groups that carry r, so that no spurious factor (μ − a_k) appears; degree 10 for three groups,
     /// 5 for two, 0 for one.
     pub fn cusp_polynomial(&self) -> Polynomial {
-        let [d, p, q, _] = self.family();
-        let d_prime = rational::derivative(&d);
-        let reduced = |f: &[RBig]| {
-            let first = rational::mul(&rational::derivative(f), &d);
-            let second = rational::scale(&rational::mul(f, &d_prime), &RBig::from(2));
-            rational::sub(&first, &second)
-        };
-        let left = rational::scale(&rational::mul(&reduced(&q), &p), &RBig::from(4));
-        let right = rational::scale(&rational::mul(&reduced(&p), &q), &RBig::from(3));
-        Polynomial::from_rationals(&rational::sub(&left, &right))
+        cusp_polynomial(&self.family())
     }
 
     /// N = (q/2 − RD·D) p − q²/(2J_r) and F = N² − r² p³D²: at a root of F the generic family meets a pole line,
@@ -178,6 +207,18 @@ impl Model {
         let f = rational::sub(&rational::mul(&e, &e), &cube);
         [Polynomial::from_rationals(&e), Polynomial::from_rationals(&f)]
     }
+}
+
+fn cusp_polynomial([d, p, q, _]: &[Vec<RBig>; 4]) -> Polynomial {
+    let d_prime = rational::derivative(d);
+    let reduced = |f: &[RBig]| {
+        let first = rational::mul(&rational::derivative(f), d);
+        let second = rational::scale(&rational::mul(f, &d_prime), &RBig::from(2));
+        rational::sub(&first, &second)
+    };
+    let left = rational::scale(&rational::mul(&reduced(q), p), &RBig::from(4));
+    let right = rational::scale(&rational::mul(&reduced(p), q), &RBig::from(3));
+    Polynomial::from_rationals(&rational::sub(&left, &right))
 }
 
 /// Numbers of the model in one arithmetic.
@@ -237,6 +278,27 @@ mod tests {
     fn model(a: [&str; 3], r: [&str; 3]) -> Model {
         let body = Body::parse(&a, &r).unwrap();
         Model::new(&body, &body.frame())
+    }
+
+    /// D, N and their like from the characteristic polynomial are those from moments and components.
+    #[test]
+    fn both_ways_to_the_polynomials_agree() {
+        for (a, r) in [
+            (["2", "1.1", "1"], ["0.3", "0.5", "0.7"]),
+            (["200", "110", "100"], ["0.94868", "0", "0.61623"]),
+            (["1/3", "1/7", "2/5"], ["0", "-2/9", "0"]),
+            (["2", "2", "1"], ["0.6", "0.8", "1/3"]),
+            (["2", "2", "1"], ["0", "0", "1/3"]),
+            (["2", "1", "1"], ["3", "0", "0"]),
+            (["2", "2", "2"], ["1", "2", "3"]),
+        ] {
+            let body = Body::parse(&a, &r).unwrap();
+            let (model, exact) = (Model::new(&body, &body.frame()), ExactBody::new(&body, &body.frame()));
+            assert_eq!(exact.family_in_frame(), model.family(), "{a:?} {r:?}");
+            for &group in &model.passive {
+                assert_eq!(exact.sums_in_frame(model.axis[group]), model.sums_over(group), "{a:?} {r:?}");
+            }
+        }
     }
 
     #[test]

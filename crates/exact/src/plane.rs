@@ -108,7 +108,7 @@ impl<'a> Plane<'a> {
                 on(Branch::Generic(IntervalId::at(*number)), 1 + self.cuts_before(*number, place))
             }
             CriticalSource::Over { group, place } => {
-                let (r_sum, p_sum) = self.model.sums_over(*group);
+                let (r_sum, p_sum) = self.model.known_sums(*group);
                 let turn = r_sum * RBig::from(-3) / self.model.a(*group) - p_sum;
                 let beyond = turn > RBig::ZERO && self.is_before(&Place::exact(place.half, turn), place);
                 on(Branch::Symmetric(self.model.axis[*group]), 1 + usize::from(beyond))
@@ -124,7 +124,7 @@ impl<'a> Plane<'a> {
     /// Cusps and pitchforks before a place on an interval of the generic family.
     fn cuts_before(&self, number: usize, place: &Place) -> usize {
         let cusps =
-            roots_in_interval(self.model, &self.model.cusp_polynomial(), number, CUT_BITS[0]).unwrap_or_default();
+            roots_in_interval(self.model, &self.model.known_cusp_polynomial(), number, CUT_BITS[0]).unwrap_or_default();
         let cusps = cusps.into_iter().filter(|(_, odd)| *odd).map(|(place, _)| place);
         let forks = self.model.passive.iter().filter_map(|&group| passive_place(self.model, number, group));
         cusps.chain(forks).filter(|cut| self.is_before(cut, place)).count()

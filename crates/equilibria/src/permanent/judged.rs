@@ -89,9 +89,9 @@ impl AxisRotation {
 
     /// Which of the resonances 1:2 and 1:3 between imaginary pairs hold.
     fn resonances(&self, s: &RBig) -> [Option<bool>; 2] {
-        let [first, second, whole] = self.polynomials().map(|polynomial| value_at(&polynomial, s));
-        let [_, a, b] = &self.moments;
-        let (b2, c) = (&whole * &whole, first * second * a * b);
+        let [.., whole] = self.polynomials();
+        let whole = value_at(&whole, s);
+        let (b2, c) = (&whole * &whole, value_at(&self.stiffness_product(), s) * &self.product);
         [1, 2].map(|k| {
             let [m, n] = RESONANCES[k];
             Some(RBig::from(m) * &b2 == RBig::from(n) * &c)

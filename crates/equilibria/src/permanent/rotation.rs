@@ -11,7 +11,7 @@ use dashu_ratio::RBig;
 use super::cone::PermanentAxis;
 use crate::critical::Multiplicity;
 use crate::stability::{LinearType, Signs};
-use bifdiag_body::{Body, BodyAxis};
+use bifdiag_body::{Body, BodyAxis, Tensor};
 use bifdiag_schema::SpinType;
 
 /// Digits of |r| where it is not rational.
@@ -48,6 +48,14 @@ pub struct AxisRotation {
     pub moments: [RBig; 3],
     /// ρ.
     pub weight: RBig,
+    /// The product of the second and the third moment, which is rational where both are rounded.
+    pub(super) product: RBig,
+}
+
+/// The product of the moments across an axis, det A/C, by the tensor where C is rational.
+fn product_across(body: &Body, [c, a, b]: &[RBig; 3]) -> RBig {
+    let is_exact = |tensor: &&Tensor| tensor.matrix().subtracted_from(c).determinant().is_zero();
+    body.tensor().filter(is_exact).map_or_else(|| a * b, |tensor| tensor.matrix().determinant() / c)
 }
 
 impl AxisRotation {
@@ -61,7 +69,8 @@ impl AxisRotation {
         }
         let moment = |k: BodyAxis| body.moments()[k].value().clone();
         let weight = gamma.orient(body.center()[axis].value().clone());
-        Some(Self { axis, moments: [moment(axis), moment(others[0]), moment(others[1])], weight })
+        let moments = [moment(axis), moment(others[0]), moment(others[1])];
+        Some(Self { axis, product: product_across(body, &moments), moments, weight })
     }
 
     /// Rotation about an axis that is permanent at every spin, with γ along its direction or against it; where |r| is
@@ -77,7 +86,8 @@ impl AxisRotation {
             let weight = gamma.orient(if dot(direction, r) < 0.0 { -length } else { length });
             let moment = |k: BodyAxis| body.moments()[k].value().clone();
             let [second, third] = axis.others();
-            Some(Self { axis, moments: [moment(axis), moment(second), moment(third)], weight })
+            let moments = [moment(axis), moment(second), moment(third)];
+            Some(Self { axis, product: product_across(body, &moments), moments, weight })
         })
     }
 
@@ -103,19 +113,24 @@ impl AxisRotation {
     pub(super) fn polynomials(&self) -> [Vec<RBig>; 3] {
         let [c, a, b] = &self.moments;
         let stiffness = |moment: &RBig| vec![self.weight.clone(), c - moment];
-        let (first, second) = (stiffness(a), stiffness(b));
-        let coupling = a + b - c;
-        let gyroscopic = vec![RBig::ZERO, &coupling * &coupling];
-        let sum = rational::add(&rational::scale(&first, a), &rational::scale(&second, b));
-        let whole = rational::add(&gyroscopic, &sum);
-        [first, second, whole]
+        // (A + B − C)² s + A K_A + B K_B, by A + B and AB.
+        let sum = a + b;
+        let slope = c * (c - &sum) + RBig::from(2) * &self.product;
+        [stiffness(a), stiffness(b), vec![&self.weight * sum, slope]]
+    }
+
+    /// K_A K_B, by A + B and AB.
+    pub(super) fn stiffness_product(&self) -> Vec<RBig> {
+        let [c, a, b] = &self.moments;
+        let sum = a + b;
+        let middle = &self.weight * (RBig::from(2) * c - &sum);
+        vec![&self.weight * &self.weight, middle, c * (c - sum) + &self.product]
     }
 
     /// (AB)²(b² − 4c) as a polynomial in s.
     pub(super) fn discriminant(&self) -> Vec<RBig> {
-        let [_, a, b] = &self.moments;
-        let [first, second, whole] = self.polynomials();
-        let product = rational::scale(&rational::mul(&first, &second), &(RBig::from(4) * a * b));
+        let [.., whole] = self.polynomials();
+        let product = rational::scale(&self.stiffness_product(), &(RBig::from(4) * &self.product));
         rational::sub(&rational::mul(&whole, &whole), &product)
     }
 

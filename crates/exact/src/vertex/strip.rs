@@ -36,7 +36,7 @@ pub(crate) fn reach(plane: &Plane<'_>, heights: &CriticalValues<'_>, room: &RBig
             }
         }
     }
-    for place in cusps(model, &model.cusp_polynomial())? {
+    for place in cusps(model, &model.known_cusp_polynomial())? {
         if let Some(distance) = distance_of_cusp(plane, heights, place)? {
             reach = reach.min(distance);
         }
@@ -56,7 +56,7 @@ fn cusps(model: &Model, polynomial: &Polynomial) -> Result<Vec<Place>, Open> {
 
 /// x² = vJ⁴/4 of the pitchfork over a group without r, v = P̂, and of its cusp, v = −3R̂/a (Proposition 3.7).
 fn squares_over(plane: &Plane<'_>, group: usize) -> Vec<RBig> {
-    let (r_sum, p_sum) = plane.model.sums_over(group);
+    let (r_sum, p_sum) = plane.model.known_sums(group);
     let a = plane.model.a(group);
     let turn = &r_sum * RBig::from(-3) / a;
     let cusp = (turn > p_sum).then_some(turn);

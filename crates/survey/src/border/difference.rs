@@ -35,9 +35,12 @@ pub(crate) fn between(below: &Arrangement, above: &Arrangement) -> (BorderEvent,
     let appear = surplus(&counts_above, &counts_below);
     let offsets = [below, above].map(|side| side.set.frame.offset[1]);
     let pole_lines_differ = || vanish.iter().chain(&appear).all(EventLabel::meets_pole_line);
+    // One of the bodies may be on the border itself.
+    let is_between = offsets[0] * offsets[1] < 0.0 && vanish.len() == appear.len();
+    let is_passed = is_between || (offsets[0] == 0.0) != (offsets[1] == 0.0);
     let Finding { kind, group, vanishing } = if vanish.is_empty() && appear.is_empty() {
         exchange(below)
-    } else if offsets[0] * offsets[1] < 0.0 && vanish.len() == appear.len() && pole_lines_differ() {
+    } else if is_passed && pole_lines_differ() {
         let kind = BorderEventKind::PoleLinesAtInfinity { axis: axis_of_body(&below.set, Axis::ALL[1]) };
         Finding::nowhere(kind, Vanishing::MiddleMoment)
     } else if vanish.len() > appear.len() {

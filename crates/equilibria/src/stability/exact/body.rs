@@ -111,6 +111,37 @@ impl ExactBody {
         Over { r_sum, p_sum, moments: [first, second, third], rest }
     }
 
+    /// D, p, q and N = R D in the frame's units, coefficients by rising power of μ.
+    #[must_use]
+    pub fn family_in_frame(&self) -> [Vec<RBig>; 4] {
+        let known = &self.invariants;
+        let (n, m) = (RBig::from(self.unit_a.clone()), RBig::from(self.unit_r.clone()));
+        // In whole units μ is n μ, and D, p, q and N are m² nᵏ times themselves, D without m².
+        let scaled = |polynomial: &Polynomial, power: usize, unit: &RBig| {
+            let coefficients = polynomial.coefficients().iter().enumerate();
+            let factor = |k: usize| n.pow(k.cast_signed() - power.cast_signed()) / unit;
+            coefficients.map(|(k, c)| RBig::from(c.clone()) * factor(k)).collect::<Vec<RBig>>()
+        };
+        let (p, degree, unit) = (known.weight(), known.active.degree(), &m * &m);
+        let [q, ..] = known.moments(&p);
+        let squared = 2 * degree.saturating_sub(1);
+        [
+            scaled(&known.active, degree, &RBig::ONE),
+            scaled(&p, squared, &unit),
+            scaled(&q, squared + 1, &unit),
+            scaled(&known.numerator, degree.saturating_sub(1), &unit),
+        ]
+    }
+
+    /// R̂ and P̂ over a passive moment in the frame's units.
+    #[must_use]
+    pub fn sums_in_frame(&self, axis: Axis) -> (RBig, RBig) {
+        let Over { r_sum, p_sum, .. } = self.over(axis);
+        let (n, m) = (RBig::from(self.unit_a.clone()), RBig::from(self.unit_r.clone()));
+        let unit = &n / (&m * &m);
+        (r_sum * &unit, p_sum * unit * n)
+    }
+
     /// x = l²/2 in the units of the integers.
     #[must_use]
     pub fn abscissa(&self, l: &Number) -> RBig {
