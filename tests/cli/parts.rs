@@ -673,4 +673,13 @@ fn a_part_may_lie_exactly_on_a_threshold() {
         bifdiag(&format!("state {part} --axis z --spin")).and("1 rad/s").succeeds().printing(expected);
         bifdiag(&format!("critical {part} --spin")).and("1 rad/s").succeeds().printing(expected);
     }
+    // r along a rational axis whose moment is the mean of two irrational ones: both ends at their forks at 1 rad/s.
+    let upright = part("--inertia 3,3,3,0,1,-1 --com 1,1,0 --mass 0.1");
+    let axes = bifdiag(&format!("critical {upright} --spin")).and("1 rad/s").and("--json").succeeds().json();
+    let axes = axes["axes"].as_array().unwrap();
+    assert!(axes.len() == 2 && axes.iter().all(|axis| axis["stability"] == "zero"), "{axes:?}");
+    for end in ["1,1,0", "-1,-1,0"] {
+        let state = bifdiag(&format!("state {upright} --axis={end} --spin")).and("1 rad/s").succeeds();
+        state.printing(": zero").printing("this spin is a threshold");
+    }
 }

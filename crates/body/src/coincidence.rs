@@ -67,15 +67,22 @@ impl Relation {
         is_hess(tensor.matrix(), tensor.center()).then_some(Self { kind: Kind::Hess, k })
     }
 
-    /// Makes it hold of rounded numbers, within what they are rounded by anyway: of the last of the two other moments and, so
-    /// that this does not become long, of the ratio t = r_i/r_j.
+    /// Makes it hold of rounded numbers by a change as small as their rounding: of the last of the two other moments, also where
+    /// it is rational, and, so that this does not become long, of the ratio t = r_i/r_j.
     pub(super) fn impose(&self, found: &PrincipalAxes, moments: &mut [RBig; 3], center: &mut [RBig; 3]) {
         let (k, [i, j]) = (self.k, others(self.k));
         let ratio = &center[i] / &center[j];
         let is_rational = matches!([&found.squares[i], &found.squares[j]],
             [Some(square), Some(other)] if *square == &ratio * &ratio * other);
         let t = if is_rational { ratio } else { rounded(&Real::exact(ratio), Tensor::DIGITS + 1) };
-        center[i] = &t * &center[j];
+        let turned = &t * &center[j];
+        // A ratio to the third component stays as it is.
+        if let [Some(square), Some(other)] = [&found.squares[i], &found.squares[k]]
+            && square * &center[k] * &center[k] == other * &center[i] * &center[i]
+        {
+            center[k] = &center[k] * &turned / &center[i];
+        }
+        center[i] = turned;
         let (f, w): (fn(&RBig) -> RBig, _) = match self.kind {
             Kind::PoleLines => (RBig::clone, &t * &t),
             Kind::Hess => (|a| RBig::ONE / a, RBig::ONE / (&t * &t)),

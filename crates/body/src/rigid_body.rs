@@ -252,7 +252,7 @@ fn numbers_from_f64(name: &'static str, values: [f64; 3]) -> Result<[Number; 3],
 /// Everything about relative equilibria depends on D(μ) = det(μ − A), N(μ) = rᵀ adj(μ − A) r and J_r = rᵀAr/|r|², which
 /// are rational in the entries of a tilted tensor. Symmetry is a gcd (D with D′, N with D), J_r and |r|² are exact. The
 /// principal form, in which the rest of the program computes, is exact where it is rational; else its numbers are
-/// decimals that keep every symmetry exactly and everything else to [`Tensor::DIGITS`] digits.
+/// rounded to [`Tensor::DIGITS`] digits such that symmetries and coincidences hold exactly.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Tensor {
     matrix: Symmetric,

@@ -143,19 +143,19 @@ impl Model {
         [product(None), p, q, r]
     }
 
-    /// [`family`](Self::family) by the tensor, if there is one.
+    /// [`family`](Self::family) by the tensor of a rounded body.
     pub fn known_family(&self) -> [Vec<RBig>; 4] {
         self.known.as_ref().map_or_else(|| self.family(), |known| known.family.clone())
     }
 
-    /// [`sums_over`](Self::sums_over) by the tensor, if there is one.
+    /// [`sums_over`](Self::sums_over) by the tensor of a rounded body.
     pub fn known_sums(&self, group: usize) -> (RBig, RBig) {
         let place = || self.passive.iter().position(|&k| k == group);
         let known = self.known.as_ref().and_then(|known| known.sums.get(place()?).cloned());
         known.unwrap_or_else(|| self.sums_over(group))
     }
 
-    /// [`cusp_polynomial`](Self::cusp_polynomial) by the tensor, if there is one.
+    /// [`cusp_polynomial`](Self::cusp_polynomial) by the tensor of a rounded body.
     pub fn known_cusp_polynomial(&self) -> Polynomial {
         cusp_polynomial(&self.known_family())
     }

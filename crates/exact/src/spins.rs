@@ -69,7 +69,7 @@ pub struct AxisSpins {
 }
 
 impl AxisSpins {
-    /// For the axis along a direction in principal axes, given as `exact`, of any length.
+    /// For the axis along `up` in principal axes; `exact` is the same in the axes in which the body was given, of any length.
     #[must_use]
     pub fn new(body: &Body, up: [f64; 3], exact: &[RBig; 3]) -> Self {
         let (kind, itself) = (AxisKind::followed(body, up), AxisKind::of(body, up));

@@ -86,8 +86,7 @@ impl Steady {
         let rotation = AxisRotation::about(body, axis, Sign::Negative)?;
         let changes = changes_beside(&rotation_changes(&rotation, solver.atlas()), squared);
         let Some(judged) = rotation.stability_at(squared) else {
-            let exact = axis.direction.map(|x| RBig::try_from(x).unwrap_or_default());
-            let exact = body.tensor().is_none().then_some(&exact);
+            let exact = Some(&question.exact_up);
             let found = SteadyRotation { angle, ..nearest_steady(body, spin, axis.direction, exact)? };
             return Some(Self { changes, ..Self::beyond(solver, omega, found) });
         };

@@ -138,7 +138,7 @@ impl<'a> State<'a> {
         command.option("vertical", list(&self.vertical.given))
     }
 
-    /// In principal axes and the body's units.
+    /// In the body's units.
     fn question(&self, subject: &Subject) -> SpinQuestion {
         SpinQuestion {
             up: subject.to_principal(self.vertical.direction),

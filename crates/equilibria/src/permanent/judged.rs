@@ -119,12 +119,12 @@ impl AxisRotation {
     /// The frequencies |Im λ|, in rad over the unit of time, and the largest rate of growth Re λ at a spin with s = Ω².
     #[must_use]
     pub fn frequencies_and_growth(&self, s: &RBig) -> ([f64; 2], f64) {
-        let [_, a, b] = &self.moments;
-        let [first, second, whole] = self.polynomials().map(|polynomial| value_at(&polynomial, s));
+        let [.., whole] = self.polynomials();
+        let (whole, both) = (value_at(&whole, s), value_at(&self.stiffness_product(), s));
         // λ⁴ + 2 half λ² + product = 0, exact up to here: beside a root of the discriminant nothing of its sign is lost. In units
         // of 2ᵏ for λ no square leaves the range of doubles.
-        let half = whole / (RBig::from(2) * a * b);
-        let product = first * second / (a * b);
+        let half = whole / (RBig::from(2) * &self.product);
+        let product = both / &self.product;
         let discriminant = &half * &half - &product;
         let sizes = [(&half, 2), (&product, 4)].into_iter().filter(|(x, _)| !x.is_zero());
         let Some(k) = sizes.map(|(x, degree)| exponent(x) / degree).max() else { return ([0.0; 2], 0.0) };

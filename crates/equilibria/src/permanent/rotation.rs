@@ -50,6 +50,8 @@ pub struct AxisRotation {
     pub weight: RBig,
     /// The product of the second and the third moment, which is rational where both are rounded.
     pub(super) product: RBig,
+    /// ρ², likewise.
+    pub(super) squared: RBig,
 }
 
 /// The product of the moments across an axis, det A/C, by the tensor where C is rational.
@@ -70,7 +72,7 @@ impl AxisRotation {
         let moment = |k: BodyAxis| body.moments()[k].value().clone();
         let weight = gamma.orient(body.center()[axis].value().clone());
         let moments = [moment(axis), moment(others[0]), moment(others[1])];
-        Some(Self { axis, product: product_across(body, &moments), moments, weight })
+        Some(Self { axis, product: product_across(body, &moments), moments, weight, squared: body.center_squared() })
     }
 
     /// Rotation about an axis that is permanent at every spin, with γ along its direction or against it; where |r| is
@@ -87,7 +89,13 @@ impl AxisRotation {
             let moment = |k: BodyAxis| body.moments()[k].value().clone();
             let [second, third] = axis.others();
             let moments = [moment(axis), moment(second), moment(third)];
-            Some(Self { axis, product: product_across(body, &moments), moments, weight })
+            Some(Self {
+                axis,
+                product: product_across(body, &moments),
+                moments,
+                weight,
+                squared: body.center_squared(),
+            })
         })
     }
 
@@ -124,7 +132,7 @@ impl AxisRotation {
         let [c, a, b] = &self.moments;
         let sum = a + b;
         let middle = &self.weight * (RBig::from(2) * c - &sum);
-        vec![&self.weight * &self.weight, middle, c * (c - sum) + &self.product]
+        vec![self.squared.clone(), middle, c * (c - sum) + &self.product]
     }
 
     /// (AB)²(b² − 4c) as a polynomial in s.
@@ -149,7 +157,19 @@ impl AxisRotation {
     pub(super) fn stiffness(&self, s: &RBig) -> [Sign; 2] {
         let [first, second, _] = self.polynomials();
         let is_zero = |p: &[RBig]| p.iter().all(RBig::is_zero);
-        [first, second].map(|p| if is_zero(&p) { Sign::Positive } else { sign_at(&p, s) })
+        let mut signs = [&first, &second].map(|p| if is_zero(p) { Sign::Positive } else { sign_at(p, s) });
+        // Of rounded numbers the product is exact.
+        if self.is_rounded() && value_at(&self.stiffness_product(), s).is_zero() {
+            let [p, q] = [&first, &second].map(|p| value_at(p, s)).map(|x| x.clone().max(-x));
+            signs[usize::from(q < p)] = Sign::Zero;
+        }
+        signs
+    }
+
+    /// Weight or moments are rounded.
+    fn is_rounded(&self) -> bool {
+        let [_, a, b] = &self.moments;
+        self.product != a * b || self.squared != &self.weight * &self.weight
     }
 
     /// The linear type at a positive s; across a circle or sphere of equilibria.
@@ -182,7 +202,9 @@ impl AxisRotation {
     pub fn changes(&self) -> Vec<SpinChange> {
         let [first, second, _] = self.polynomials();
         let mut roots: Vec<Root> = Vec::new();
-        for coefficients in [first, second, self.discriminant()] {
+        // Of rounded numbers the product of both is exact.
+        let stiffness = if self.is_rounded() { vec![self.stiffness_product()] } else { vec![first, second] };
+        for coefficients in stiffness.into_iter().chain([self.discriminant()]) {
             roots.extend(positive_roots(&coefficients));
         }
         roots.sort_by(|p, q| p.lo.cmp(&q.lo));

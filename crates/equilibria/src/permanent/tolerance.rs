@@ -126,6 +126,7 @@ fn varied(rotation: &AxisRotation, steps: [i8; 4], tolerances: &[RBig; 4]) -> Ax
     }
     varied.weight = &rotation.weight * factor(3);
     varied.product = &rotation.product * factor(1) * factor(2);
+    varied.squared = &rotation.squared * factor(3).sqr();
     varied
 }
 

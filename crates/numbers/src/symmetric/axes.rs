@@ -125,7 +125,14 @@ fn equal_squares(
     values: &[Real; 3],
     squares: &[Option<RBig>; 3],
 ) -> Option<RBig> {
-    let k = values.iter().position(Real::is_exact)?;
+    let Some(k) = values.iter().position(Real::is_exact) else {
+        // Three conjugate ones: they are equal if A and A² have the same mean over v as over all directions.
+        let (squared, turned) = (dot(vector, vector), matrix.times(vector));
+        let third = |trace: RBig| trace * &squared / RBig::from(3);
+        let square_trace = matrix.rows().iter().flatten().fold(RBig::ZERO, |sum, x| sum + x * x);
+        let is_mean = dot(vector, &turned) == third(matrix.trace()) && dot(&turned, &turned) == third(square_trace);
+        return is_mean.then(|| squared / RBig::from(3));
+    };
     let (value, own) = (&values[k].lo, squares[k].as_ref()?);
     let half = (dot(vector, vector) - own) / RBig::from(2);
     let weighted = dot(vector, &matrix.times(vector)) - value * own;

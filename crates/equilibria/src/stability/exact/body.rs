@@ -103,7 +103,16 @@ impl ExactBody {
             let term = |&k: &Axis| &self.squares[k.index()] * &m * &m / gap(k);
             let sum = |of: &dyn Fn(&Axis) -> RBig| self.active.iter().map(of).fold(RBig::ZERO, |sum, x| sum + x);
             let [j, k] = axis.others().map(gap);
-            (sum(&term), sum(&|k| term(k) / gap(*k)), j * k)
+            // An irrational moment is across a rational one that carries r. Where this is the mean of all, its distance has a
+            // rational square.
+            let (r_sum, p_sum) = match self.active[..] {
+                [one] if known.has_mean(&self.a[one]) => {
+                    let p_sum = &squared / -known.passive.at(&self.a[one]);
+                    (gap(one) * &p_sum, p_sum)
+                }
+                _ => (sum(&term), sum(&|k| term(k) / gap(*k))),
+            };
+            (r_sum, p_sum, j * k)
         };
         let first = a * &p_sum - &r_sum;
         let second = a * (&first - &r_sum) + &squared;

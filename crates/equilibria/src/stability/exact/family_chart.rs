@@ -44,8 +44,8 @@ pub struct FamilyChart {
     pub zero: Polynomial,
     /// Its factor that changes sign at cusps.
     pub cusp: Polynomial,
-    /// Where the pairs over passive moments leave the family: the axis and t.
-    pub pitchforks: Vec<(Axis, RBig)>,
+    /// Where the pairs over passive moments leave the family: the axis and t, which is a root of a polynomial.
+    pub pitchforks: Vec<(Axis, Root)>,
     /// For the sign of b.
     pub swing: Polynomial,
     /// For the signs of b² − 4c, 4b² − 25c and 9b² − 100c.
@@ -53,6 +53,9 @@ pub struct FamilyChart {
     /// p = Σ D² r_k²/τ_k²; 1 over a passive moment.
     total: Polynomial,
 }
+
+/// Bits to which a pitchfork at an irrational moment is known at first.
+const PITCHFORK_BITS: usize = 400;
 
 impl FamilyChart {
     /// The generic family over interval `n`.
@@ -65,8 +68,9 @@ impl FamilyChart {
             (Some(last), None) => Coordinate::Right(last),
             (None, right) => Coordinate::Left(right.unwrap_or(Axis::ALL[0])),
         };
-        let pitchforks = body.passive.iter().filter_map(|&k| coordinate.of_moment(body, k).map(|t| (k, t))).collect();
         let map = |p: &Polynomial| coordinate.mapped(body, p);
+        let fork = |&k: &Axis| Some((k, coordinate.pitchfork(body, k)?));
+        let pitchforks = body.passive.iter().filter_map(fork).collect();
         let (zero, cusp) = (map(&forms.zero), map(&forms.cusp));
         let (swing, resonances) = (map(&forms.swing), forms.resonances.each_ref().map(map));
         let is_reversed = matches!(coordinate, Coordinate::Left(_)) || body.active.len() == 1;
@@ -171,9 +175,9 @@ impl FamilyChart {
             vec![t; double + resonant(resonance)]
         };
         let [_, resonance, _] = &self.resonances;
-        let at_pitchfork = |(k, t): &(Axis, RBig)| {
+        let at_pitchfork = |(k, t): &(Axis, Root)| {
             let times = usize::from(!is_axis) + usize::from(body.has_cusp_at_pitchfork(*k));
-            vec![t.clone(); times]
+            vec![t.lo.clone(); times]
         };
         let pitchforks = self.pitchforks.iter().flat_map(at_pitchfork);
         let ends = match &self.coordinate {
@@ -248,6 +252,21 @@ impl Coordinate {
         };
         let bounded = matches!(self, Self::Inner(..));
         (t > RBig::ZERO && !(bounded && t >= RBig::ONE)).then_some(t)
+    }
+
+    /// t of μ = a_k, if that is on the family: of an irrational moment a root of the polynomial of all passive ones.
+    fn pitchfork(&self, body: &ExactBody, k: Axis) -> Option<Root> {
+        let t = self.of_moment(body, k)?;
+        if body.invariants.has_moment(&body.a[k]) {
+            return Some(Root::exact(&Polynomial::from_rationals(&[-&t, RBig::ONE]), t));
+        }
+        let polynomial = self.mapped(body, &body.invariants.passive);
+        let mut roots = polynomial.positive_roots()?;
+        for root in &mut roots {
+            root.refine(PITCHFORK_BITS);
+        }
+        let distance = |root: &Root| (&root.lo - &t).max(&t - &root.lo);
+        roots.into_iter().min_by_key(distance)
     }
 
     /// The active moment from which μ is measured where t is at most `hi`, dμ/dt, and t at this moment.

@@ -35,7 +35,7 @@ pub struct Invariants {
 }
 
 impl Invariants {
-    /// r ≠ 0 has no parts.
+    /// Of a matrix and a vector of integers; with r = 0 it is D = 1 and N = 0.
     #[must_use]
     pub fn new(matrix: &Symmetric, center: &[RBig; 3]) -> Self {
         let whole = |x: &RBig| x.numerator().clone();
@@ -65,6 +65,12 @@ impl Invariants {
     #[must_use]
     pub fn has_moment(&self, a: &RBig) -> bool {
         self.characteristic.sign_at(a) == Sign::Zero
+    }
+
+    /// Whether a number is a moment and the mean of all three.
+    #[must_use]
+    pub fn has_mean(&self, a: &RBig) -> bool {
+        self.has_moment(a) && RBig::from(3) * a == RBig::from(self.trace.clone())
     }
 
     /// True when A⁻¹ across r is a multiple of 1, so that both pairs of eigenvalues at rest agree:

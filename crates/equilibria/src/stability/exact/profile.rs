@@ -102,9 +102,8 @@ impl Profile {
             stations.extend(found(chart, &chart.swing, |_| StationKind::Swing)?);
             stations.extend(found(chart, &chart.cusp, |_| StationKind::Cusp)?);
         } else {
-            for (axis, t) in &chart.pitchforks {
-                let root = Root::exact(&Polynomial::from_rationals(&[-t, RBig::ONE]), t.clone());
-                stations.push(Station { root, kind: StationKind::Pitchfork(*axis) });
+            for (axis, root) in &chart.pitchforks {
+                stations.push(Station { root: root.clone(), kind: StationKind::Pitchfork(*axis) });
             }
             let of_cusp = |odd| if odd { StationKind::Cusp } else { StationKind::Touch };
             stations.extend(found(chart, &chart.cusp, of_cusp)?);
