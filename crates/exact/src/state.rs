@@ -61,7 +61,8 @@ impl fmt::Display for UnknownOfState {
 
 impl State {
     /// The state with an angular velocity, in principal axes and the body's units; `along` is a vector along
-    /// it, or against it, exact and in the axes in which the body was given. The question's axis is the upward vertical, and its spin is |ω|.
+    /// it, or against it, exact and in the axes in which the body was given. The question's axis is the upward vertical,
+    /// and its spin is |ω|.
     ///
     /// # Errors
     /// [`ParseNumberError`] where h or l leaves the range of doubles.

@@ -33,8 +33,8 @@ impl ExactSpin {
         Self { omega: Real::root_of(&squared, DIGITS).lo, fourth: &squared * &squared, squared }
     }
 
-    /// The spin at which rotation with n = `up` pointing up is steady, n in the axes in which the body was given; `None` where there is no such spin, and for a
-    /// principal axis.
+    /// The spin at which rotation with n = `up` pointing up is steady, n in the axes in which the body was given; `None`
+    /// where there is no such spin, and for a principal axis.
     #[must_use]
     pub fn of_steady(body: &Body, up: &[RBig; 3]) -> Option<Self> {
         let balance = Balance::new(body, up);

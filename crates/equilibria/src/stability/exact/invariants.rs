@@ -1,5 +1,5 @@
-//! What of A and r decides about relative equilibria, without principal axes: rational where the tensor is, also where its
-//! moments are not.
+//! What of A and r decides about relative equilibria, without principal axes: rational where the tensor is, also where
+//! its moments are not (Proposition 13.4 of docs/algorithms.md).
 
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::polynomial::Polynomial;
