@@ -657,7 +657,7 @@ fn a_part_may_lie_exactly_on_a_threshold() {
     // About z at 2 rad/s, l = 10, h = 14: r_z = Ω²(Izz − Iyy).
     let fork = part("--inertia 3,4,5,0,1,0 --com 0.2,0,0.2 --mass 2");
     let found = bifdiag(&format!("critical {fork} --l 10 --json")).succeeds().json();
-    let list = found["equilibria"].as_array().unwrap();
+    let list = found["critical"].as_array().unwrap();
     assert_eq!(list.iter().map(|point| &point["stability"]).filter(|word| **word == "zero").count(), 1, "{found}");
     assert_eq!(list.len(), 4);
     bifdiag(&format!("classify {fork} --l 10 --h 14")).succeeds().printing("critical: exactly on a curve");
