@@ -683,3 +683,16 @@ fn a_part_may_lie_exactly_on_a_threshold() {
         state.printing(": zero").printing("this spin is a threshold");
     }
 }
+
+/// A symmetric body whose axis has no rational direction: the hanging end is a minimum up to the fork alone.
+#[test]
+fn a_tilted_axis_of_symmetry_has_the_thresholds_of_its_body() {
+    let part = "--inertia 3,3,3,-0.5,-0.5,-0.5 --products tensor --mass 2 --g 10 --com 0.1,0.1,0.1 --axis 1,1,1";
+    let tilted = bifdiag(&format!("critical-spin {part}")).succeeds().stdout();
+    let upright = bifdiag("critical-spin --A 2,3.5,3.5 --r 3.4641016151377545870548926830117,0,0 --axis x").succeeds();
+    let rows = |text: &str| -> Vec<String> {
+        text.lines().filter(|line| line.starts_with(['+', '-'])).map(str::to_owned).collect()
+    };
+    assert!(rows(&tilted).len() > 3, "{tilted}");
+    assert_eq!(rows(&tilted), rows(&upright.stdout()));
+}

@@ -132,7 +132,8 @@ impl AxisRotation {
         let [c, a, b] = &self.moments;
         let sum = a + b;
         let middle = &self.weight * (RBig::from(2) * c - &sum);
-        vec![self.squared.clone(), middle, c * (c - sum) + &self.product]
+        let square = if self.is_rounded() { self.squared.clone() } else { &self.weight * &self.weight };
+        vec![square, middle, c * (c - sum) + &self.product]
     }
 
     /// (AB)²(b² − 4c) as a polynomial in s.
@@ -166,10 +167,10 @@ impl AxisRotation {
         signs
     }
 
-    /// Weight or moments are rounded.
+    /// Weight or moments are rounded, and what is symmetric in two different moments is exact. Equal ones are rational.
     fn is_rounded(&self) -> bool {
         let [_, a, b] = &self.moments;
-        self.product != a * b || self.squared != &self.weight * &self.weight
+        a != b && (self.product != a * b || self.squared != &self.weight * &self.weight)
     }
 
     /// The linear type at a positive s; across a circle or sphere of equilibria.
