@@ -91,7 +91,7 @@ impl AxisRotation {
     fn resonances(&self, s: &RBig) -> [Option<bool>; 2] {
         let [.., whole] = self.polynomials();
         let whole = value_at(&whole, s);
-        let (b2, c) = (&whole * &whole, value_at(&self.stiffness_product(), s) * &self.product);
+        let (b2, c) = (&whole * &whole, value_at(&self.stiffness_product(), s) * self.product());
         [1, 2].map(|k| {
             let [m, n] = RESONANCES[k];
             Some(RBig::from(m) * &b2 == RBig::from(n) * &c)
@@ -123,8 +123,8 @@ impl AxisRotation {
         let (whole, both) = (value_at(&whole, s), value_at(&self.stiffness_product(), s));
         // λ⁴ + 2 half λ² + product = 0, exact up to here: beside a root of the discriminant nothing of its sign is lost. In units
         // of 2ᵏ for λ no square leaves the range of doubles.
-        let half = whole / (RBig::from(2) * &self.product);
-        let product = both / &self.product;
+        let half = whole / (RBig::from(2) * self.product());
+        let product = both / self.product();
         let discriminant = &half * &half - &product;
         let sizes = [(&half, 2), (&product, 4)].into_iter().filter(|(x, _)| !x.is_zero());
         let Some(k) = sizes.map(|(x, degree)| exponent(x) / degree).max() else { return ([0.0; 2], 0.0) };

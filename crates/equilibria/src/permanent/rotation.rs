@@ -48,16 +48,15 @@ pub struct AxisRotation {
     pub moments: [RBig; 3],
     /// ρ.
     pub weight: RBig,
-    /// The product of the second and the third moment, which is rational where both are rounded.
-    pub(super) product: RBig,
-    /// ρ², likewise.
-    pub(super) squared: RBig,
+    /// Where the second and the third moment are irrational and rounded: their product and ρ², which are exact.
+    pub(super) exact: Option<[RBig; 2]>,
 }
 
-/// The product of the moments across an axis, det A/C, by the tensor where C is rational.
-fn product_across(body: &Body, [c, a, b]: &[RBig; 3]) -> RBig {
-    let is_exact = |tensor: &&Tensor| tensor.matrix().subtracted_from(c).determinant().is_zero();
-    body.tensor().filter(is_exact).map_or_else(|| a * b, |tensor| tensor.matrix().determinant() / c)
+/// The product of the moments across an axis, det A/C, and |r|², by the tensor, where C is rational and they are rounded.
+fn exact_across(body: &Body, [c, a, b]: &[RBig; 3]) -> Option<[RBig; 2]> {
+    let tensor = body.tensor().filter(|tensor| tensor.matrix().subtracted_from(c).determinant().is_zero())?;
+    let product = tensor.matrix().determinant() / c;
+    (product != a * b).then(|| [product, body.center_squared()])
 }
 
 impl AxisRotation {
@@ -72,7 +71,7 @@ impl AxisRotation {
         let moment = |k: BodyAxis| body.moments()[k].value().clone();
         let weight = gamma.orient(body.center()[axis].value().clone());
         let moments = [moment(axis), moment(others[0]), moment(others[1])];
-        Some(Self { axis, product: product_across(body, &moments), moments, weight, squared: body.center_squared() })
+        Some(Self { axis, exact: exact_across(body, &moments), moments, weight })
     }
 
     /// Rotation about an axis that is permanent at every spin, with γ along its direction or against it; where |r| is
@@ -89,13 +88,7 @@ impl AxisRotation {
             let moment = |k: BodyAxis| body.moments()[k].value().clone();
             let [second, third] = axis.others();
             let moments = [moment(axis), moment(second), moment(third)];
-            Some(Self {
-                axis,
-                product: product_across(body, &moments),
-                moments,
-                weight,
-                squared: body.center_squared(),
-            })
+            Some(Self { axis, exact: exact_across(body, &moments), moments, weight })
         })
     }
 
@@ -123,7 +116,7 @@ impl AxisRotation {
         let stiffness = |moment: &RBig| vec![self.weight.clone(), c - moment];
         // (A + B − C)² s + A K_A + B K_B, by A + B and AB.
         let sum = a + b;
-        let slope = c * (c - &sum) + RBig::from(2) * &self.product;
+        let slope = c * (c - &sum) + RBig::from(2) * self.product();
         [stiffness(a), stiffness(b), vec![&self.weight * sum, slope]]
     }
 
@@ -132,14 +125,14 @@ impl AxisRotation {
         let [c, a, b] = &self.moments;
         let sum = a + b;
         let middle = &self.weight * (RBig::from(2) * c - &sum);
-        let square = if self.is_rounded() { self.squared.clone() } else { &self.weight * &self.weight };
-        vec![square, middle, c * (c - sum) + &self.product]
+        let square = self.exact.as_ref().map_or_else(|| &self.weight * &self.weight, |[_, squared]| squared.clone());
+        vec![square, middle, c * (c - sum) + self.product()]
     }
 
     /// (AB)²(b² − 4c) as a polynomial in s.
     pub(super) fn discriminant(&self) -> Vec<RBig> {
         let [.., whole] = self.polynomials();
-        let product = rational::scale(&self.stiffness_product(), &(RBig::from(4) * &self.product));
+        let product = rational::scale(&self.stiffness_product(), &(RBig::from(4) * self.product()));
         rational::sub(&rational::mul(&whole, &whole), &product)
     }
 
@@ -160,17 +153,17 @@ impl AxisRotation {
         let is_zero = |p: &[RBig]| p.iter().all(RBig::is_zero);
         let mut signs = [&first, &second].map(|p| if is_zero(p) { Sign::Positive } else { sign_at(p, s) });
         // Of rounded numbers the product is exact.
-        if self.is_rounded() && value_at(&self.stiffness_product(), s).is_zero() {
+        if self.exact.is_some() && value_at(&self.stiffness_product(), s).is_zero() {
             let [p, q] = [&first, &second].map(|p| value_at(p, s)).map(|x| x.clone().max(-x));
             signs[usize::from(q < p)] = Sign::Zero;
         }
         signs
     }
 
-    /// Weight or moments are rounded, and what is symmetric in two different moments is exact. Equal ones are rational.
-    fn is_rounded(&self) -> bool {
+    /// The product of the second and the third moment.
+    pub(super) fn product(&self) -> RBig {
         let [_, a, b] = &self.moments;
-        a != b && (self.product != a * b || self.squared != &self.weight * &self.weight)
+        self.exact.as_ref().map_or_else(|| a * b, |[product, _]| product.clone())
     }
 
     /// The linear type at a positive s; across a circle or sphere of equilibria.
@@ -204,7 +197,7 @@ impl AxisRotation {
         let [first, second, _] = self.polynomials();
         let mut roots: Vec<Root> = Vec::new();
         // Of rounded numbers the product of both is exact.
-        let stiffness = if self.is_rounded() { vec![self.stiffness_product()] } else { vec![first, second] };
+        let stiffness = if self.exact.is_some() { vec![self.stiffness_product()] } else { vec![first, second] };
         for coefficients in stiffness.into_iter().chain([self.discriminant()]) {
             roots.extend(positive_roots(&coefficients));
         }

@@ -125,8 +125,8 @@ fn varied(rotation: &AxisRotation, steps: [i8; 4], tolerances: &[RBig; 4]) -> Ax
         *moment = &*moment * factor(k);
     }
     varied.weight = &rotation.weight * factor(3);
-    varied.product = &rotation.product * factor(1) * factor(2);
-    varied.squared = &rotation.squared * factor(3).sqr();
+    varied.exact =
+        rotation.exact.as_ref().map(|[product, squared]| [product * factor(1) * factor(2), squared * factor(3).sqr()]);
     varied
 }
 
