@@ -11,7 +11,7 @@ use dashu_ratio::RBig;
 use super::cone::PermanentAxis;
 use crate::critical::Multiplicity;
 use crate::stability::{LinearType, Signs};
-use bifdiag_body::{Body, BodyAxis, Tensor};
+use bifdiag_body::{Body, BodyAxis};
 use bifdiag_schema::SpinType;
 
 /// Digits of |r| where it is not rational.
