@@ -7,6 +7,7 @@ mod builder;
 mod chaos;
 mod classes;
 mod doors;
+mod exact_parts;
 mod explorer;
 mod files;
 mod ids;
