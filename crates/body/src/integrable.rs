@@ -104,6 +104,15 @@ impl IntegrableCase {
     }
 }
 
+impl Body {
+    /// True when A⁻¹ across r is a multiple of 1: Hess and Appelrot's case, in which both pairs of eigenvalues at rest agree.
+    #[must_use]
+    pub fn is_round_across_r(&self) -> bool {
+        let exact = ExactBody::of(self);
+        is_hess(&exact.matrix, &exact.center)
+    }
+}
+
 /// A as a matrix and r, neither rounded: what follows is invariant under rotations.
 struct ExactBody {
     matrix: Symmetric,

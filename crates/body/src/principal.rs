@@ -33,17 +33,19 @@ impl Tensor {
         let kept = |x: &Real, digits| if x.is_exact() { x.lo.clone() } else { rounded(x, digits) };
         let mut moments = found.values.each_ref().map(|a| kept(a, digits));
         let mut center = found.components.each_ref().map(|r| kept(r, Self::DIGITS + 1));
+        let mut relation = None;
         if !exact {
             keep_trace(self, &found, &mut moments);
             keep_ratios(&found, &mut center);
+            relation = Relation::of(self, &found);
         }
-        let body = Relation::of(self, &found).filter(|_| !exact).and_then(|relation| {
+        let related = relation.and_then(|relation| {
             let (mut moments, mut center) = (moments.clone(), center.clone());
             relation.impose(&found, &mut moments, &mut center);
             // Numbers of hundreds of digits get too long.
             body(&moments, &center).ok()
         });
-        let body = body.map_or_else(|| self::body(&moments, &center), Ok)?;
+        let body = related.map_or_else(|| body(&moments, &center), Ok)?;
         let body = if self.matrix().is_diagonal() { body } else { body.with_tensor(self.clone(), !exact) };
         Ok(PrincipalForm { body, axes: found.axes, exact })
     }

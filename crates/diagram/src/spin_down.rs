@@ -53,17 +53,15 @@ pub fn spin_down(arrangement: &Arrangement, from: CurveId, x: f64) -> Vec<(Stret
     };
     let mut place = Some(Place { curve, slab, x: x.min(start.x[1]) });
     while let Some(here) = place {
-        let (stretch, turn, slab) = if down.is_minimum(here.curve) { down.along(&here) } else { down.lost(&here, end) };
+        let found = if down.is_minimum(here.curve) { down.along(&here) } else { Some(down.lost(&here, end)) };
+        let Some((stretch, turn, slab)) = found else { break };
         let next = match &turn {
             Turn::Crossing(_) => Some(here.curve),
             Turn::Onto(_, next) => Some(*next),
-            Turn::Fall(_, left) | Turn::Lost(left) => {
-                if let [next] = left[..] {
-                    Some(next)
-                } else {
-                    None
-                }
-            }
+            Turn::Fall(_, left) | Turn::Lost(left) => match left[..] {
+                [next] => Some(next),
+                _ => None,
+            },
             Turn::Rest => None,
         };
         place = next.map(|curve| Place { curve, slab, x: stretch.x[1] });
@@ -110,20 +108,20 @@ impl<'a> Down<'a> {
         self.arrangement.slabs[slab].order.iter().copied().filter(is_below).collect()
     }
 
-    /// From a minimum down to the next event of its curve; the slab below it.
-    fn along(&self, from: &Place) -> (Stretch, Turn, SlabId) {
+    /// From a minimum down to the next event of its curve, and the slab below it; `None` where the curve is not in a slab.
+    fn along(&self, from: &Place) -> Option<(Stretch, Turn, SlabId)> {
         let Place { curve, mut slab, x } = *from;
         loop {
             let strip = &self.arrangement.slabs[slab];
-            let place = strip.order.iter().position(|&other| other == curve).unwrap_or(0);
+            let place = strip.order.iter().position(|&other| other == curve)?;
             let regions =
                 [place.checked_sub(1).map(|below| strip.region_above[below]), Some(strip.region_above[place])];
             let stretch = Stretch { curve, x: [x, strip.x[0]], regions };
-            let Some(before) = slab.before() else { return (stretch, Turn::Rest, slab) };
+            let Some(before) = slab.before() else { return Some((stretch, Turn::Rest, slab)) };
             slab = before;
             let mut events = self.arrangement.events_after(before);
             if let Some(event) = events.find(|event| self.arrangement.events[*event].change.curves().contains(&curve)) {
-                return (stretch, self.turn(curve, event, before), before);
+                return Some((stretch, self.turn(curve, event, before), before));
             }
         }
     }

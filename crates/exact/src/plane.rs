@@ -11,7 +11,7 @@ use dashu_base::BitTest;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use super::critical_values::{CriticalSource, CriticalValue, CriticalValueError, refined};
+use super::critical_values::{CriticalSource, CriticalValue, CriticalValueError, CriticalValues, refined};
 use super::curves::{Place, order, passive_place, roots_in_interval};
 use super::model::Model;
 use super::ridges::Ridges;
@@ -93,10 +93,9 @@ impl<'a> Plane<'a> {
     pub fn open(&self, none: CriticalValueError, x: &RBig) -> Open {
         match none {
             CriticalValueError::Roots => Open::Roots,
-            CriticalValueError::Sign(source) => Open::Sign {
-                curve: self.name(&source, x),
-                bits: crate::critical_values::CriticalValues::most_bits(self.model),
-            },
+            CriticalValueError::Sign(source) => {
+                Open::Sign { curve: self.name(&source, x), bits: CriticalValues::most_bits(self.model) }
+            }
         }
     }
 

@@ -44,6 +44,11 @@ impl AxisArgument {
     }
 }
 
+/// What holds of an axis through the centre of mass that is not principal.
+pub fn rests(axis: &str) -> String {
+    format!("the body rests with either end up, but rotation about {axis} is steady at no spin")
+}
+
 /// A direction as it is printed.
 pub fn listed(axis: [f64; 3]) -> String {
     format!("({})", axis.map(|x| significant(x, 6)).join(", "))

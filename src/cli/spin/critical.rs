@@ -8,7 +8,7 @@ use bifdiag_survey::tolerance::{Tolerances, Tolerated};
 use clap::Args;
 
 use super::all;
-use super::axis::{AxisArgument, axis, followed_text, listed, one_of, principal_near};
+use super::axis::{AxisArgument, axis, followed_text, listed, one_of, principal_near, rests};
 use super::changes::table_of_changes;
 use super::tolerance::{self, ToleranceArgument};
 use crate::cli::export::answer;
@@ -237,10 +237,9 @@ fn at_one_spin(report: &mut Report, document: &CriticalSpinDocument) {
 /// Why an axis is steady at no spin or at one only.
 fn not_permanent(report: &mut Report, kind: &AxisKind) {
     match kind {
-        AxisKind::AtOneSpin(axis) if axis.squared_spin == Some(0.0) => report.line(
-            "the centre of mass lies on this axis, which is not principal: the body rests with either end up, but rotation \
-             about it is steady at no spin",
-        ),
+        AxisKind::AtOneSpin(axis) if axis.squared_spin == Some(0.0) => {
+            report.line(format!("the centre of mass lies on this axis, which is not principal: {}", rests("it")));
+        }
         AxisKind::Principal => report.line(
             "this axis is principal, but the centre of mass does not lie on it: rotation about it is steady at no spin",
         ),

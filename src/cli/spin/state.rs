@@ -11,7 +11,7 @@ use bifdiag_schema::{AxisEnd, StateDocument, SteadyDocument};
 use clap::Args;
 use dashu_ratio::RBig;
 
-use super::axis::{AxisArgument, as_near, axis, listed};
+use super::axis::{AxisArgument, as_near, axis, listed, rests};
 use super::steady::{changes, report_steady};
 use crate::cli::export::answer;
 use crate::cli::failure::{Failure, failed, incomplete};
@@ -185,11 +185,6 @@ fn text(subject: &Subject, document: &StateDocument, question: &SpinQuestion, fo
         None => other_text(&mut report, subject, document, (question, found)),
     }
     report.text()
-}
-
-/// What holds of an axis through the centre of mass that is not principal.
-fn rests(axis: &str) -> String {
-    format!("the body rests with either end up, but rotation about {axis} is steady at no spin")
 }
 
 /// The axis of the rotation that is reported, where it is not the given one to the last digits.

@@ -291,7 +291,7 @@ impl RelativeEquilibria<'_> {
 
     fn resting(&self, body: &ExactBody, side: f64, index: u8) -> Equilibrium {
         let frame = &self.set.frame;
-        let (reduced, is_double) = at_rest(body, side);
+        let (reduced, is_double) = (at_rest(body, side), self.body.is_round_across_r());
         let stability = match (index, is_double) {
             (0, true) => LinearType::DoubleElliptic,
             (0, false) => LinearType::Elliptic,
@@ -326,11 +326,11 @@ impl RelativeEquilibria<'_> {
     }
 }
 
-/// The linearised flow at γ = ±r̂, and whether its two pairs agree: where A⁻¹ across r̂ is a multiple of 1.
-fn at_rest(body: &ExactBody, side: f64) -> (Reduced<Wide>, bool) {
+/// The linearised flow at γ = ±r̂.
+fn at_rest(body: &ExactBody, side: f64) -> Reduced<Wide> {
     let c: Constants<Wide> = body.constants(REST_BITS);
     let total = c.rho[0].clone() + c.rho[1].clone() + c.rho[2].clone();
     let w = c.rho.clone().map(|rho| rho / total.clone());
     let r = total.sqrt() * Wide::double(side, REST_BITS);
-    (Reduced::at_rest(&c, &w, &r), body.invariants.is_round_across_r())
+    Reduced::at_rest(&c, &w, &r)
 }

@@ -97,7 +97,7 @@ impl ExactBody {
         let (r_sum, p_sum, rest) = if known.has_moment(a) {
             let d = known.active.at(a);
             let rest = known.characteristic.derivative().at(a);
-            (known.numerator.at(a) / &d, known.weight().at(a) / (&d * &d), rest)
+            (known.numerator.at(a) / &d, known.weight.at(a) / (&d * &d), rest)
         } else {
             let gap = |k: Axis| a - &self.a[k];
             let term = |&k: &Axis| &self.squares[k.index()] * &m * &m / gap(k);
@@ -131,12 +131,12 @@ impl ExactBody {
             let factor = |k: usize| n.pow(k.cast_signed() - power.cast_signed()) / unit;
             coefficients.map(|(k, c)| RBig::from(c.clone()) * factor(k)).collect::<Vec<RBig>>()
         };
-        let (p, degree, unit) = (known.weight(), known.active.degree(), &m * &m);
-        let [q, ..] = known.moments(&p);
+        let (degree, unit) = (known.active.degree(), &m * &m);
+        let [q, ..] = known.moments();
         let squared = 2 * degree.saturating_sub(1);
         [
             scaled(&known.active, degree, &RBig::ONE),
-            scaled(&p, squared, &unit),
+            scaled(&known.weight, squared, &unit),
             scaled(&q, squared + 1, &unit),
             scaled(&known.numerator, degree.saturating_sub(1), &unit),
         ]
@@ -220,8 +220,8 @@ impl Forms {
     #[must_use]
     pub fn new(body: &ExactBody) -> Self {
         let known = &body.invariants;
-        let p = known.weight();
-        let moments = known.moments(&p);
+        let p = known.weight.clone();
+        let moments = known.moments();
         let product = known.active.clone();
         let cusp = cusp(&p, &moments[0], &product);
         let zero = known.passive.times(&cusp);

@@ -102,8 +102,7 @@ impl FamilyChart {
         let (moments, cusp) = ([0, 1, 2].map(polynomial), polynomial(4));
         // χ det A = γ_i² τ_j τ_k (a_i + 3zR̂).
         let zero = polynomial(3).times(&cusp).scaled(rest.numerator());
-        let constant = |x: IBig| Polynomial::constant(x);
-        let mu = [constant(a.numerator().clone()), constant(IBig::from(a.denominator().clone()))];
+        let mu = [a.numerator().clone(), IBig::from(a.denominator().clone())].map(Polynomial::constant);
         let times = IBig::from(rest.denominator().clone());
         let (swing, resonances) = body.invariants.swing_and_resonances(&mu, &moments, (&zero, &times));
         let [zero, cusp, swing] = [zero, cusp, swing].map(Polynomial::primitive);

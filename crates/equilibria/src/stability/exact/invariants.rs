@@ -20,6 +20,8 @@ pub struct Invariants {
     pub passive: Polynomial,
     /// N = R D = D Σ r_k²/(μ − a_k).
     pub numerator: Polynomial,
+    /// p = D² Σ r_k²/(μ − a_k)² = ND′ − N′D.
+    pub weight: Polynomial,
     /// |r|².
     pub squared: IBig,
     /// rᵀAr.
@@ -30,8 +32,6 @@ pub struct Invariants {
     square_trace: IBig,
     /// det A.
     determinant: IBig,
-    /// rᵀ adj(A) r.
-    across: IBig,
 }
 
 impl Invariants {
@@ -47,9 +47,11 @@ impl Invariants {
         let passive = shared.scaled(&leading);
         let square = |x: &RBig| x * x;
         let square_trace = matrix.rows().iter().flatten().fold(RBig::ZERO, |sum, x| sum + square(x));
+        let (active, numerator) = (characteristic.over_monic(&passive), resolvent.over_monic(&passive));
         Self {
-            active: characteristic.over_monic(&passive),
-            numerator: resolvent.over_monic(&passive),
+            weight: numerator.times(&active.derivative()).minus(&numerator.derivative().times(&active)),
+            active,
+            numerator,
             passive,
             characteristic,
             squared: whole(&dot(center, center)),
@@ -57,7 +59,6 @@ impl Invariants {
             trace: whole(&matrix.trace()),
             square_trace: whole(&square_trace),
             determinant: whole(&matrix.determinant()),
-            across: whole(&dot(center, &matrix.adjugate().times(center))),
         }
     }
 
@@ -73,29 +74,13 @@ impl Invariants {
         self.has_moment(a) && RBig::from(3) * a == RBig::from(self.trace.clone())
     }
 
-    /// True when A⁻¹ across r is a multiple of 1, so that both pairs of eigenvalues at rest agree:
-    /// (tr adj A − r̂ᵀ adj(A) r̂)² = 4J_r det A.
-    #[must_use]
-    pub fn is_round_across_r(&self) -> bool {
-        let second = (&self.trace * &self.trace - &self.square_trace) / IBig::from(2);
-        let sum = second * &self.squared - &self.across;
-        &sum * &sum == IBig::from(4) * &self.squared * &self.along * &self.determinant
-    }
-
-    /// p = D² Σ r_k²/(μ − a_k)² = ND′ − N′D.
-    #[must_use]
-    pub fn weight(&self) -> Polynomial {
-        let (n, d) = (&self.numerator, &self.active);
-        n.times(&d.derivative()).minus(&n.derivative().times(d))
-    }
-
-    /// D² Σ a_kⁿ r_k²/(μ − a_k)² for n = 1, 2, 3, given p: with a_k = μ − τ_k, Σ r_k²/τ_k = N/D and
+    /// D² Σ a_kⁿ r_k²/(μ − a_k)² for n = 1, 2, 3: with a_k = μ − τ_k, Σ r_k²/τ_k = N/D and
     /// Σ τ_k r_k² = μ|r|² − rᵀAr.
     #[must_use]
-    pub fn moments(&self, p: &Polynomial) -> [Polynomial; 3] {
+    pub fn moments(&self) -> [Polynomial; 3] {
         let mu = Polynomial::linear(&IBig::ZERO);
         let (nd, square) = (self.numerator.times(&self.active), self.active.squared());
-        let first = mu.times(p).minus(&nd);
+        let first = mu.times(&self.weight).minus(&nd);
         let second = mu.times(&first.minus(&nd)).plus(&square.scaled(&self.squared));
         let cubic = mu.times(&first.minus(&nd.scaled(&IBig::from(2))));
         let rest = Polynomial::new(vec![self.along.clone(), IBig::from(2) * &self.squared]);
