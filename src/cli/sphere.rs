@@ -28,8 +28,8 @@ Examples:
   bifdiag sphere --body paper --region R4 --format svg,png
   bifdiag sphere --A 2,2,1 --r 1,0,0 --h 3.4 --l 2.87 --view 0,0,1 --out annulus
 
-The picture shows the Poisson sphere from two opposite sides; its points γ are the directions of gravity in the \
-body's axes. \
+The picture shows the Poisson sphere from two opposite sides; its points γ are the directions of gravity in \
+principal axes. \
 U is tinted: a component with k boundary circles and n of the poles ±r̂ has a section of genus k + n − 1 above it.";
 
 /// `bifdiag sphere`.
@@ -42,7 +42,7 @@ pub struct SphereArguments {
     /// Use the sample point of this region instead of --h and --l
     #[arg(long, value_name = "ID", conflicts_with_all = ["energy", "momentum"], help_heading = "Point")]
     pub region: Option<String>,
-    /// Direction from which the first view is taken, in the body's axes (default: the one that shows most)
+    /// Direction from which the first view is taken, in principal axes (default: the one that shows most)
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::direction)]
     #[arg(help_heading = "Output", hide_short_help = true)]
     pub view: Option<[f64; 3]>,

@@ -206,9 +206,9 @@ fn a_proved_motion_holds_the_plain_one() {
 fn a_proved_motion_tells_its_frame() {
     let line = "orbit --body paper --gamma 0.6,0,0.8 --omega 1,0.3,1 --times 0:1:2";
     for option in ["", " --proved"] {
-        bifdiag(&format!("{line}{option}"))
-            .succeeds()
-            .printing("gamma points down, along gravity, and so does the third axis of space");
+        bifdiag(&format!("{line}{option}")).succeeds().printing(
+            "gamma and omega are in principal axes; gamma and the third axis of space point down, along gravity",
+        );
     }
 }
 

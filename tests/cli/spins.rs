@@ -109,6 +109,8 @@ fn another_axis_than_the_given_one_is_reported() {
         let through_com = bifdiag(&format!("state {cone} --axis 1,2,0 --spin")).and(spin).succeeds();
         through_com.printing(&format!("{rests} {axis} is steady at no spin"));
     }
+    let slow = bifdiag(&format!("state {cone} --axis 1,2,0 --spin")).and("1e-9 rpm").succeeds();
+    slow.printing("steady rotation, ").printing("at this spin a steady rotation is within 10⁻⁶ of it");
     for (axis, up) in [("1,1.01,0.1", "+axis"), ("-1,-1.01,-0.1", "-axis")] {
         let found = bifdiag(&format!("critical-spin {cone} --axis={axis} --json")).succeeds().json();
         assert_eq!(found["nearest"]["up"], json!(up), "{found}");

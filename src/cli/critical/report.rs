@@ -37,7 +37,8 @@ pub fn text(subject: &Subject, document: &CriticalDocument) -> String {
     let points: Vec<&RelativeEquilibriumDocument> = document.critical.iter().collect();
     let curves: Vec<String> = points.iter().map(|point| point.branch.clone()).collect();
     motions(&mut report, subject, &points, &curves);
-    report.line("gamma points down, along gravity, in principal axes");
+    let omega = time_unit(subject).map_or_else(String::new, |unit| format!("; omega in rad/{unit}"));
+    report.line(format!("gamma points down, along gravity, in principal axes{omega}"));
     report.line(format!("error bound of h: {}", bound(document.error_bound, 2)));
     if !document.complete {
         report.line("there may be more: l lies beside cusps closer than 2^-4000");
@@ -87,6 +88,11 @@ pub fn steady_axes(subject: &Subject, document: &SteadyAxesDocument) -> String {
     report.text()
 }
 
+/// The unit of time of a part; a body given by A and r has none.
+fn time_unit(subject: &Subject) -> Option<&str> {
+    subject.part.as_ref().map(bifdiag_schema::PartDocument::time_unit)
+}
+
 fn vector(v: [f64; 3]) -> String {
     let [x, y, z] = v.map(|x| fixed(x, 6));
     format!("({x:>9}, {y:>9}, {z:>9})")
@@ -114,8 +120,7 @@ fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriu
     report.line("");
     report.line(motions.text());
     report.line("");
-    let unit = subject.part.as_ref().map(bifdiag_schema::PartDocument::time_unit);
-    let (times, rates) = match unit {
+    let (times, rates) = match time_unit(subject) {
         Some(unit) => (format!(", in {unit}"), format!("per {unit}")),
         None => (String::new(), "per unit of time".to_owned()),
     };

@@ -29,7 +29,7 @@ Examples:
   bifdiag orbit --body paper --gamma 0,0,1 --omega 1,0,2 --animate m.svg
 
 The start, at time 0, is gamma (or Euler's angles theta from 0 to pi, psi and phi: gamma = (sin theta sin psi, sin theta cos psi, \
-cos theta)) with the angular momentum l or the angular velocity omega = l/A, in the body's axes; or a \
+cos theta)) with the angular momentum l or the angular velocity omega = l/A, in principal axes; or a \
 point of the section: (h, l), theta, psi and sheet of its PP-torus, as `bifdiag section` writes them. The attitude is a \
 unit quaternion w,x,y,z that takes vectors from the body to space, whose third axis is gamma: both point down, along \
 gravity. theta, \
@@ -40,7 +40,7 @@ psi, phi are Euler's angles of the third axis.";
 pub struct OrbitArguments {
     #[command(flatten)]
     pub body: BodyArguments,
-    /// The vertical, pointing down, in the body's axes, of any length
+    /// The vertical, pointing down, in principal axes, of any length
     #[arg(long, value_name = "g1,g2,g3", allow_hyphen_values = true, value_parser = values::vertical)]
     #[arg(help_heading = "Start: a state")]
     pub gamma: Option<Vertical>,
@@ -48,7 +48,7 @@ pub struct OrbitArguments {
     #[arg(long, value_name = "THETA,PSI,PHI", allow_hyphen_values = true, value_parser = values::angles)]
     #[arg(help_heading = "Start: a state")]
     pub euler: Option<[f64; 3]>,
-    /// Angular momentum, in the body's axes, such as 1,0.3,2
+    /// Angular momentum, in principal axes, such as 1,0.3,2
     #[arg(long, value_name = "l1,l2,l3", allow_hyphen_values = true, value_parser = values::triple)]
     #[arg(help_heading = "Start: a state")]
     pub l_vector: Option<Triple>,

@@ -114,7 +114,8 @@ pub fn columns(document: &MotionDocument, samples: &[MotionSample]) -> Result<Co
 }
 
 /// What the components of gamma and the attitude are of.
-pub const FRAME: &str = "gamma points down, along gravity, and so does the third axis of space";
+pub const FRAME: &str =
+    "gamma and omega are in principal axes; gamma and the third axis of space point down, along gravity";
 
 /// Samples that are listed; those beyond, and all where they are written, are in the data.
 const LISTED: usize = 40;

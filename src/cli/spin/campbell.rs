@@ -31,8 +31,9 @@ Examples:
 pub struct CampbellArguments {
     #[command(flatten)]
     pub body: BodyArguments,
-    /// Axis of rotation, pointing up: x, y, z or a direction; if it is not permanent, follow the steady rotation that
-    /// tends at fast spins to the principal axis nearest to it
+    /// Axis of rotation, pointing up: x, y, z or a direction, meant for a permanent axis within 0.5° of it; if there is
+    /// none, follow the steady rotation that tends at fast spins to the principal axis nearest to it, unless that axis
+    /// is permanent itself
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "Rotation")]
     pub axis: AxisArgument,
     /// Largest spin, with its unit: rpm, Hz, rad/s, deg/s

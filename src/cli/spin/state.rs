@@ -173,7 +173,12 @@ fn text(subject: &Subject, document: &StateDocument, question: &SpinQuestion, fo
             report_steady(&mut report, steady);
             match AxisKind::of(&subject.body, question.up) {
                 AxisKind::Permanent { .. } => changes(&mut report, steady, document.note.is_none()),
-                AxisKind::AtOneSpin(axis) if axis.squared_spin == Some(0.0) => report.line(rests("this axis")),
+                AxisKind::AtOneSpin(axis) if axis.squared_spin == Some(0.0) => {
+                    report.line(rests("this axis"));
+                    if spin.rad_per_s != 0.0 {
+                        report.line("at this spin a steady rotation is within 10⁻⁶ of it");
+                    }
+                }
                 AxisKind::AtOneSpin(_) => report.line("rotation about this axis is steady at this spin only"),
                 AxisKind::Principal => report.line(
                     "the axis is principal, but the centre of mass does not lie on it: at this spin a steady rotation is \

@@ -29,6 +29,8 @@ impl Surroundings {
     pub fn foot(&self, from: &DVector<f64>, mut conditions: Vec<Level>) -> Option<DVector<f64>> {
         const STEPS: u32 = 16;
         const SETTLED: f64 = 1e-6;
+        /// A smaller step is one of rounding.
+        const ROUNDING: f64 = 5e-15;
         /// The part of the way to the end of the set to which a step is cut that leads beyond it, and how often that is done.
         const REACH: f64 = 0.5;
         const CUTS: u32 = 5;
@@ -52,7 +54,7 @@ impl Surroundings {
                 return None;
             }
             cuts += u32::from(reach < 1.0);
-            if reach >= 1.0 && moved <= SETTLED * next.norm() {
+            if reach >= 1.0 && moved <= (SETTLED * next.norm()).max(ROUNDING) {
                 return Some(next);
             }
             place = if trust < 1.0 {

@@ -138,6 +138,8 @@ impl BorderSearch {
     fn at(&self, place: &DVector<f64>) -> Option<NearestBorder> {
         /// How far from the place classes are asked, as a part of its distance.
         const SIDE: f64 = 1e-6;
+        /// A smaller way is lost in the rounding of the bodies.
+        const LEAST: f64 = 3e-14;
         /// And that distance where the body itself is on the border.
         const BESIDE: f64 = 1e-2;
         let s = place.norm();
@@ -149,7 +151,8 @@ impl BorderSearch {
             let body = body_at(&line, s)?;
             class_of(&body, Accuracy::Fast).or_else(|_open| class_of(&body, Accuracy::Exact)).ok()
         };
-        let (below, above) = (class(s - SIDE * unit)?, class(s + SIDE * unit)?);
+        let side = (SIDE * unit).max(LEAST);
+        let (below, above) = (class(s - side)?, class(s + side)?);
         // A body on a border has the class of one side.
         let (own, beyond) = if is_here && above.1 == self.own.1 { (above, below) } else { (below, above) };
         if own.1 != self.own.1 || beyond.1 == self.own.1 {
