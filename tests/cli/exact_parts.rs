@@ -35,6 +35,27 @@ fn coincidences_of_a_part_survive_the_rounding_of_its_principal_form() {
     }
 }
 
+/// The pair over axis 2 has its cusp at its pitchfork: a minimum or not, the next term of U_l says.
+#[test]
+fn a_cusp_at_a_pitchfork_is_no_minimum() {
+    for part in [
+        "--inertia 4,3,3,1/2,0,0 --com 1/5,1/10,0 --mass 2",
+        "--inertia 4,3,3,-1/2,0,0 --com 1/5,-1/10,0 --mass 2",
+        "--inertia 8,5,6,1,0,0 --com 4/5,2/5,0 --mass 1",
+    ] {
+        let part = format!("{part} --products tensor --g 10");
+        bifdiag(&format!("state {part} --axis 1,0,0 --spin"))
+            .and("2 rad/s")
+            .succeeds()
+            .printing("steady rotation, open (degenerate): zero")
+            .printing("with friction that conserves l: unstable\n")
+            .printing("regions beside it: R2 below, R5 above in h");
+        bifdiag(&format!("critical-spin {part}")).succeeds().printing("by Arnold's theorem");
+        let atlas = bifdiag(&format!("atlas {part} --certificate --json")).succeeds();
+        bifdiag("verify -").reading(atlas.stdout()).succeeds().printing("verified: 9 regions, 5 events");
+    }
+}
+
 /// Hess and Appelrot's case: the eigenvalues at rest are double, and split at once.
 #[test]
 fn a_brick_of_hess_and_appelrot_has_no_stretch_of_rounding() {

@@ -1,7 +1,7 @@
 //! What holds exactly of a tensor and r, and is kept where its principal form is rounded.
 //!
 //! The diagram changes its type, or its curves meet in another way, where components of r have certain ratios, where a moment is
-//! the mean of the others, and where one of two [`Relation`]s holds; parts with equal entries in their tensors meet these. A body
+//! the mean of the others, and where one of three [`Relation`]s holds; parts with equal entries in their tensors meet these. A body
 //! with rounded numbers would lie a hair beside such a border.
 
 use dashu_ratio::RBig;
@@ -37,8 +37,7 @@ pub(super) fn keep_trace(tensor: &Tensor, found: &PrincipalAxes, moments: &mut [
     }
 }
 
-/// A relation between the moments and r in which one moment, A_k, is rational:
-/// w (f_i − f_k) + f_j − f_k = 0 for the other two axes i and j.
+/// A relation between the moments and r in which one moment, A_k, is rational. The other two axes are i and j.
 pub(super) struct Relation {
     kind: Kind,
     /// Number of the axis k.
@@ -46,10 +45,12 @@ pub(super) struct Relation {
 }
 
 enum Kind {
-    /// J_r = rᵀAr/|r|² = A_k, with f = A and w = (r_i/r_j)²: the pole lines and the curve of axis k run side by side.
+    /// J_r = rᵀAr/|r|² = A_k: the pole lines and the curve of axis k run side by side.
     PoleLines,
-    /// Hess and Appelrot's, with f = 1/A and w = (r_j/r_i)², where r_k = 0.
+    /// Hess and Appelrot's, where r_k = 0.
     Hess,
+    /// The pair over axis k has its cusp at its pitchfork, where r_k = 0.
+    CuspAtPitchfork,
 }
 
 impl Relation {
@@ -64,11 +65,14 @@ impl Relation {
             return Some(Self { kind: Kind::PoleLines, k });
         }
         let k = (0..3).find(|&k| found.values[k].is_exact() && is_zero(k) && has_weights(k))?;
-        is_hess(tensor.matrix(), tensor.center()).then_some(Self { kind: Kind::Hess, k })
+        if is_hess(tensor.matrix(), tensor.center()) {
+            return Some(Self { kind: Kind::Hess, k });
+        }
+        tensor.has_cusp_at_fork(&found.values[k].lo).then_some(Self { kind: Kind::CuspAtPitchfork, k })
     }
 
-    /// Makes it hold of rounded numbers by a change as small as their rounding: of the last of the two other moments, also where
-    /// it is rational, and, so that this does not become long, of the ratio t = r_i/r_j.
+    /// Makes it hold of rounded numbers by a change as small as their rounding: of one of the two other moments or both, also
+    /// where they are rational, and, so that these do not become long, of the ratio t = r_i/r_j.
     pub(super) fn impose(&self, found: &PrincipalAxes, moments: &mut [RBig; 3], center: &mut [RBig; 3]) {
         let (k, [i, j]) = (self.k, others(self.k));
         let ratio = &center[i] / &center[j];
@@ -83,13 +87,25 @@ impl Relation {
             center[k] = &center[k] * &turned / &center[i];
         }
         center[i] = turned;
-        let (f, w): (fn(&RBig) -> RBig, _) = match self.kind {
-            Kind::PoleLines => (RBig::clone, &t * &t),
-            Kind::Hess => (|a| RBig::ONE / a, RBig::ONE / (&t * &t)),
-        };
-        let [f_i, f_k] = [i, k].map(|k| f(&moments[k]));
-        // f is its own inverse.
-        moments[j] = f(&(&f_k - (f_i - &f_k) * w));
+        let [w, a_k] = [&t * &t, moments[k].clone()];
+        match self.kind {
+            // w (A_i − A_k) + A_j − A_k = 0.
+            Kind::PoleLines => moments[j] = &a_k - (&moments[i] - &a_k) * w,
+            // 1/A_i − 1/A_k + w (1/A_j − 1/A_k) = 0.
+            Kind::Hess => {
+                let [at_i, at_k] = [&moments[i], &a_k].map(|a| RBig::ONE / a);
+                moments[j] = RBig::ONE / (&at_k - (at_i - &at_k) / w);
+            }
+            // w y (A_k y − 3) + x (A_k x − 3) = 0 with y = 1/(A_i − A_k) and x = 1/(A_j − A_k): a conic through 0, which the line
+            // x = my meets once more.
+            Kind::CuspAtPitchfork => {
+                let m = (&moments[i] - &a_k) / (&moments[j] - &a_k);
+                let m = rounded(&Real::exact(m), Tensor::DIGITS + 1);
+                let along = &a_k * (&w + m.sqr()) / (RBig::from(3) * (w + &m));
+                moments[j] = &a_k + &along / m;
+                moments[i] = a_k + along;
+            }
+        }
     }
 }
 
@@ -177,6 +193,29 @@ mod tests {
         assert!(!form.exact);
         for body in [form.body.clone(), Body::new(form.body.moments().clone(), form.body.center().clone()).unwrap()] {
             assert_eq!(IntegrableCase::of(&body), [IntegrableCase::HessAppelrot]);
+        }
+    }
+
+    #[test]
+    fn a_cusp_at_a_pitchfork_stays_there() {
+        for (matrix, center) in [
+            (["4", "3", "3", "1/2", "0", "0"], ["4", "2", "0"]),
+            (["4", "2", "3", "1", "0", "0"], ["4", "4", "0"]),
+            (["8", "5", "6", "1", "0", "0"], ["8", "4", "0"]),
+            // A = (3, 11/3, 5) and r₃² = 3 r₂²: all moments are rational, and the ratio of the components is not.
+            (["37/9", "37/9", "31/9", "-8/9", "-2/9", "-2/9"], ["2", "-1", "-1"]),
+        ] {
+            let form = tensor(matrix, center).principal().unwrap();
+            assert!(!form.exact);
+            let excess = |body: &Body| {
+                let [a, r] = [body.moments(), body.center()].map(values);
+                let k = (0..3).find(|&k| r[k].is_zero()).unwrap();
+                others(k).into_iter().fold(RBig::ZERO, |sum, i| {
+                    let d = &a[i] - &a[k];
+                    sum + r[i].sqr() * (&a[k] / (&d * &d) - RBig::from(3) / d)
+                })
+            };
+            assert_eq!(excess(&form.body), RBig::ZERO, "{matrix:?}");
         }
     }
 

@@ -335,6 +335,17 @@ impl Tensor {
 
     /// |v|² with (a − A)v = r, for a simple moment a across r.
     fn fork(&self, a: &RBig) -> Option<RBig> {
+        self.at_fork(a).map(|v| dot(&v, &v))
+    }
+
+    /// Whether the pair over the axis of a simple moment a across r has its cusp where it leaves the plane across this axis:
+    /// a|v|² + 3⟨v,r⟩ = 0 with (a − A)v = r.
+    pub(super) fn has_cusp_at_fork(&self, a: &RBig) -> bool {
+        self.at_fork(a).is_some_and(|v| (a * dot(&v, &v) + RBig::from(3) * dot(&v, &self.center)).is_zero())
+    }
+
+    /// The v across the axis of a simple moment a across r with (a − A)v = r.
+    fn at_fork(&self, a: &RBig) -> Option<[RBig; 3]> {
         // M = a − A has the eigenvalues 0 and two others, m and n, with (m + n − M) M v = m n v for every v across their axis.
         let shifted = self.matrix.subtracted_from(a);
         let product = shifted.adjugate().trace();
@@ -342,8 +353,7 @@ impl Tensor {
             return None;
         }
         let turned = shifted.times(&self.center);
-        let v: [RBig; 3] = std::array::from_fn(|i| (shifted.trace() * &self.center[i] - &turned[i]) / &product);
-        Some(dot(&v, &v))
+        Some(std::array::from_fn(|i| (shifted.trace() * &self.center[i] - &turned[i]) / &product))
     }
 
     /// Whether the body is unphysical, and whether it is a plate. Some distribution of mass has the tensor and r if and only if
