@@ -157,7 +157,10 @@ fn a_body_on_a_border_has_both_of_its_classes() {
 #[test]
 fn a_border_may_be_at_a_body() {
     bifdiag("compare A=2,3,4;r=1,1,1 A=2,3,4;r=1,1,1.001").succeeds().printing("\n0   7b9223626649  J_r passes A2");
-    bifdiag("classes --at --A 2,3,4 --r 1,1,1").succeeds().printing("the body is on a border of its class");
+    for body in ["--A 2,3,4 --r 1,1,1", "--A 1,2,3 --r 1,1,1", "--A 3,4,5 --r 1,0,1", "--A 3,5,7 --r 2,1,2"] {
+        let standing = bifdiag(&format!("classes --at {body}")).succeeds();
+        standing.printing("\n0   ").printing("J_r passes A2").printing("the body is on a border of its class");
+    }
     for (z, distance) in
         [("1.00000000001", "1.658e-12"), ("1.000000000001", "1.658e-13"), ("0.99999999999", "1.658e-12")]
     {

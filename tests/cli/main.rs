@@ -3,9 +3,12 @@
 mod answers;
 mod attacks;
 mod batches;
+mod borders;
 mod builder;
+mod campbell;
 mod chaos;
 mod classes;
+mod compare;
 mod doors;
 mod exact_parts;
 mod explorer;

@@ -29,9 +29,10 @@ pub enum PointError {
     /// Nothing moves there, or the energy surface is singular: in the words that sections have for it.
     #[error(transparent)]
     Nowhere(PoincareError),
-    /// The point cannot be distinguished from a curve in doubles.
+    /// The point cannot be distinguished from a curve in doubles, or l from an event.
     #[error(
-        "(h, l) is too near to a curve of the bifurcation diagram for orbits in double precision; choose h farther from it"
+        "(h, l) is too near to a curve or an event of the bifurcation diagram for orbits in double precision; choose h \
+         farther from the curve, or another l"
     )]
     TooNear,
     /// The point was not classified.

@@ -7,6 +7,36 @@ use bifdiag_diagram::fast::FastError;
 use bifdiag_diagram::topology::merge::MergeError;
 use bifdiag_equilibria::critical::CriticalError;
 
+/// What of the bifurcation diagram a point is too near to.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum Near {
+    /// A curve.
+    #[error(
+        "(h, l) = ({h}, {l}) is too near to the curve {curve} of the bifurcation diagram for a section in double precision \
+         (distance {distance:.1e} in h, error bound {error_bound:.1e}); choose h farther from it"
+    )]
+    Curve {
+        /// h as given.
+        h: String,
+        /// l as given.
+        l: String,
+        /// Id of the curve.
+        curve: String,
+        /// Distance in h.
+        distance: f64,
+        /// Bound on its error.
+        error_bound: f64,
+    },
+    /// An event, where curves end or cross.
+    #[error(
+        "l = {l} is too near to an event of the bifurcation diagram for a section in double precision; choose another l"
+    )]
+    Event {
+        /// l as given.
+        l: String,
+    },
+}
+
 /// Why there is no section at a point, or why it could not be computed.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum PoincareError {
@@ -43,23 +73,11 @@ pub enum PoincareError {
         /// Id of the curve.
         curve: String,
     },
-    /// (h, l) is nearer to a curve than `f64`, in which motions are computed, resolves.
-    #[error(
-        "(h, l) = ({h}, {l}) is too near to the curve {curve} of the bifurcation diagram for a section in double precision \
-         (distance {distance:.1e} in h, error bound {error_bound:.1e}); choose h farther from it, or ask bifdiag classify for its \
-         topology"
-    )]
+    /// (h, l) is nearer to a curve, or l to an event, than `f64`, in which motions are computed, resolves.
+    #[error("{}; or ask bifdiag classify for its topology", .near)]
     Undecided {
-        /// h as given.
-        h: String,
-        /// l as given.
-        l: String,
-        /// Id of the curve.
-        curve: String,
-        /// Distance in h.
-        distance: f64,
-        /// Bound on its error.
-        error_bound: f64,
+        /// What is near.
+        near: Near,
     },
     /// The point could not be classified.
     #[error(transparent)]

@@ -5,7 +5,7 @@ mod starts;
 
 use std::sync::atomic::Ordering;
 
-pub use error::PoincareError;
+pub use error::{Near, PoincareError};
 
 use crate::field::{HeavyTop, State};
 use crate::section::chaos::{ChaosMeasure, ChaosOptions, Judgement, chaos_measures, verdicts};
@@ -111,13 +111,13 @@ pub fn components_at(
             })
         }
         Answer::Critical(_) => Err(PoincareError::OnCurve { h: h_text, l: l_text, curve: curve() }),
-        Answer::Undecided(_) => Err(PoincareError::Undecided {
-            h: h_text,
-            l: l_text,
-            curve: curve(),
-            distance: margin.h,
-            error_bound: margin.error_bound,
-        }),
+        Answer::Undecided(_) if margin.h > margin.error_bound => {
+            Err(PoincareError::Undecided { near: Near::Event { l: l_text } })
+        }
+        Answer::Undecided(_) => {
+            let (curve, distance, error_bound) = (curve(), margin.h, margin.error_bound);
+            Err(PoincareError::Undecided { near: Near::Curve { h: h_text, l: l_text, curve, distance, error_bound } })
+        }
     }
 }
 

@@ -105,61 +105,76 @@ impl BorderSearch {
         feet.sort_by(|p, q| p.1.norm().total_cmp(&q.1.norm()));
         let (mut walls, mut found) = (Vec::new(), Vec::new());
         for (wall, foot) in feet {
-            if let Some(border) = self.within(&walls, wall, foot) {
-                found.push(border);
+            let borders = self.within(&walls, wall, foot);
+            if !borders.is_empty() {
+                found.extend(borders);
                 walls.push(wall);
             }
         }
         found
     }
 
-    /// The border on a wall, a function with its value at the body: at its foot, or where that lies beyond other walls, at the nearest place just before those.
-    fn within(&self, walls: &[Level], wall: Level, mut foot: DVector<f64>) -> Option<NearestBorder> {
+    /// The border on a wall, a function with its value at the body: at its foot, or where that lies beyond other walls, at the
+    /// nearest place just before those.
+    fn within(&self, walls: &[Level], wall: Level, mut foot: DVector<f64>) -> Vec<NearestBorder> {
         /// The part of a wall's value that is left before it.
         const BEFORE: f64 = 1e-3;
         let mut conditions = vec![Level { function: wall.function, value: 0.0 }];
         loop {
-            if let Some(border) = self.at(&foot) {
-                return Some(border);
-            }
-            if conditions.len() == foot.len() {
-                return None;
+            let borders = self.at(&foot);
+            if !borders.is_empty() || conditions.len() == foot.len() {
+                return borders;
             }
             let is_beyond = |wall: &&Level| {
                 self.around.value(wall.function, &foot).is_none_or(|(value, _)| value * wall.value <= 0.0)
             };
-            let Level { function, value } = *walls.iter().find(is_beyond)?;
+            let Some(Level { function, value }) = walls.iter().find(is_beyond).copied() else { return borders };
             conditions.push(Level { function, value: BEFORE * value });
-            foot = self.around.foot(&foot, conditions.clone())?;
+            let Some(next) = self.around.foot(&foot, conditions.clone()) else { return borders };
+            foot = next;
         }
     }
 
-    /// The border at a place, if the class of the body ends there.
-    fn at(&self, place: &DVector<f64>) -> Option<NearestBorder> {
+    /// The border at a place, if the class of the body ends there; two where the body itself is on the border, and belongs to
+    /// neither side.
+    fn at(&self, place: &DVector<f64>) -> Vec<NearestBorder> {
+        let Some((line, s, sides)) = self.sides(place) else { return Vec::new() };
+        let [below, above] = &sides;
+        let is_here = s == 0.0;
+        let (event, _) = border::between(below.0.arrangement(), above.0.arrangement());
+        let beyond = match sides.each_ref().map(|side| side.1 == self.own.1) {
+            [true, false] => vec![above],
+            [false, true] if is_here => vec![below],
+            [false, false] if is_here => vec![below, above],
+            _ => Vec::new(),
+        };
+        let direction: Vec<f64> = place.normalize().iter().copied().collect();
+        beyond
+            .into_iter()
+            .map(|side| border_at(&line, s, side.1.clone(), event.kind.clone(), direction.clone()))
+            .collect()
+    }
+
+    /// The line through a place, how far along it the place is, and the classes just before and behind it.
+    fn sides(&self, place: &DVector<f64>) -> Option<(BodyLine, f64, [(Atlas, Class); 2])> {
         /// How far from the place classes are asked, as a part of its distance.
         const SIDE: f64 = 1e-6;
         /// A smaller way is lost in the rounding of the bodies.
         const LEAST: f64 = 3e-14;
         /// And that distance where the body itself is on the border.
         const BESIDE: f64 = 1e-2;
-        let s = place.norm();
-        let is_here = s <= foot::HERE;
-        let direction: Vec<f64> = place.iter().map(|x| x / s).collect();
-        let line = self.around.basis.line(&direction, self.around.set)?;
-        let unit = if is_here { BESIDE * line.reach()[0].min(line.reach()[1]).min(1.0) } else { s };
+        let direction = place.normalize();
+        let line = self.around.basis.line(direction.as_slice(), self.around.set)?;
         let class = |s: f64| {
             let body = body_at(&line, s)?;
             class_of(&body, Accuracy::Fast).or_else(|_open| class_of(&body, Accuracy::Exact)).ok()
         };
+        let is_here = place.norm() <= foot::HERE;
+        let [s, unit] =
+            if is_here { [0.0, BESIDE * line.reach()[0].min(line.reach()[1]).min(1.0)] } else { [place.norm(); 2] };
         let side = (SIDE * unit).max(LEAST);
-        let (below, above) = (class(s - side)?, class(s + side)?);
-        // A body on a border has the class of one side.
-        let (own, beyond) = if is_here && above.1 == self.own.1 { (above, below) } else { (below, above) };
-        if own.1 != self.own.1 || beyond.1 == self.own.1 {
-            return None;
-        }
-        let (event, _) = border::between(own.0.arrangement(), beyond.0.arrangement());
-        Some(border_at(&line, if is_here { 0.0 } else { s }, beyond.1, event.kind, direction))
+        let sides = [class(s - side)?, class(s + side)?];
+        Some((line, s, sides))
     }
 
     /// The first border in a direction that shows between bodies on the line, or that border where it is nearer.
@@ -182,9 +197,10 @@ impl BorderSearch {
             let border = border_at(&line, at, class, met.event.kind, direction.to_vec());
             let near = DVector::from_column_slice(direction) * at;
             let foot = self.around.foot(&near, vec![Level { function: vanishing, value: 0.0 }]);
-            let nearer = foot.and_then(|foot| self.at(&foot)).filter(|foot| {
+            let is_nearer = |foot: &NearestBorder| {
                 foot.class == border.class && foot.event == border.event && foot.distance < border.distance
-            });
+            };
+            let nearer = foot.and_then(|foot| self.at(&foot).into_iter().find(is_nearer));
             return Some(nearer.unwrap_or(border));
         }
         None

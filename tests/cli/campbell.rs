@@ -1,0 +1,55 @@
+//! `bifdiag campbell`: frequencies over the spin.
+
+use std::fs;
+
+use crate::builder::bifdiag;
+
+#[test]
+fn an_axis_that_is_not_permanent_names_the_nearest() {
+    let body = "--A 2,1.1,1 --r 0.94868,0,0.61623";
+    let found = bifdiag(&format!("critical-spin {body} --axis 1,0.1,0.6 --json")).succeeds().json();
+    assert_eq!((&found["permanent"], &found["changes"]), (&json!(false), &json!([])));
+    assert!(found["nearest"]["angle_deg"].as_f64().unwrap() > 0.1);
+    bifdiag(&format!("critical-spin {body} --axis 1,0.1,0.6"))
+        .succeeds()
+        .printing("the nearest axis of a steady rotation is");
+}
+
+/// Off the principal axes the steady rotation that moves with the spin is followed from its fold on, with the eigenvalues that
+/// `critical --spin` has.
+#[test]
+fn campbell_follows_the_rotation_that_moves_with_the_spin() {
+    let directory = tempfile::tempdir().unwrap();
+    let run = |axis: &str, to: &str| {
+        bifdiag(&format!("campbell --body paper --axis={axis} --to")).and(to).inside(directory.path())
+    };
+    let upright = run("0,0,-1", "60 rpm").succeeds();
+    upright
+        .printing("begins at 14.151956 rpm and tends to (0, 0, -1)")
+        .printing("15.914409 rpm: elliptic to saddle-centre");
+    let csv = fs::read_to_string(directory.path().join("bifdiag-out/campbell.csv")).unwrap();
+    let rows: Vec<Vec<f64>> =
+        csv.lines().skip(1).map(|line| line.split(',').map(|x| x.parse().unwrap()).collect()).collect();
+    assert!(rows[0][0] > 14.15 && rows[0][0] < 14.31 && rows.len() < 400, "{rows:?}");
+    let last = &rows[rows.len() - 1];
+    let axes = bifdiag("critical --body paper --json --spin").and("60 rpm").succeeds().json();
+    let here = |axis: &&Value| axis["branch"] == "G1.1" || axis["branch"] == "G1.2" || axis["branch"] == "G1.3";
+    let hertz = |axis: &Value, k: usize| axis["eigenvalues"][k][1].as_f64().unwrap() / std::f64::consts::TAU;
+    let near = |axis: &&Value| (hertz(axis, 0).min(hertz(axis, 1)) - last[1]).abs() < 1e-9;
+    assert_eq!(axes["axes"].as_array().unwrap().iter().filter(here).filter(near).count(), 1, "{last:?} {axes}");
+    run("0,0,-1", "10 rpm").refused().telling("begins at 14.151956 rpm");
+}
+
+#[test]
+fn campbell_writes_a_table_and_a_picture() {
+    let directory = tempfile::tempdir().unwrap();
+    let part = "--inertia-com 29625,31000,56250,0,0,0 --com 0,0,40 --mass 180 --units g,mm,s --g 9.80665";
+    let run = bifdiag(&format!("campbell {part} --axis z --out c")).and("--to").and("3000 rpm");
+    run.inside(directory.path()).succeeds().printing("complex to elliptic");
+    let csv = fs::read_to_string(directory.path().join("c/campbell.csv")).unwrap();
+    assert!(
+        csv.starts_with("spin_rpm,frequency1_hz,frequency2_hz,growth_per_s,stable,survives_friction\n")
+            && csv.lines().count() == 401
+    );
+    assert!(fs::read_to_string(directory.path().join("c/campbell.svg")).unwrap().contains("frequency in Hz"));
+}
