@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use crate::builder::bifdiag;
 
 /// Bodies in which something is 0 or equal, beside the presets.
-const SPECIAL: [&str; 16] = [
+pub const SPECIAL: [&str; 16] = [
     "--body paper",
     "--body euler",
     "--body lagrange",

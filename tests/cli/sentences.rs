@@ -5,6 +5,7 @@ use std::process::Command;
 use serde_json::{Value, json};
 
 use crate::builder::{PROGRAM, bifdiag};
+use crate::compare::SPECIAL;
 
 #[test]
 fn isolated_exceptions_of_a_curve_are_reported_to_be_such() {

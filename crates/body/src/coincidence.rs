@@ -1,7 +1,7 @@
 //! What holds exactly of a tensor and r, and is kept where its principal form is rounded.
 //!
 //! The diagram changes its type, or its curves meet in another way, where components of r have certain ratios, where a moment is
-//! the mean of the others, and where one of three [`Relation`]s holds; parts with equal entries in their tensors meet these. A body
+//! the mean of the others, and where one of the [`Relation`]s holds; parts with equal entries in their tensors meet these. A body
 //! with rounded numbers would lie a hair beside such a border.
 
 use dashu_ratio::RBig;
@@ -49,8 +49,11 @@ enum Kind {
     PoleLines,
     /// Hess and Appelrot's, where r_k = 0.
     Hess,
-    /// The pair over axis k has its cusp at its pitchfork, where r_k = 0.
+    /// The pair over axis k has its cusp at its pitchfork, where r_k = 0: A_k Q = 3P with the sums P, Q and R of
+    /// r_i²/(A_i − A_k)ⁿ for n = 1, 2 and 3.
     CuspAtPitchfork,
+    /// The curve from which this pair leaves has a cusp at the pitchfork: 4Q² + A_k Q R = 3P R.
+    PitchforkAtCusp,
 }
 
 impl Relation {
@@ -68,7 +71,13 @@ impl Relation {
         if is_hess(tensor.matrix(), tensor.center()) {
             return Some(Self { kind: Kind::Hess, k });
         }
-        tensor.has_cusp_at_fork(&found.values[k].lo).then_some(Self { kind: Kind::CuspAtPitchfork, k })
+        let a = &found.values[k].lo;
+        let [p, q, r] = tensor.sums_at_fork(a)?;
+        if a * &q == RBig::from(3) * &p {
+            return Some(Self { kind: Kind::CuspAtPitchfork, k });
+        }
+        let meets = RBig::from(4) * &q * &q + a * &q * &r == RBig::from(3) * p * r;
+        meets.then_some(Self { kind: Kind::PitchforkAtCusp, k })
     }
 
     /// Makes it hold of rounded numbers by a change as small as their rounding: of one of the two other moments or both, also
@@ -96,12 +105,15 @@ impl Relation {
                 let [at_i, at_k] = [&moments[i], &a_k].map(|a| RBig::ONE / a);
                 moments[j] = RBig::ONE / (&at_k - (at_i - &at_k) / w);
             }
-            // w y (A_k y − 3) + x (A_k x − 3) = 0 with y = 1/(A_i − A_k) and x = 1/(A_j − A_k): a conic through 0, which the line
-            // x = my meets once more.
-            Kind::CuspAtPitchfork => {
+            Kind::CuspAtPitchfork | Kind::PitchforkAtCusp => {
                 let m = (&moments[i] - &a_k) / (&moments[j] - &a_k);
                 let m = rounded(&Real::exact(m), Tensor::DIGITS + 1);
-                let along = &a_k * (&w + m.sqr()) / (RBig::from(3) * (w + &m));
+                // Up to the factor r_j², Pd, Qd² and Rd³ with d = A_i − A_k: d follows from them.
+                let [p, q, r] = [&w + &m, &w + m.sqr(), &w + m.cubic()];
+                let along = match self.kind {
+                    Kind::CuspAtPitchfork => &a_k * q / (RBig::from(3) * p),
+                    _ => &a_k * &q * &r / (RBig::from(3) * p * r - RBig::from(4) * q.sqr()),
+                };
                 moments[j] = &a_k + &along / m;
                 moments[i] = a_k + along;
             }
@@ -196,9 +208,18 @@ mod tests {
         }
     }
 
+    /// P, Q and R at the axis across r.
+    fn sums(body: &Body) -> (RBig, [RBig; 3]) {
+        let [a, r] = [body.moments(), body.center()].map(values);
+        let k = (0..3).find(|&k| r[k].is_zero()).unwrap();
+        let sum = |n: isize| others(k).into_iter().fold(RBig::ZERO, |sum, i| sum + r[i].sqr() / (&a[i] - &a[k]).pow(n));
+        (a[k].clone(), [1, 2, 3].map(sum))
+    }
+
     #[test]
     fn a_cusp_at_a_pitchfork_stays_there() {
         for (matrix, center) in [
+            (["2", "4", "3", "1", "0", "0"], ["0", "1", "0"]),
             (["4", "3", "3", "1/2", "0", "0"], ["4", "2", "0"]),
             (["4", "2", "3", "1", "0", "0"], ["4", "4", "0"]),
             (["8", "5", "6", "1", "0", "0"], ["8", "4", "0"]),
@@ -207,15 +228,20 @@ mod tests {
         ] {
             let form = tensor(matrix, center).principal().unwrap();
             assert!(!form.exact);
-            let excess = |body: &Body| {
-                let [a, r] = [body.moments(), body.center()].map(values);
-                let k = (0..3).find(|&k| r[k].is_zero()).unwrap();
-                others(k).into_iter().fold(RBig::ZERO, |sum, i| {
-                    let d = &a[i] - &a[k];
-                    sum + r[i].sqr() * (&a[k] / (&d * &d) - RBig::from(3) / d)
-                })
-            };
-            assert_eq!(excess(&form.body), RBig::ZERO, "{matrix:?}");
+            let (a, [p, q, _]) = sums(&form.body);
+            assert_eq!(a * q, RBig::from(3) * p, "{matrix:?}");
+        }
+    }
+
+    #[test]
+    fn a_pitchfork_at_a_cusp_stays_there() {
+        for (matrix, center) in
+            [(["5", "4", "4", "1", "0", "0"], ["1", "0", "0"]), (["4", "5", "4", "1", "0", "0"], ["2", "1", "0"])]
+        {
+            let form = tensor(matrix, center).principal().unwrap();
+            assert!(!form.exact);
+            let (a, [p, q, r]) = sums(&form.body);
+            assert_eq!(RBig::from(4) * q.sqr() + a * q * &r, RBig::from(3) * p * r, "{matrix:?}");
         }
     }
 

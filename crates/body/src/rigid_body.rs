@@ -335,25 +335,26 @@ impl Tensor {
 
     /// |v|² with (a − A)v = r, for a simple moment a across r.
     fn fork(&self, a: &RBig) -> Option<RBig> {
-        self.at_fork(a).map(|v| dot(&v, &v))
+        self.before(a, &self.center).map(|v| dot(&v, &v))
     }
 
-    /// Whether the pair over the axis of a simple moment a across r has its cusp where it leaves the plane across this axis:
-    /// a|v|² + 3⟨v,r⟩ = 0 with (a − A)v = r.
-    pub(super) fn has_cusp_at_fork(&self, a: &RBig) -> bool {
-        self.at_fork(a).is_some_and(|v| (a * dot(&v, &v) + RBig::from(3) * dot(&v, &self.center)).is_zero())
+    /// Σ r_i²/(A_i − a)ⁿ for n = 1, 2, 3, for a simple moment a across r.
+    pub(super) fn sums_at_fork(&self, a: &RBig) -> Option<[RBig; 3]> {
+        let v = self.before(a, &self.center)?;
+        let w = self.before(a, &v)?;
+        Some([-dot(&v, &self.center), dot(&v, &v), -dot(&v, &w)])
     }
 
-    /// The v across the axis of a simple moment a across r with (a − A)v = r.
-    fn at_fork(&self, a: &RBig) -> Option<[RBig; 3]> {
+    /// The v across the axis of a simple moment a with (a − A)v = `turned`, which lies across this axis, too.
+    fn before(&self, a: &RBig, turned: &[RBig; 3]) -> Option<[RBig; 3]> {
         // M = a − A has the eigenvalues 0 and two others, m and n, with (m + n − M) M v = m n v for every v across their axis.
         let shifted = self.matrix.subtracted_from(a);
         let product = shifted.adjugate().trace();
         if !shifted.determinant().is_zero() || product.is_zero() {
             return None;
         }
-        let turned = shifted.times(&self.center);
-        Some(std::array::from_fn(|i| (shifted.trace() * &self.center[i] - &turned[i]) / &product))
+        let twice = shifted.times(turned);
+        Some(std::array::from_fn(|i| (shifted.trace() * &turned[i] - &twice[i]) / &product))
     }
 
     /// Whether the body is unphysical, and whether it is a plate. Some distribution of mass has the tensor and r if and only if
