@@ -120,6 +120,18 @@ fn another_axis_than_the_given_one_is_reported() {
     reply.printing(" rpm only, with its other end up");
 }
 
+/// At the spin of a fold, the axis in which two meet is one that may be the nearest, and is one.
+#[test]
+fn the_nearest_steady_axis_may_be_that_of_a_fold() {
+    let part = "--inertia 4,4.5,4,0,1,0 --products tensor --com 0.1,0,0 --mass 1 --g 10";
+    let found = bifdiag(&format!("state {part} --axis 0,3,4 --spin")).and("1 rad/s").succeeds();
+    found.printing("the axis of the nearest steady rotation is (0, 0, 1), 36.9° from the vertical");
+    let body = "--A 3,4.5,5 --r 0.432,0,1.024";
+    let found = bifdiag(&format!("state {body} --axis=-0.6,0.1,0.8 --spin")).and("1 rad/s").succeeds();
+    assert!(!found.stdout().contains("equally near"), "{}", found.stdout());
+    found.printing("is (-0.6, 0, 0.8), 5.71° from the vertical");
+}
+
 /// A standing top that turns fast about its largest moment lies in a minimum of U_l, but hanging it has less energy.
 #[test]
 fn a_local_minimum_is_not_called_the_least() {

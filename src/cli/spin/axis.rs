@@ -49,9 +49,10 @@ pub fn rests(axis: &str) -> String {
     format!("the body rests with either end up, but rotation about {axis} is steady at no spin")
 }
 
-/// A direction as it is printed.
+/// A direction of length 1 as it is printed, without what rounding left of a 0.
 pub fn listed(axis: [f64; 3]) -> String {
-    format!("({})", axis.map(|x| significant(x, 6)).join(", "))
+    let component = |x: f64| if x.abs() < 4.0 * f64::EPSILON { 0.0 } else { x };
+    format!("({})", axis.map(|x| significant(component(x), 6)).join(", "))
 }
 
 /// Names the axes (in principal axes) that are as near as the reported one; `None` if there are none.

@@ -196,9 +196,8 @@ fn text(subject: &Subject, document: &StateDocument, question: &SpinQuestion, fo
 fn meant(report: &mut Report, steady: &SteadyDocument, vertical: [f64; 3]) {
     let angle = angle_between(steady.axis, vertical);
     if angle > OTHER {
-        let [x, y, z] = steady.axis.map(|x| significant(x, 6));
         let angle = significant(angle.to_degrees(), 3);
-        report.line(format!("using the nearest steady rotation, about ({x}, {y}, {z}), {angle}° away"));
+        report.line(format!("using the nearest steady rotation, about {}, {angle}° away", listed(steady.axis)));
     }
 }
 

@@ -4,7 +4,7 @@
 //! root of Σ r_k²/(ν − sA_k)² = 1, or ν = sA_k for an axis with r_k = 0, along which γ has what is missing of its length.
 
 use bifdiag_numbers::symmetric::{Real, dot as inner};
-use bifdiag_numbers::vector::{dot, norm, normalised};
+use bifdiag_numbers::vector::{norm, normalised};
 use dashu_ratio::RBig;
 
 use super::cone::angle_between;
@@ -36,33 +36,40 @@ pub fn nearest_steady(
     up: [f64; 3],
     exact: Option<&[RBig; 3]>,
 ) -> Option<SteadyRotation> {
-    let (a, r, omega) = (body.moments_f64(), body.center_f64(), spin.omega.to_f64().value());
     let down = normalised(up.map(|x| -x));
-    let (gamma, angle) = if exact.is_some_and(|up| spin.is_steady(body, up)) {
-        (down, 0.0)
-    } else {
-        let candidates = directions(body, spin, down).into_iter().map(|gamma| (gamma, angle_between(gamma, down)));
-        candidates.min_by(|(_, p), (_, q)| p.total_cmp(q))?
-    };
     let all = RelativeEquilibria::new(body).ok()?.at_exact_spin(spin).ok()?;
-    let moment = (0..3).map(|k| a[k] * gamma[k] * gamma[k]).sum::<f64>();
-    let turning = 0.5 * omega * omega * moment;
-    let h = turning - dot(gamma, r);
-    let size = turning.abs() + norm(r);
-    let distance = |found: &Equilibrium| {
-        // One point of a circle or sphere represents all.
-        let apart = match found.multiplicity {
-            Multiplicity::Points(_) => (0..3).map(|k| (found.gamma[k] - gamma[k]).abs()).fold(0.0, f64::max),
-            Multiplicity::Circle | Multiplicity::Sphere => 0.0,
-        };
-        (found.h - h).abs() / size.max(f64::MIN_POSITIVE) + apart
-    };
-    let equilibrium = all.list.into_iter().min_by(|p, q| distance(p).total_cmp(&distance(q)))?;
+    let candidates = all.list.into_iter().map(|equilibrium| {
+        let gamma = nearest_of(body, &equilibrium, down);
+        (angle_between(gamma, down), gamma, equilibrium)
+    });
+    let (angle, gamma, equilibrium) = candidates.min_by(|(p, ..), (q, ..)| p.total_cmp(q))?;
+    let is_meant = exact.is_some_and(|up| spin.is_steady(body, up));
+    let (gamma, angle) = if is_meant { (down, 0.0) } else { (gamma, angle) };
     let exact = exact.and_then(|up| exact_place(body, spin, up));
     let is_exact = exact.is_some();
     let rounded = || Some([Number::from_f64(equilibrium.h).ok()?, Number::from_f64(equilibrium.l).ok()?]);
     let place = exact.or_else(rounded)?;
-    (distance(&equilibrium) < 1e-6).then_some(SteadyRotation { gamma, angle, place, is_exact, equilibrium })
+    Some(SteadyRotation { gamma, angle, place, is_exact, equilibrium })
+}
+
+/// Of the equilibria that one represents, the γ nearest to `down`: on a circle, the part across the axis of symmetry turns.
+fn nearest_of(body: &Body, found: &Equilibrium, down: [f64; 3]) -> [f64; 3] {
+    match found.multiplicity {
+        Multiplicity::Points(_) => found.gamma,
+        Multiplicity::Sphere => down,
+        Multiplicity::Circle => {
+            let (moments, r) = (body.moments(), body.center_f64());
+            let is_turned = [0, 1, 2].map(|k| {
+                r[k] == 0.0 && (0..3).any(|i| i != k && r[i] == 0.0 && moments[i].value() == moments[k].value())
+            });
+            let across = |v: [f64; 3]| -> [f64; 3] { std::array::from_fn(|k| if is_turned[k] { v[k] } else { 0.0 }) };
+            let [size, length] = [norm(across(found.gamma)), norm(across(down))];
+            if length == 0.0 {
+                return found.gamma;
+            }
+            std::array::from_fn(|k| if is_turned[k] { size * down[k] / length } else { found.gamma[k] })
+        }
+    }
 }
 
 /// The other steady axes at a spin that are as near to a direction as one of them, at this angle in radians.
@@ -76,7 +83,8 @@ pub fn equally_near_steady(
     /// Angles that differ by less are the same.
     const TIE: f64 = 1e-11;
     let found = RelativeEquilibria::new(body).ok().and_then(|all| Some(all.at_exact_spin(spin).ok()?.list));
-    let axes = found.unwrap_or_default().into_iter().map(|point| point.gamma.map(|x| 0.0 - x));
+    let down = normalised(up.map(|x| -x));
+    let axes = found.unwrap_or_default().into_iter().map(|point| nearest_of(body, &point, down).map(|x| 0.0 - x));
     let is_other =
         |axis: &[f64; 3]| (angle_between(*axis, up) - angle).abs() < TIE && angle_between(*axis, nearest) > TIE;
     axes.filter(is_other).collect()
@@ -101,90 +109,10 @@ fn length(n: &[RBig; 3]) -> Option<RBig> {
     (length.is_exact() && !length.lo.is_zero()).then_some(length.lo)
 }
 
-/// All γ with (sA − ν)γ = −r for some ν; of a circle or sphere of them the one nearest to `down`.
-fn directions(body: &Body, spin: &ExactSpin, down: [f64; 3]) -> Vec<[f64; 3]> {
-    let r = body.center_f64();
-    // s(A_i − A_k), each rounded from the exact one.
-    let between = |i: usize, k: usize| body.moments()[i].value() - body.moments()[k].value();
-    let apart = [0, 1, 2].map(|i| [0, 1, 2].map(|k| (&spin.squared * between(i, k)).to_f64().value()));
-    let mut found: Vec<[f64; 3]> = multipliers(&apart, r)
-        .into_iter()
-        .map(|from_pole| normalised(std::array::from_fn(|k| if r[k] == 0.0 { 0.0 } else { r[k] / from_pole[k] })))
-        .collect();
-    for axis in (0..3).filter(|&k| r[k] == 0.0) {
-        // Axes with the same pole share what is missing; one of them is active: no finite ν.
-        let shares: Vec<usize> = (0..3).filter(|&k| apart[axis][k] == 0.0).collect();
-        if shares.iter().any(|&k| r[k] != 0.0) {
-            continue;
-        }
-        let fixed: [f64; 3] = std::array::from_fn(|k| if shares.contains(&k) { 0.0 } else { r[k] / apart[axis][k] });
-        // Exact: where it is 0 the direction is that of an axis on which the centre of mass lies.
-        let missing = &spin.fourth - body.fork(axis);
-        let missing = if missing.is_zero() { 0.0 } else { (missing / &spin.fourth).to_f64().value() };
-        if missing < 0.0 {
-            continue;
-        }
-        let along: [f64; 3] = std::array::from_fn(|k| if shares.contains(&k) { down[k] } else { 0.0 });
-        let along = if dot(along, along) > 0.0 {
-            normalised(along)
-        } else {
-            std::array::from_fn(|k| if k == axis { 1.0 } else { 0.0 })
-        };
-        for sign in [1.0, -1.0] {
-            found.push(std::array::from_fn(|k| fixed[k] + sign * missing.sqrt() * along[k]));
-        }
-    }
-    found
-}
-
-/// The roots ν of Σ r_k²/(ν − sA_k)² = 1, each as its three distances ν − sA_k: one beyond the poles on each side, and two,
-/// one or none between neighbours, where the function is convex. A root is found as its distance from a pole beside it, of
-/// which no digit is lost when r_k is small.
-fn multipliers(apart: &[[f64; 3]; 3], r: [f64; 3]) -> Vec<[f64; 3]> {
-    let mut poles: Vec<usize> = Vec::new();
-    for k in (0..3).filter(|&k| r[k] != 0.0) {
-        if poles.iter().all(|&pole| apart[pole][k] != 0.0) {
-            poles.push(k);
-        }
-    }
-    poles.sort_by(|&i, &k| apart[i][k].total_cmp(&0.0));
-    let (Some(&least), Some(&most)) = (poles.first(), poles.last()) else { return Vec::new() };
-    let from_poles = |pole: usize, distance: f64| [0, 1, 2].map(|k| distance + apart[pole][k]);
-    let sum = |pole: usize, distance: f64, term: fn(f64, f64) -> f64| {
-        let from_poles = from_poles(pole, distance);
-        (0..3).filter(|&k| r[k] != 0.0).map(|k| term(r[k], from_poles[k])).sum::<f64>()
-    };
-    let value = |pole: usize| move |distance: f64| sum(pole, distance, |r, d| (r / d) * (r / d)) - 1.0;
-    let slope = |pole: usize| move |distance: f64| -sum(pole, distance, |r, d| (r / d) * (r / d) / d);
-    let root = |pole: usize, minus: f64| from_poles(pole, bisected(0.0, minus, &value(pole)));
-    // Beyond the poles the root lies at |r| from the last one at most.
-    let far = 2.0 * norm(r);
-    let mut found = vec![root(least, -far), root(most, far)];
-    for pair in poles.windows(2) {
-        let [low, high] = [pair[0], pair[1]];
-        let width = apart[high][low];
-        let from_low = bisected(width, 0.0, &slope(low));
-        let from_high = bisected(0.0, -width, &slope(high));
-        if value(low)(from_low) <= 0.0 {
-            found.extend([root(low, from_low), root(high, from_high)]);
-        }
-    }
-    found
-}
-
-/// Where a function that is positive beside `plus` and negative beside `minus` changes its sign.
-fn bisected(mut plus: f64, mut minus: f64, value: &impl Fn(f64) -> f64) -> f64 {
-    loop {
-        let middle = 0.5 * (plus + minus);
-        if middle == plus || middle == minus {
-            return minus;
-        }
-        if value(middle) > 0.0 { plus = middle } else { minus = middle }
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use bifdiag_numbers::vector::dot;
+
     use super::*;
 
     fn nearest(body: &Body, omega: f64, up: [f64; 3]) -> SteadyRotation {
@@ -216,7 +144,7 @@ mod tests {
                     assert_eq!(found.equilibrium.stability, point.stability, "{found:?}");
                     compared += 1;
                     let spin = ExactSpin::rational(RBig::try_from(point.omega).unwrap());
-                    for gamma in directions(&body, &spin, point.gamma) {
+                    for Equilibrium { gamma, .. } in prepared.at_exact_spin(&spin).unwrap().list {
                         let force: [f64; 3] =
                             std::array::from_fn(|k| point.omega * point.omega * moments[k] * gamma[k] + center[k]);
                         let along = dot(force, gamma);
