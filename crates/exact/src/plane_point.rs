@@ -70,7 +70,7 @@ fn margin(plane: &Plane<'_>, nearest: Option<CriticalValue>, x: &RBig) -> Margin
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum PlaceError {
     /// There is no atlas.
-    #[error("the atlas of this body was not finished within its budget")]
+    #[error("no atlas of this body was proved within the limits of precision and work")]
     NoAtlas,
     /// With [`crate::Accuracy::Fast`], and at l = 0, where no exact place is sought.
     #[error("f64 does not tell apart the regions of this type that are near the point")]
