@@ -4,27 +4,7 @@ use serde_json::{Value, json};
 
 use crate::builder::bifdiag;
 
-/// Bodies in which something is 0 or equal, beside the presets.
-pub const SPECIAL: [&str; 16] = [
-    "--body paper",
-    "--body euler",
-    "--body lagrange",
-    "--body kovalevskaya",
-    "--body goryachev-chaplygin",
-    "--body hess-appelrot",
-    "--body katok:1",
-    "--body katok:4",
-    "--body ten",
-    "--A 1,1,2 --r 0.3,0.4,0.5",
-    "--A 2,1,1 --r 0.1,0,0.7",
-    "--A 1,1,1 --r 0.3,1,2",
-    "--A 3,2,1 --r 0,0.7,0.1",
-    "--A 2,1,1 --r 0,0,0",
-    "--A 1,1,1 --r 0,0,0",
-    "--A 1.1,0.7,0.4 --r 0,0,0.3",
-];
-
-/// The sums of `counts` of two bodies, and whether each entry agrees.
+/// The entries of a list whose counts differ between the two bodies.
 fn differing(compared: &Value, list: &str) -> Vec<Value> {
     let entries = compared[list].as_array().unwrap();
     entries.iter().filter(|entry| entry["counts"][0] != entry["counts"][1]).cloned().collect()

@@ -35,7 +35,7 @@ fn coincidences_of_a_part_survive_the_rounding_of_its_principal_form() {
     }
 }
 
-/// The pair over axis 2 has its cusp at its pitchfork: a minimum or not, the next term of U_l says.
+/// The pair over axis 2 has its cusp at its pitchfork: whether it is a minimum is decided by the next term of U_l.
 #[test]
 fn a_cusp_at_a_pitchfork_is_no_minimum() {
     for part in [

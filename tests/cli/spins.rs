@@ -110,7 +110,7 @@ fn another_axis_than_the_given_one_is_reported() {
         through_com.printing(&format!("{rests} {axis} is steady at no spin"));
     }
     let slow = bifdiag(&format!("state {cone} --axis 1,2,0 --spin")).and("1e-9 rpm").succeeds();
-    slow.printing("steady rotation, ").printing("at this spin a steady rotation is within 10⁻⁶ of it");
+    slow.printing("steady rotation, ").printing("at this spin the axis of a steady rotation is within 10⁻⁶ rad of it");
     for (axis, up) in [("1,1.01,0.1", "+axis"), ("-1,-1.01,-0.1", "-axis")] {
         let found = bifdiag(&format!("critical-spin {cone} --axis={axis} --json")).succeeds().json();
         assert_eq!(found["nearest"]["up"], json!(up), "{found}");
@@ -120,7 +120,7 @@ fn another_axis_than_the_given_one_is_reported() {
     reply.printing(" rpm only, with its other end up");
 }
 
-/// At the spin of a fold, the axis in which two meet is one that may be the nearest, and is one.
+/// At the spin of a fold, the axis in which two meet may be the nearest, and is listed once.
 #[test]
 fn the_nearest_steady_axis_may_be_that_of_a_fold() {
     let part = "--inertia 4,4.5,4,0,1,0 --products tensor --com 0.1,0,0 --mass 1 --g 10";

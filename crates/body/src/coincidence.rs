@@ -108,10 +108,11 @@ impl Relation {
             Kind::CuspAtPitchfork | Kind::PitchforkAtCusp => {
                 let m = (&moments[i] - &a_k) / (&moments[j] - &a_k);
                 let m = rounded(&Real::exact(m), Tensor::DIGITS + 1);
-                // Up to the factor r_j², Pd, Qd² and Rd³ with d = A_i − A_k: d follows from them.
+                // Up to the factor r_j² these are Pd, Qd² and Rd³, with d = A_i − A_k: the relations are linear in 1/d then.
                 let [p, q, r] = [&w + &m, &w + m.sqr(), &w + m.cubic()];
                 let along = match self.kind {
                     Kind::CuspAtPitchfork => &a_k * q / (RBig::from(3) * p),
+                    // Pitchfork at cusp.
                     _ => &a_k * &q * &r / (RBig::from(3) * p * r - RBig::from(4) * q.sqr()),
                 };
                 moments[j] = &a_k + &along / m;
@@ -208,7 +209,7 @@ mod tests {
         }
     }
 
-    /// P, Q and R at the axis across r.
+    /// A_k of the axis across r, and P, Q and R there.
     fn sums(body: &Body) -> (RBig, [RBig; 3]) {
         let [a, r] = [body.moments(), body.center()].map(values);
         let k = (0..3).find(|&k| r[k].is_zero()).unwrap();

@@ -98,20 +98,6 @@ impl Body {
         self.tensor().map_or_else(own, |tensor| tensor.center.clone())
     }
 
-    /// Ω⁴ at the fork over an axis across r, Σ r_j²/(A_k − A_j)² over the other moments: from the tensor where A_k is rational.
-    #[must_use]
-    pub fn fork(&self, axis: usize) -> RBig {
-        let a_k = self.moments[axis].value();
-        if let Some(exact) = self.tensor().and_then(|tensor| tensor.fork(a_k)) {
-            return exact;
-        }
-        let others = (0..3).filter(|&j| self.moments[j] != self.moments[axis]);
-        others.fold(RBig::ZERO, |sum, j| {
-            let term = self.center[j].value() / (a_k - self.moments[j].value());
-            sum + &term * &term
-        })
-    }
-
     /// |r|², exact.
     #[must_use]
     pub fn center_squared(&self) -> RBig {
@@ -333,28 +319,24 @@ impl Tensor {
         dot(&self.center, &self.matrix.times(&self.center))
     }
 
-    /// |v|² with (a − A)v = r, for a simple moment a across r.
-    fn fork(&self, a: &RBig) -> Option<RBig> {
-        self.before(a, &self.center).map(|v| dot(&v, &v))
-    }
-
     /// Σ r_i²/(A_i − a)ⁿ for n = 1, 2, 3, for a simple moment a across r.
     pub(super) fn sums_at_fork(&self, a: &RBig) -> Option<[RBig; 3]> {
-        let v = self.before(a, &self.center)?;
-        let w = self.before(a, &v)?;
+        let v = self.solved_across(a, &self.center)?;
+        let w = self.solved_across(a, &v)?;
         Some([-dot(&v, &self.center), dot(&v, &v), -dot(&v, &w)])
     }
 
-    /// The v across the axis of a simple moment a with (a − A)v = `turned`, which lies across this axis, too.
-    fn before(&self, a: &RBig, turned: &[RBig; 3]) -> Option<[RBig; 3]> {
+    /// The solution x of (a − A)x = v across the axis of a simple moment a, for v across this axis; `None` where a is no
+    /// simple moment.
+    fn solved_across(&self, a: &RBig, v: &[RBig; 3]) -> Option<[RBig; 3]> {
         // M = a − A has the eigenvalues 0 and two others, m and n, with (m + n − M) M v = m n v for every v across their axis.
         let shifted = self.matrix.subtracted_from(a);
         let product = shifted.adjugate().trace();
         if !shifted.determinant().is_zero() || product.is_zero() {
             return None;
         }
-        let twice = shifted.times(turned);
-        Some(std::array::from_fn(|i| (shifted.trace() * &turned[i] - &twice[i]) / &product))
+        let image = shifted.times(v);
+        Some(std::array::from_fn(|i| (shifted.trace() * &v[i] - &image[i]) / &product))
     }
 
     /// Whether the body is unphysical, and whether it is a plate. Some distribution of mass has the tensor and r if and only if

@@ -52,9 +52,9 @@ pub fn grid(
 ) -> Result<(), Failure> {
     let prepared = Solver::new(subject.body.clone(), accuracy);
     let [h, l] = [&asked.h, &asked.l].map(GridAxis::values);
-    let atlas = prepared
-        .atlas()
-        .ok_or_else(|| Failure::work("--grid: no atlas of this body was proved within the limits of precision and work"))?;
+    let atlas = prepared.atlas().ok_or_else(|| {
+        Failure::work("--grid: no atlas of this body was proved within the limits of precision and work")
+    })?;
     let rows: Result<Vec<Vec<Spot>>, AnswerError> =
         timings.stage("rows", || l.par_iter().map(|&l| prepared.row(l, &h).unwrap_or(Ok(Vec::new()))).collect());
     let codes: Vec<i32> = rows

@@ -113,7 +113,7 @@ pub fn columns(document: &MotionDocument, samples: &[MotionSample]) -> Result<Co
     Columns::new(columns, document)
 }
 
-/// What the components of gamma and the attitude are of.
+/// The axes of gamma, omega and the attitude.
 pub const FRAME: &str =
     "gamma and omega are in principal axes; gamma and the third axis of space point down, along gravity";
 

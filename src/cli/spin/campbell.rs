@@ -14,7 +14,7 @@ use bifdiag_numbers::Sign;
 use bifdiag_plot::{Campbell, CampbellRow, Steadiness, draw_campbell};
 use clap::Args;
 
-use super::axis::{AxisArgument, axis, followed_text, one_of, principal_near};
+use super::axis::{AxisArgument, axis, followed_text, listed, one_of, principal_near};
 use crate::cli::export::{Column, Columns, DataFormat, FileSet, PictureArguments, PictureFormat, Values};
 use crate::cli::failure::{Failure, failed};
 use crate::cli::input::BodyArguments;
@@ -31,9 +31,9 @@ Examples:
 pub struct CampbellArguments {
     #[command(flatten)]
     pub body: BodyArguments,
-    /// Axis of rotation, pointing up: x, y, z or a direction, meant for a permanent axis within 0.5° of it; if there is
-    /// none, follow the steady rotation that tends at fast spins to the principal axis nearest to it, unless that axis
-    /// is permanent itself
+    /// Axis of rotation, pointing up: x, y, z or a direction; a permanent axis within 0.5° of it is used instead. Where
+    /// there is none, the steady rotation is followed that tends at fast spins to the nearest principal axis; refused if
+    /// that axis is itself permanent
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "Rotation")]
     pub axis: AxisArgument,
     /// Largest spin, with its unit: rpm, Hz, rad/s, deg/s
@@ -203,19 +203,19 @@ fn not_permanent(subject: &Subject, given: [f64; 3], families: &[SteadyFamily]) 
             if near.is_empty() {
                 near.push(axis);
             }
-            let listed: Vec<String> = near
+            let axes: Vec<String> = near
                 .iter()
                 .map(|axis| {
                     let circle = one_of(subject, *axis).map_or("", |_| ", one of a circle of such axes");
-                    format!("({}){circle}", axis.map(|x| significant(x, 6)).join(", "))
+                    format!("{}{circle}", listed(*axis))
                 })
                 .collect();
-            let are = if listed.len() > 1 { "permanent axes are" } else { "permanent axis is" };
+            let are = if axes.len() > 1 { "permanent axes are" } else { "permanent axis is" };
             Failure::input(format!(
                 "--axis: rotation about it is steady at {}, so there are no frequencies to plot against the spin; the \
                 nearest {are} {}, {}° away",
                 steady_at(subject, given),
-                listed.join(" and "),
+                axes.join(" and "),
                 significant(angle, 3)
             ))
         }

@@ -176,13 +176,13 @@ fn text(subject: &Subject, document: &StateDocument, question: &SpinQuestion, fo
                 AxisKind::AtOneSpin(axis) if axis.squared_spin == Some(0.0) => {
                     report.line(rests("this axis"));
                     if spin.rad_per_s != 0.0 {
-                        report.line("at this spin a steady rotation is within 10⁻⁶ of it");
+                        report.line("at this spin the axis of a steady rotation is within 10⁻⁶ rad of it");
                     }
                 }
                 AxisKind::AtOneSpin(_) => report.line("rotation about this axis is steady at this spin only"),
                 AxisKind::Principal => report.line(
-                    "the axis is principal, but the centre of mass does not lie on it: at this spin a steady rotation is \
-                     within 10⁻⁶ of it",
+                    "the axis is principal, but the centre of mass does not lie on it: at this spin the axis of a steady \
+                     rotation is within 10⁻⁶ rad of it",
                 ),
                 AxisKind::Other(_) | AxisKind::Unknown => {}
             }

@@ -7,13 +7,13 @@ use bifdiag_diagram::fast::FastError;
 use bifdiag_diagram::topology::merge::MergeError;
 use bifdiag_equilibria::critical::CriticalError;
 
-/// What of the bifurcation diagram a point is too near to.
+/// What a point is too near to in the bifurcation diagram.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum Near {
     /// A curve.
     #[error(
-        "(h, l) = ({h}, {l}) is too near to the curve {curve} of the bifurcation diagram for a section in double precision \
-         (distance {distance:.1e} in h, error bound {error_bound:.1e}); choose h farther from it"
+        "(h, l) = ({h}, {l}) is too near to the curve {curve} of the bifurcation diagram for a section in double \
+         precision (distance {distance:.1e} in h, error bound {error_bound:.1e}); choose h farther from it"
     )]
     Curve {
         /// h as given.
@@ -27,11 +27,12 @@ pub enum Near {
         /// Bound on its error.
         error_bound: f64,
     },
-    /// An event, where curves end or cross.
+    /// An event, where curves end or cross, or curves whose order is not known.
     #[error(
-        "l = {l} is too near to an event of the bifurcation diagram for a section in double precision; choose another l"
+        "near l = {l} the order of the curves of the bifurcation diagram is not certain in double precision, as beside an \
+         event; choose another l"
     )]
-    Event {
+    Order {
         /// l as given.
         l: String,
     },
@@ -73,8 +74,8 @@ pub enum PoincareError {
         /// Id of the curve.
         curve: String,
     },
-    /// (h, l) is nearer to a curve, or l to an event, than `f64`, in which motions are computed, resolves.
-    #[error("{}; or ask bifdiag classify for its topology", .near)]
+    /// (h, l) is nearer to a curve, or l to an event, than `f64` resolves, in which motions are computed.
+    #[error("{near}, or ask bifdiag classify for the topology at (h, l)")]
     Undecided {
         /// What is near.
         near: Near,

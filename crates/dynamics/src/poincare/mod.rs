@@ -89,7 +89,8 @@ impl PoincareSection {
 /// The components of E at a point that was classified.
 ///
 /// # Errors
-/// [`PoincareError::Forbidden`] names the lowest energy, [`PoincareError::OnCurve`] and [`PoincareError::Undecided`] the curve;
+/// [`PoincareError::Forbidden`] names the lowest energy, [`PoincareError::OnCurve`] the curve, and
+/// [`PoincareError::Undecided`] the curve, or l where the order of the curves is not certain;
 /// others where l leaves the range of `f64`.
 pub fn components_at(
     body: &Body,
@@ -112,7 +113,7 @@ pub fn components_at(
         }
         Answer::Critical(_) => Err(PoincareError::OnCurve { h: h_text, l: l_text, curve: curve() }),
         Answer::Undecided(_) if margin.h > margin.error_bound => {
-            Err(PoincareError::Undecided { near: Near::Event { l: l_text } })
+            Err(PoincareError::Undecided { near: Near::Order { l: l_text } })
         }
         Answer::Undecided(_) => {
             let (curve, distance, error_bound) = (curve(), margin.h, margin.error_bound);
@@ -126,7 +127,8 @@ impl SectionSetting {
     ///
     /// # Errors
     /// [`PoincareError::WeightlessBody`] for r = 0; [`PoincareError::Forbidden`] names the lowest energy;
-    /// [`PoincareError::OnCurve`] and [`PoincareError::Undecided`] name the curve; others when the body or l leave the
+    /// [`PoincareError::OnCurve`] names the curve, and [`PoincareError::Undecided`] the curve, or l where the order of the
+    /// curves is not certain; others when the body or l leave the
     /// range of `f64`.
     pub fn new(body: &Body, h: &Number, l: &Number) -> Result<Self, PoincareError> {
         if body.flags().euler {

@@ -1,12 +1,10 @@
-//! Steady rotations at one spin: every relative equilibrium with angular velocity Ωγ.
-//!
-//! (sA − ν)γ = −r with s = Ω² and |γ| = 1 (Proposition 3.1 of docs/mathematics.md): γ_k = r_k/(ν − sA_k), where ν is a
-//! root of Σ r_k²/(ν − sA_k)² = 1, or ν = sA_k for an axis with r_k = 0, along which γ has what is missing of its length.
+//! The steady rotation at one spin that is nearest to a direction, of all relative equilibria with the angular velocity Ωγ.
 
 use bifdiag_numbers::symmetric::{Real, dot as inner};
 use bifdiag_numbers::vector::{norm, normalised};
 use dashu_ratio::RBig;
 
+use super::axis::MEANT;
 use super::cone::angle_between;
 use crate::critical::{Equilibrium, ExactSpin, Multiplicity, RelativeEquilibria};
 use bifdiag_body::{Body, Number};
@@ -28,7 +26,8 @@ pub struct SteadyRotation {
 }
 
 /// The steady rotation at the spin Ω ≥ 0 whose upward direction −γ is nearest to `up` in principal axes; `exact` is the same
-/// direction in the axes in which the body was given, both of any length. `None` where numbers leave the range of `f64`.
+/// direction in the axes in which the body was given, both of any length. `None` where numbers leave the range of `f64`, or
+/// where the list of all may not be complete.
 #[must_use]
 pub fn nearest_steady(
     body: &Body,
@@ -37,13 +36,13 @@ pub fn nearest_steady(
     exact: Option<&[RBig; 3]>,
 ) -> Option<SteadyRotation> {
     let down = normalised(up.map(|x| -x));
-    let all = RelativeEquilibria::new(body).ok()?.at_exact_spin(spin).ok()?;
+    let all = RelativeEquilibria::new(body).ok()?.at_exact_spin(spin).ok().filter(|all| all.complete)?;
     let candidates = all.list.into_iter().map(|equilibrium| {
         let gamma = nearest_of(body, &equilibrium, down);
         (angle_between(gamma, down), gamma, equilibrium)
     });
     let (angle, gamma, equilibrium) = candidates.min_by(|(p, ..), (q, ..)| p.total_cmp(q))?;
-    let is_meant = exact.is_some_and(|up| spin.is_steady(body, up));
+    let is_meant = angle <= MEANT && exact.is_some_and(|up| spin.is_steady(body, up));
     let (gamma, angle) = if is_meant { (down, 0.0) } else { (gamma, angle) };
     let exact = exact.and_then(|up| exact_place(body, spin, up));
     let is_exact = exact.is_some();
@@ -52,7 +51,8 @@ pub fn nearest_steady(
     Some(SteadyRotation { gamma, angle, place, is_exact, equilibrium })
 }
 
-/// Of the equilibria that one represents, the γ nearest to `down`: on a circle, the part across the axis of symmetry turns.
+/// The γ nearest to `down` among those that an entry represents: on a circle the part across the axis of symmetry is
+/// turned.
 fn nearest_of(body: &Body, found: &Equilibrium, down: [f64; 3]) -> [f64; 3] {
     match found.multiplicity {
         Multiplicity::Points(_) => found.gamma,

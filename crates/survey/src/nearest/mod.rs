@@ -114,8 +114,8 @@ impl BorderSearch {
         found
     }
 
-    /// The border on a wall, a function with its value at the body: at its foot, or where that lies beyond other walls, at the
-    /// nearest place just before those.
+    /// The border on a wall, a function with its value at the body: at its foot, or where that lies beyond other walls, at
+    /// the nearest place just before those.
     fn within(&self, walls: &[Level], wall: Level, mut foot: DVector<f64>) -> Vec<NearestBorder> {
         /// The part of a wall's value that is left before it.
         const BEFORE: f64 = 1e-3;
@@ -135,8 +135,8 @@ impl BorderSearch {
         }
     }
 
-    /// The border at a place, if the class of the body ends there; two where the body itself is on the border, and belongs to
-    /// neither side.
+    /// The border at a place, if the class of the body ends there; two where the body itself is on the border, and belongs
+    /// to neither side.
     fn at(&self, place: &DVector<f64>) -> Vec<NearestBorder> {
         let Some((line, s, sides)) = self.sides(place) else { return Vec::new() };
         let [below, above] = &sides;
@@ -145,7 +145,7 @@ impl BorderSearch {
         let beyond = match sides.each_ref().map(|side| side.1 == self.own.1) {
             [true, false] => vec![above],
             [false, true] if is_here => vec![below],
-            [false, false] if is_here => vec![below, above],
+            [false, false] if is_here && below.1 != above.1 => vec![below, above],
             _ => Vec::new(),
         };
         let direction: Vec<f64> = place.normalize().iter().copied().collect();
@@ -155,14 +155,15 @@ impl BorderSearch {
             .collect()
     }
 
-    /// The line through a place, how far along it the place is, and the classes just before and behind it.
+    /// The line through a place, how far along it the place is, and the classes just before and just beyond it; how far is 0
+    /// where the place is the body itself.
     fn sides(&self, place: &DVector<f64>) -> Option<(BodyLine, f64, [(Atlas, Class); 2])> {
         /// How far from the place classes are asked, as a part of its distance.
         const SIDE: f64 = 1e-6;
-        /// A smaller way is lost in the rounding of the bodies.
-        const LEAST: f64 = 3e-14;
-        /// And that distance where the body itself is on the border.
+        /// What stands for that distance where the body itself is on the border, as a part of the way to the end of the set.
         const BESIDE: f64 = 1e-2;
+        /// A shorter step is lost in the rounding of the bodies.
+        const LEAST: f64 = 3e-14;
         let direction = place.normalize();
         let line = self.around.basis.line(direction.as_slice(), self.around.set)?;
         let class = |s: f64| {
