@@ -86,6 +86,15 @@ pub fn nearest(body: ReducedBody, class: Class, options: &NearestOptions) -> Vec
     nearest
 }
 
+/// A place on a line through the body.
+struct Beside {
+    line: BodyLine,
+    /// How far along the line it is, 0 where it is the body itself.
+    s: f64,
+    /// The classes just before and just beyond it.
+    sides: [(Atlas, Class); 2],
+}
+
 /// The surroundings of one body.
 struct BorderSearch {
     around: Surroundings,
@@ -138,7 +147,7 @@ impl BorderSearch {
     /// The border at a place, if the class of the body ends there; two where the body itself is on the border, and belongs
     /// to neither side.
     fn at(&self, place: &DVector<f64>) -> Vec<NearestBorder> {
-        let Some((line, s, sides)) = self.sides(place) else { return Vec::new() };
+        let Some(Beside { line, s, sides }) = self.beside(place) else { return Vec::new() };
         let [below, above] = &sides;
         let is_here = s == 0.0;
         let (event, _) = border::between(below.0.arrangement(), above.0.arrangement());
@@ -155,9 +164,8 @@ impl BorderSearch {
             .collect()
     }
 
-    /// The line through a place, how far along it the place is, and the classes just before and just beyond it; how far is 0
-    /// where the place is the body itself.
-    fn sides(&self, place: &DVector<f64>) -> Option<(BodyLine, f64, [(Atlas, Class); 2])> {
+    /// What is beside a place.
+    fn beside(&self, place: &DVector<f64>) -> Option<Beside> {
         /// How far from the place classes are asked, as a part of its distance.
         const SIDE: f64 = 1e-6;
         /// What stands for that distance where the body itself is on the border, as a part of the way to the end of the set.
@@ -175,7 +183,7 @@ impl BorderSearch {
             if is_here { [0.0, BESIDE * line.reach()[0].min(line.reach()[1]).min(1.0)] } else { [place.norm(); 2] };
         let side = (SIDE * unit).max(LEAST);
         let sides = [class(s - side)?, class(s + side)?];
-        Some((line, s, sides))
+        Some(Beside { line, s, sides })
     }
 
     /// The first border in a direction that shows between bodies on the line, or that border where it is nearer.
