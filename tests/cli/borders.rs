@@ -1,7 +1,6 @@
 //! `bifdiag scan border`: where classes end on the way from one body to another.
 
 use serde_json::Value;
-use tempfile::tempdir;
 
 use crate::builder::bifdiag;
 
