@@ -110,10 +110,10 @@ impl Relation {
                 let m = rounded(&Real::exact(m), Tensor::DIGITS + 1);
                 // Up to the factor r_j² these are Pd, Qd² and Rd³, with d = A_i − A_k: the relations are linear in 1/d then.
                 let [p, q, r] = [&w + &m, &w + m.sqr(), &w + m.cubic()];
-                let along = match self.kind {
-                    Kind::CuspAtPitchfork => &a_k * q / (RBig::from(3) * p),
-                    // Pitchfork at cusp.
-                    _ => &a_k * &q * &r / (RBig::from(3) * p * r - RBig::from(4) * q.sqr()),
+                let along = if let Kind::CuspAtPitchfork = self.kind {
+                    &a_k * q / (RBig::from(3) * p)
+                } else {
+                    &a_k * &q * &r / (RBig::from(3) * p * r - RBig::from(4) * q.sqr())
                 };
                 moments[j] = &a_k + &along / m;
                 moments[i] = a_k + along;
@@ -139,11 +139,18 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::{Body, IntegrableCase};
+    use crate::{Body, IntegrableCase, PrincipalForm};
 
     fn tensor(matrix: [&str; 6], center: [&str; 3]) -> Tensor {
         let rational = |text: &str| text.parse::<Number>().unwrap().value().clone();
         Tensor::new(Symmetric::new(matrix.map(rational)), center.map(rational)).unwrap()
+    }
+
+    /// The principal form of a tensor whose form is rounded.
+    fn rounded_form(matrix: [&str; 6], center: [&str; 3]) -> PrincipalForm {
+        let form = tensor(matrix, center).principal().unwrap();
+        assert!(!form.exact);
+        form
     }
 
     fn values(numbers: &[Number; 3]) -> [RBig; 3] {
@@ -167,8 +174,7 @@ mod tests {
             // A = (1, 2, 4) and r₁² = 2 r₃²: all moments are rational, and the ratio of the components is not.
             (["5/2", "5/2", "2", "1/2", "1", "1"], ["2", "2", "-1"]),
         ] {
-            let form = tensor(matrix, center).principal().unwrap();
-            assert!(!form.exact);
+            let form = rounded_form(matrix, center);
             let moments = values(form.body.moments());
             assert!(moments.contains(&mean(&form.body)), "{matrix:?}");
             assert_eq!(mean(&form.body), form.body.weighted_moment() / form.body.center_squared());
@@ -177,8 +183,7 @@ mod tests {
 
     #[test]
     fn a_moment_that_is_the_mean_of_the_others_stays_it() {
-        let form = tensor(["5", "5", "5", "1", "0", "1"], ["1", "-1", "1"]).principal().unwrap();
-        assert!(!form.exact);
+        let form = rounded_form(["5", "5", "5", "1", "0", "1"], ["1", "-1", "1"]);
         let [first, second, third] = values(form.body.moments());
         assert_eq!((first + third, second), (RBig::from(10), RBig::from(5)));
     }
@@ -202,8 +207,7 @@ mod tests {
     /// A brick that is held beside its centre.
     #[test]
     fn hess_and_appelrots_case_stays_one() {
-        let form = tensor(["2", "17", "17", "0", "-3", "0"], ["4", "0", "1"]).principal().unwrap();
-        assert!(!form.exact);
+        let form = rounded_form(["2", "17", "17", "0", "-3", "0"], ["4", "0", "1"]);
         for body in [form.body.clone(), Body::new(form.body.moments().clone(), form.body.center().clone()).unwrap()] {
             assert_eq!(IntegrableCase::of(&body), [IntegrableCase::HessAppelrot]);
         }
@@ -227,8 +231,7 @@ mod tests {
             // A = (3, 11/3, 5) and r₃² = 3 r₂²: all moments are rational, and the ratio of the components is not.
             (["37/9", "37/9", "31/9", "-8/9", "-2/9", "-2/9"], ["2", "-1", "-1"]),
         ] {
-            let form = tensor(matrix, center).principal().unwrap();
-            assert!(!form.exact);
+            let form = rounded_form(matrix, center);
             let (a, [p, q, _]) = sums(&form.body);
             assert_eq!(a * q, RBig::from(3) * p, "{matrix:?}");
         }
@@ -239,8 +242,7 @@ mod tests {
         for (matrix, center) in
             [(["5", "4", "4", "1", "0", "0"], ["1", "0", "0"]), (["4", "5", "4", "1", "0", "0"], ["2", "1", "0"])]
         {
-            let form = tensor(matrix, center).principal().unwrap();
-            assert!(!form.exact);
+            let form = rounded_form(matrix, center);
             let (a, [p, q, r]) = sums(&form.body);
             assert_eq!(RBig::from(4) * q.sqr() + a * q * &r, RBig::from(3) * p * r, "{matrix:?}");
         }

@@ -36,12 +36,8 @@ pub fn nearest_steady(
     exact: Option<&[RBig; 3]>,
 ) -> Option<SteadyRotation> {
     let down = normalised(up.map(|x| -x));
-    let all = RelativeEquilibria::new(body).ok()?.at_exact_spin(spin).ok().filter(|all| all.complete)?;
-    let candidates = all.list.into_iter().map(|equilibrium| {
-        let gamma = nearest_of(body, &equilibrium, down);
-        (angle_between(gamma, down), gamma, equilibrium)
-    });
-    let (angle, gamma, equilibrium) = candidates.min_by(|(p, ..), (q, ..)| p.total_cmp(q))?;
+    let (angle, gamma, equilibrium) =
+        all_at(body, spin, down)?.into_iter().min_by(|(p, ..), (q, ..)| p.total_cmp(q))?;
     let is_meant = angle <= MEANT && exact.is_some_and(|up| spin.is_steady(body, up));
     let (gamma, angle) = if is_meant { (down, 0.0) } else { (gamma, angle) };
     let exact = exact.and_then(|up| exact_place(body, spin, up));
@@ -49,6 +45,17 @@ pub fn nearest_steady(
     let rounded = || Some([Number::from_f64(equilibrium.h).ok()?, Number::from_f64(equilibrium.l).ok()?]);
     let place = exact.or_else(rounded)?;
     Some(SteadyRotation { gamma, angle, place, is_exact, equilibrium })
+}
+
+/// Every steady rotation at a spin: the angle to `down` of the γ nearest to it, this γ, and its equilibrium. `None` where the
+/// list may not be complete.
+fn all_at(body: &Body, spin: &ExactSpin, down: [f64; 3]) -> Option<Vec<(f64, [f64; 3], Equilibrium)>> {
+    let all = RelativeEquilibria::new(body).ok()?.at_exact_spin(spin).ok().filter(|all| all.complete)?;
+    let beside = |equilibrium: Equilibrium| {
+        let gamma = nearest_of(body, &equilibrium, down);
+        (angle_between(gamma, down), gamma, equilibrium)
+    };
+    Some(all.list.into_iter().map(beside).collect())
 }
 
 /// The γ nearest to `down` among those that an entry represents: on a circle the part across the axis of symmetry is
@@ -59,9 +66,8 @@ fn nearest_of(body: &Body, found: &Equilibrium, down: [f64; 3]) -> [f64; 3] {
         Multiplicity::Sphere => down,
         Multiplicity::Circle => {
             let (moments, r) = (body.moments(), body.center_f64());
-            let is_turned = [0, 1, 2].map(|k| {
-                r[k] == 0.0 && (0..3).any(|i| i != k && r[i] == 0.0 && moments[i].value() == moments[k].value())
-            });
+            let is_turned =
+                [0, 1, 2].map(|k| r[k] == 0.0 && (0..3).any(|i| i != k && r[i] == 0.0 && moments[i] == moments[k]));
             let across = |v: [f64; 3]| -> [f64; 3] { std::array::from_fn(|k| if is_turned[k] { v[k] } else { 0.0 }) };
             let [size, length] = [norm(across(found.gamma)), norm(across(down))];
             if length == 0.0 {
@@ -82,12 +88,10 @@ pub fn equally_near_steady(
 ) -> Vec<[f64; 3]> {
     /// Angles that differ by less are the same.
     const TIE: f64 = 1e-11;
-    let found = RelativeEquilibria::new(body).ok().and_then(|all| Some(all.at_exact_spin(spin).ok()?.list));
-    let down = normalised(up.map(|x| -x));
-    let axes = found.unwrap_or_default().into_iter().map(|point| nearest_of(body, &point, down).map(|x| 0.0 - x));
-    let is_other =
-        |axis: &[f64; 3]| (angle_between(*axis, up) - angle).abs() < TIE && angle_between(*axis, nearest) > TIE;
-    axes.filter(is_other).collect()
+    let all = all_at(body, spin, normalised(up.map(|x| -x))).unwrap_or_default();
+    let as_near = all.into_iter().filter(|(other, ..)| (other - angle).abs() < TIE);
+    let axes = as_near.map(|(_, gamma, _)| gamma.map(|x| 0.0 - x));
+    axes.filter(|axis| angle_between(*axis, nearest) > TIE).collect()
 }
 
 /// h and l of rotation with n = `up` pointing up, if it is steady at exactly this spin and |n| and Ω² are rational; l to 60
