@@ -18,6 +18,8 @@ PRESETS = {"lagrange": ["--A=2,1,1", "--r=1,0,0"]}
 OTHER_WORDS = {
     "certificate",  # each program verifies its own
     "command",
+    "lyapunov",  # orbits without a verdict are followed further
+    "lyapunov.npy",
     "note",
     "schema_version",
     "sha256",  # of a file of the other version
@@ -60,6 +62,13 @@ def common(old, new):
         bounds = old.get("error_bound", 0.0) + new.get("error_bound", 0.0)
         new = {**new, "critical": equilibria(old["critical"], new["critical"], bounds)}
         new["error_bound"] = near(old.get("error_bound"), new.get("error_bound"), ROUNDINGS)
+    if "error_bound" in old and "error_bound" in new:
+        new = {**new, "error_bound": narrower(old["error_bound"], new["error_bound"])}
+    if "margin" in old and "margin" in new:
+        new = {**new, "margin": margin(old["margin"], new["margin"])}
+    if "chaos" in old and "chaos" in new:
+        # The reason of a verdict names the rate of growth.
+        old, new = ({key: value for key, value in side.items() if key != "reason"} for side in (old, new))
     if "plate" in old and "A" in old:
         new = {**new, **flags(old, new)}
     if "candidates" in old and is_free_at_rest(old) and all(entry in new["candidates"] for entry in old["candidates"]):
@@ -80,6 +89,20 @@ def near(old, new, tolerance):
 def within(old, new, bound):
     """Likewise, by an absolute bound."""
     return old if abs(old - new) <= bound else new
+
+
+def narrower(old, new):
+    """The old bound if the new one is at most as large."""
+    return old if old is not None and new is not None and new <= old else new
+
+
+def margin(old, new):
+    """At l = 0 a pole line ends at a relative equilibrium, which is named now, with a smaller bound."""
+    if not (isinstance(old, dict) and isinstance(new, dict)):
+        return new
+    bounds = old["error_bound"] + new["error_bound"]
+    same_place = abs(old["h"] - new["h"]) <= bounds
+    return old if same_place and new["error_bound"] <= old["error_bound"] else new
 
 
 def without_drawing(document):

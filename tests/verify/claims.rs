@@ -2,8 +2,8 @@
 
 use bifdiag_documents::seal;
 use bifdiag_schema::{
-    Accuracy, AtlasDocument, CertifiedNode, DrawingDocument, EnclosureDocument, EventDocument, Failing, MarginDocument,
-    NonlinearVerdict, PlaceDocument, Reason, VerdictChangeDocument,
+    Accuracy, AtlasDocument, CertifiedNode, DrawingDocument, EnclosureDocument, EventDocument, EventKind, Failing,
+    MarginDocument, NonlinearVerdict, PlaceDocument, Reason, VerdictChangeDocument,
 };
 use bifdiag_verify::{Refused, Report, verify};
 use dashu_ratio::RBig;
@@ -184,6 +184,20 @@ fn a_crossing_beside_its_box_is_refused() {
 }
 
 /// The place that holds two.
+/// On the border of Katok's classes 6 and 7 the pair over axis 2 crosses the line of −r̂ where the pair over axis 3 leaves it.
+#[test]
+fn a_crossing_at_a_pitchfork_names_the_curve_that_crosses() {
+    let true_one = document(&body([["18", "10", "9"], ["1", "0", "0"]]));
+    verify(&true_one).unwrap();
+    let is_there = |event: &EventDocument| event.kind == EventKind::Crossing && event.l == 6.0;
+    let at = true_one.events.iter().position(is_there).unwrap();
+    assert_eq!(true_one.events[at].curves, ["S2.2", "L-.1"]);
+    for other in ["S3.1", "L-.2", "S2.1"] {
+        let refused = forged(&true_one, |atlas| atlas.events[at].curves[0] = other.to_owned());
+        assert!(matches!(refused, Err(Refused::Entry { .. })), "{other}: {refused:?}");
+    }
+}
+
 fn around(p: &PlaceDocument, q: &PlaceDocument) -> PlaceDocument {
     let (low, high) = if exact(&p.y[0]) < exact(&q.y[0]) { (p, q) } else { (q, p) };
     PlaceDocument { y: [low.y[0].clone(), high.y[1].clone()], ..low.clone() }

@@ -3,8 +3,7 @@
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use super::arrange::{Event, EventSource};
-use super::curves::Curves;
+use super::arrange::{self, Event, EventSource};
 use super::id::TransitionId;
 use super::region::{self, Margin, Region, Sample, exact};
 use super::{CertifiedAtlas, ConversionError};
@@ -61,7 +60,7 @@ impl CertifiedAtlas {
             // x, its root and the product with a unit are rounded.
             let x_error = (double(&event.x[1]) - double(&event.x[0])).max(4.0 * f64::EPSILON * x);
             event.sources.iter().map(move |source| arrangement::Event {
-                change: change(&proved.curves, event, source, map),
+                change: change(proved, event, source, map),
                 x,
                 x_error,
                 h,
@@ -149,7 +148,8 @@ fn double(x: &RBig) -> f64 {
 }
 
 /// What an event does, in the standard program's terms.
-fn change(curves: &Curves, event: &Event, source: &EventSource, map: &Table<CurveId, CurveId>) -> Change {
+fn change(proved: &arrange::Arrangement, event: &Event, source: &EventSource, map: &Table<CurveId, CurveId>) -> Change {
+    let curves = &proved.curves;
     match source {
         EventSource::Cusp(number) => {
             let cusp = &curves.cusps[*number];
@@ -162,14 +162,14 @@ fn change(curves: &Curves, event: &Event, source: &EventSource, map: &Table<Curv
             if fork.opens { Change::Open { through, pair } } else { Change::Close { through, pair } }
         }
         EventSource::Crossing(pair) => Change::Swap(pair.map(|c| map[c])),
-        EventSource::Pole(_) => {
+        EventSource::Pole(number) => {
             if let [first, second] = event.curves[..] {
                 return Change::Swap([map[first].min(map[second]), map[first].max(map[second])]);
             }
-            let line = event.curves.iter().copied().find(|&c| curves.list[c].pole.is_some());
-            let other = event.curves.iter().copied().find(|&c| Some(c) != line && curves.list[c].pole.is_none());
-            let fallback = event.curves[0];
-            Change::Swap([map[other.unwrap_or(fallback)], map[line.unwrap_or(fallback)]])
+            // At a cusp or pitchfork more curves meet: these are the first that crosses the line there, and the line.
+            let crossing = proved.meetings[*number].curves[0];
+            let line = event.curves.iter().copied().find(|&c| curves.list[c].pole.is_some()).unwrap_or(crossing);
+            Change::Swap([map[crossing], map[line]])
         }
     }
 }

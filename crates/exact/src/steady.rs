@@ -44,6 +44,8 @@ pub struct Steady {
     pub axis: [f64; 3],
     /// The angle to the axis of the question in radians; 0 where they are meant to be one.
     pub angle: f64,
+    /// The axes of the other steady rotations that are as near.
+    pub as_near: Vec<[f64; 3]>,
     /// h and l.
     pub place: [f64; 2],
     /// The circle or sphere that it belongs to.
@@ -73,7 +75,7 @@ impl Steady {
         let found = nearest_steady(body, spin, *up, Some(exact_up))?;
         let up = found.gamma.map(|x| 0.0 - x);
         match permanent_axis(body, up).filter(|axis| angle_between(axis.direction, up) <= SAME) {
-            Some(axis) => Self::about(solver, question, axis, found.angle),
+            Some(axis) => Some(Self { as_near: found.as_near, ..Self::about(solver, question, axis, found.angle)? }),
             None => Some(Self::beyond(solver, &spin.omega, found)),
         }
     }
@@ -95,6 +97,7 @@ impl Steady {
         Some(Self {
             axis: axis.direction,
             angle: meant(angle),
+            as_near: Vec::new(),
             place: [h.to_f64(), l.to_f64()],
             multiplicity: rotation.multiplicity(),
             judged,
@@ -107,13 +110,14 @@ impl Steady {
 
     /// Rotation about another axis, which is permanent at this spin.
     fn beyond(solver: &Solver, omega: &RBig, found: SteadyRotation) -> Self {
-        let SteadyRotation { gamma, angle, place: [h, l], is_exact, equilibrium } = found;
+        let SteadyRotation { gamma, angle, place: [h, l], is_exact, equilibrium, as_near } = found;
         let multiplicity = equilibrium.multiplicity;
         let judged = Judged::from(equilibrium);
         let pairs = judged.eigenvalues.pairs;
         Self {
             axis: gamma.map(|x| 0.0 - x),
             angle: meant(angle),
+            as_near,
             place: [h.to_f64(), l.to_f64()],
             multiplicity,
             judged,

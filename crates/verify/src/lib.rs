@@ -52,7 +52,7 @@ const PROOFS: [usize; 3] = [53, 128, 384];
 pub struct Report {
     /// Regions whose topology was confirmed.
     pub regions: usize,
-    /// Events.
+    /// Events that the atlas lists.
     pub events: usize,
     /// Pairs of curves whose order was checked.
     pub pairs: usize,
@@ -121,7 +121,7 @@ fn certified(
     gluing::check(&certificate.transitions, &events, &slabs)?;
     let cells = regions::regions(document, certificate, &pieces, &slabs)?;
     curves::check(document, certificate, &orders, &slabs)?;
-    listing::events(document, certificate, &events, &orders)?;
+    listing::events(document, certificate, (&events, &meetings), &orders)?;
     listing::ranges(document, certificate, &cells)?;
     let (along, mut unproved) = stability::check(document, &orders)?;
     let samples = regions::samples(document, certificate, &orders, &slabs, &cells)?;
@@ -135,7 +135,7 @@ fn certified(
     stability::exceptions(document, &orders, &along, &mut unproved)?;
     Ok(Report {
         regions: document.regions.len(),
-        events: certificate.events.len(),
+        events: document.events.len(),
         pairs: certificate.pairs.len(),
         unproved,
     })

@@ -159,9 +159,12 @@ fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriu
 /// What friction that conserves l leaves: on which curves the body stays stable, and in how many directions it falls from others.
 fn with_friction(points: &[&RelativeEquilibriumDocument], names: &[String]) -> String {
     let curves = |is: &dyn Fn(&FrictionDocument) -> bool| {
-        let mut found: Vec<&str> =
-            points.iter().zip(names).filter(|(p, _)| is(&p.friction)).map(|(_, name)| name.as_str()).collect();
-        found.dedup();
+        let mut found: Vec<&str> = Vec::new();
+        for (_, name) in points.iter().zip(names).filter(|(point, _)| is(&point.friction)) {
+            if !found.contains(&name.as_str()) {
+                found.push(name);
+            }
+        }
         found.join(", ")
     };
     let damped = |left: Option<Damped>| move |friction: &FrictionDocument| friction.conserving_l == left;

@@ -4,7 +4,7 @@ use bifdiag_body::Number;
 use bifdiag_body::part::Spin;
 use bifdiag_documents::{CommandLine, StateQuestion, Subject};
 use bifdiag_equilibria::critical::ExactSpin;
-use bifdiag_equilibria::permanent::{AxisKind, angle_between, equally_near_steady};
+use bifdiag_equilibria::permanent::{AxisKind, angle_between};
 use bifdiag_exact::{self as exact, Accuracy, Solver, SpinQuestion};
 use bifdiag_numbers::symmetric;
 use bifdiag_schema::{AxisEnd, StateDocument, SteadyDocument};
@@ -252,8 +252,7 @@ fn other_text(
         "at this spin the axis of the nearest steady rotation is {}, {angle}° from the vertical",
         listed(nearest.axis)
     ));
-    let others = equally_near_steady(&subject.body, &question.spin, question.up, (steady.axis, steady.angle));
-    if let Some(others) = as_near(subject, others) {
+    if let Some(others) = as_near(subject, steady.as_near.clone()) {
         report.line(format!("{others}; what follows refers to the first"));
     }
     report_steady(report, nearest);

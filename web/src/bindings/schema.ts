@@ -94,7 +94,7 @@ export interface Part {
   A: [string, string, string];
   /** m g times the centre of mass, in the principal axes. */
   r: [string, string, string];
-  /** True when A and r are exact; else they are rounded to 130 digits, and every symmetry is kept. */
+  /** True when A and r are exact; else they are rounded to 130 digits, so that equal moments, zeros and coincidences of thresholds remain. */
   exact: boolean;
   /** Some mass distribution has these mass properties. */
   physical: boolean;

@@ -35,6 +35,6 @@ pub use near::{
 pub use one_spin::OneSpin;
 pub use rotation::{AxisRotation, SpinChange};
 pub use square::{BoxedBody, Vector};
-pub use steady::{SteadyRotation, equally_near_steady, nearest_steady};
+pub use steady::{SteadyRotation, nearest_steady};
 pub use stretches::SpinStretch;
 pub use tolerance::{INPUTS, SAMPLES, SpinRange, sampled_bodies, spin_ranges};

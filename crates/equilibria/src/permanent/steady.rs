@@ -23,6 +23,8 @@ pub struct SteadyRotation {
     pub is_exact: bool,
     /// The relative equilibrium, with its stability.
     pub equilibrium: Equilibrium,
+    /// The axes −γ of the other steady rotations at this spin that are as near.
+    pub as_near: Vec<[f64; 3]>,
 }
 
 /// The steady rotation at the spin Ω ≥ 0 whose upward direction −γ is nearest to `up` in principal axes; `exact` is the same
@@ -35,16 +37,21 @@ pub fn nearest_steady(
     up: [f64; 3],
     exact: Option<&[RBig; 3]>,
 ) -> Option<SteadyRotation> {
+    /// Angles that differ by less are the same.
+    const TIE: f64 = 1e-11;
     let down = normalised(up.map(|x| -x));
-    let (angle, gamma, equilibrium) =
-        all_at(body, spin, down)?.into_iter().min_by(|(p, ..), (q, ..)| p.total_cmp(q))?;
-    let is_meant = angle <= MEANT && exact.is_some_and(|up| spin.is_steady(body, up));
-    let (gamma, angle) = if is_meant { (down, 0.0) } else { (gamma, angle) };
+    let all = all_at(body, spin, down)?;
+    let (angle, gamma, equilibrium) = all.iter().min_by(|(p, ..), (q, ..)| p.total_cmp(q))?;
+    let others = all.iter().filter(|(other, ..)| other - angle < TIE).map(|(_, other, _)| other);
+    let as_near =
+        others.filter(|other| angle_between(**other, *gamma) > TIE).map(|other| other.map(|x| 0.0 - x)).collect();
+    let is_meant = *angle <= MEANT && exact.is_some_and(|up| spin.is_steady(body, up));
+    let (gamma, angle) = if is_meant { (down, 0.0) } else { (*gamma, *angle) };
     let exact = exact.and_then(|up| exact_place(body, spin, up));
     let is_exact = exact.is_some();
     let rounded = || Some([Number::from_f64(equilibrium.h).ok()?, Number::from_f64(equilibrium.l).ok()?]);
     let place = exact.or_else(rounded)?;
-    Some(SteadyRotation { gamma, angle, place, is_exact, equilibrium })
+    Some(SteadyRotation { gamma, angle, place, is_exact, equilibrium: equilibrium.clone(), as_near })
 }
 
 /// Every steady rotation at a spin: the angle to `down` of the γ nearest to it, this γ, and its equilibrium. `None` where the
@@ -76,22 +83,6 @@ fn nearest_of(body: &Body, found: &Equilibrium, down: [f64; 3]) -> [f64; 3] {
             std::array::from_fn(|k| if is_turned[k] { size * down[k] / length } else { found.gamma[k] })
         }
     }
-}
-
-/// The other steady axes at a spin that are as near to a direction as one of them, at this angle in radians.
-#[must_use]
-pub fn equally_near_steady(
-    body: &Body,
-    spin: &ExactSpin,
-    up: [f64; 3],
-    (nearest, angle): ([f64; 3], f64),
-) -> Vec<[f64; 3]> {
-    /// Angles that differ by less are the same.
-    const TIE: f64 = 1e-11;
-    let all = all_at(body, spin, normalised(up.map(|x| -x))).unwrap_or_default();
-    let as_near = all.into_iter().filter(|(other, ..)| (other - angle).abs() < TIE);
-    let axes = as_near.map(|(_, gamma, _)| gamma.map(|x| 0.0 - x));
-    axes.filter(|axis| angle_between(*axis, nearest) > TIE).collect()
 }
 
 /// h and l of rotation with n = `up` pointing up, if it is steady at exactly this spin and |n| and Ω² are rational; l to 60

@@ -4,7 +4,8 @@ use bifdiag_schema::{AtlasDocument, CertificateDocument, EventDocument, EventKin
 use dashu_ratio::RBig;
 
 use crate::Refused;
-use crate::equilibria::pieces::{Branch, End, Pieces};
+use crate::equilibria::meetings::Meeting;
+use crate::equilibria::pieces::{Branch, Pieces};
 use crate::numbers::bounds::{around, holds, holds_root, is_at_most, roundings};
 use crate::numbers::number;
 use crate::order::events::{Events, Source};
@@ -26,7 +27,7 @@ const ROUNDINGS: u32 = 4;
 pub(crate) fn events(
     document: &AtlasDocument,
     certificate: &CertificateDocument,
-    events: &Events,
+    (events, meetings): (&Events, &[Meeting]),
     orders: &Orders,
 ) -> Result<(), Refused> {
     let pieces = orders.pieces;
@@ -40,7 +41,7 @@ pub(crate) fn events(
     for listed in listed(document, certificate) {
         let refuse = |why| Refused::entry("event", listed.number, why);
         let claim = &certificate.events[listed.number];
-        listed.is_of_its_kind(pieces, &events.curves[listed.number]).map_err(refuse)?;
+        listed.is_of_its_kind(pieces, meetings, &events.curves[listed.number]).map_err(refuse)?;
         let squares = claim.x.each_ref().map(|x| number::read(x).map(|x| x * &l2));
         let heights = claim.h.each_ref().map(|h| number::read(h).map(|h| h * energy));
         let ([low, high], [h_low, h_high]) = (squares, heights);
@@ -131,28 +132,28 @@ fn listed<'a>(document: &'a AtlasDocument, certificate: &CertificateDocument) ->
 }
 
 impl Listed<'_> {
-    fn is_of_its_kind(&self, pieces: &Pieces, together: &[usize]) -> Result<(), &'static str> {
-        let (kind, curves) = match self.source.end() {
-            Some(End::Cusp(cusp)) => (EventKind::Cusp, pieces.at_cusp(cusp)),
-            Some(End::Pitchfork(fork)) => (EventKind::Pitchfork, pieces.at_fork(fork)),
-            _ => (EventKind::Crossing, in_order(together)),
+    fn is_of_its_kind(&self, pieces: &Pieces, meetings: &[Meeting], together: &[usize]) -> Result<(), &'static str> {
+        let (kind, curves) = match self.source {
+            Source::Cusp(cusp) => (EventKind::Cusp, pieces.at_cusp(cusp)),
+            Source::Pitchfork(fork) => (EventKind::Pitchfork, pieces.at_fork(fork)),
+            // A meeting at a cusp or pitchfork names the first curve that crosses the line there, and the line.
+            Source::Meeting(number) if together.len() > 2 => {
+                let is_line = |curve: &&usize| matches!(pieces.list[**curve].branch, Branch::Line(_));
+                let crossing = meetings.get(number).and_then(|meeting| meeting.curves.first());
+                let named = [crossing, together.iter().find(is_line)];
+                (EventKind::Crossing, named.into_iter().flatten().copied().collect())
+            }
+            Source::Meeting(_) | Source::Crossing => (EventKind::Crossing, in_order(together)),
         };
         if self.document.kind != kind {
             return Err("it is of another kind");
         }
-        let mut named: Vec<usize> = Vec::new();
-        for id in &self.document.curves {
-            named.push(pieces.find(id).map_err(|_unknown| "it names a curve that does not exist")?);
+        let named: Result<Vec<usize>, _> = self.document.curves.iter().map(|id| pieces.find(id)).collect();
+        match named {
+            Ok(named) if named == curves => Ok(()),
+            Ok(_) => Err("it names other curves"),
+            Err(_unknown) => Err("it names a curve that does not exist"),
         }
-        // A meeting at a cusp or pitchfork names one of the curves there and the line.
-        let one_of_several = kind == EventKind::Crossing && curves.len() > 2;
-        let right = if one_of_several {
-            let is_line = |curve: &usize| matches!(pieces.list[*curve].branch, Branch::Line(_));
-            named.iter().map(is_line).eq([false, true]) && named.iter().all(|curve| curves.contains(curve))
-        } else {
-            named == curves
-        };
-        if right { Ok(()) } else { Err("it names other curves") }
     }
 }
 
