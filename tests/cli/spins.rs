@@ -26,7 +26,7 @@ fn a_vertical_that_has_to_point_down_is_reported_so() {
 #[test]
 fn degenerate_points_and_circles_are_explained() {
     let fork = bifdiag("critical --A 1,2,3 --r 0,0,1 --l 3").succeeds();
-    fork.printing("mult 2: degenerate; at a cusp two critical points meet in it, at a pitchfork three");
+    fork.printing("mult 2: degenerate; several critical points meet in it: two at a cusp, three at a pitchfork");
     bifdiag("critical --body lagrange --l 3").succeeds().printing("circle: a whole circle of relative equilibria");
     bifdiag("critical --A 1,2,2 --r 0,0,0 --l 1").succeeds().printing("circle: a whole circle");
     let none = bifdiag("critical --body paper --l 3.25").succeeds().stdout();

@@ -66,6 +66,9 @@ def common(old, new):
         new = {**new, "error_bound": narrower(old["error_bound"], new["error_bound"])}
     if "margin" in old and "margin" in new:
         new = {**new, "margin": margin(old["margin"], new["margin"])}
+    if old.get("kind") == new.get("kind") == "crossing" and "curves" in old and "curves" in new:
+        # Curves that cross are in the order of the list of curves now, at cusps and pitchforks too.
+        old, new = ({**side, "curves": sorted(side["curves"])} for side in (old, new))
     if "chaos" in old and "chaos" in new:
         # The reason of a verdict names the rate of growth.
         old, new = ({key: value for key, value in side.items() if key != "reason"} for side in (old, new))

@@ -191,9 +191,9 @@ fn a_crossing_at_a_pitchfork_names_the_curve_that_crosses() {
     verify(&true_one).unwrap();
     let is_there = |event: &EventDocument| event.kind == EventKind::Crossing && event.l == 6.0;
     let at = true_one.events.iter().position(is_there).unwrap();
-    assert_eq!(true_one.events[at].curves, ["S2.2", "L-.1"]);
+    assert_eq!(true_one.events[at].curves, ["L-.1", "S2.2"]);
     for other in ["S3.1", "L-.2", "S2.1"] {
-        let refused = forged(&true_one, |atlas| atlas.events[at].curves[0] = other.to_owned());
+        let refused = forged(&true_one, |atlas| atlas.events[at].curves[1] = other.to_owned());
         assert!(matches!(refused, Err(Refused::Entry { .. })), "{other}: {refused:?}");
     }
 }

@@ -45,10 +45,10 @@ pub fn spin_down(arrangement: &Arrangement, from: CurveId, x: f64) -> Vec<(Stret
     // x may lie beyond the upper end of the curve by its rounding.
     let mut along = arrangement.slabs.pairs().filter(|(_, slab)| slab.x[0] < x && slab.order.contains(&from));
     let Some((slab, start)) = along.next_back() else { return way };
-    let end = down.upper_end(from, start.x[1], x);
+    let end = down.event_at(from, start.x[1], x).or_else(|| down.event_at(from, start.x[0], x));
     // A minimum that ends there continues as one of the curves that it meets.
     let curve = match end.map(|event| event.change) {
-        Some(Change::Close { pair, .. }) if down.is_minimum(pair) => pair,
+        Some(Change::Close { pair, .. }) if down.is_minimum(pair) && start.order.contains(&pair) => pair,
         _ => from,
     };
     let mut place = Some(Place { curve, slab, x: x.min(start.x[1]) });
@@ -91,14 +91,24 @@ impl<'a> Down<'a> {
         self.set().curves[curve].index == Some(0)
     }
 
-    /// Where a curve ends over x, the event at which it does. Other events may be at the same x, with empty slabs between.
-    fn upper_end(&self, curve: CurveId, end: f64, x: f64) -> Option<&'a Event> {
+    /// The event of a curve at an end of a slab, if x is this end. Other events may be at the same x, with empty slabs between.
+    fn event_at(&self, curve: CurveId, end: f64, x: f64) -> Option<&'a Event> {
         if end.is_infinite() {
             return None;
         }
         let room = 4.0 * f64::EPSILON * end;
-        let ends = |event: &&Event| (event.x - end).abs() <= room && event.change.curves().contains(&curve);
-        if end - x <= room { self.arrangement.events.iter().find(ends) } else { None }
+        let is_there = |event: &&Event| (event.x - end).abs() <= room && event.change.curves().contains(&curve);
+        if (end - x).abs() <= room { self.arrangement.events.iter().find(is_there) } else { None }
+    }
+
+    /// The regions just below and just above a curve in a slab, or at an event: the curves that meet there bound no region there.
+    fn regions(&self, slab: SlabId, curve: CurveId, event: Option<&Event>) -> [Option<RegionId>; 2] {
+        let strip = &self.arrangement.slabs[slab];
+        let meets =
+            |other: &CurveId| *other == curve || event.is_some_and(|event| event.change.curves().contains(other));
+        let (lowest, highest) = (strip.order.iter().position(meets), strip.order.iter().rposition(meets));
+        let region = |place: usize| strip.region_above[place];
+        [lowest.and_then(|place| place.checked_sub(1)).map(region), highest.map(region)]
     }
 
     /// Minima at x in a slab of less energy than h.
@@ -113,9 +123,11 @@ impl<'a> Down<'a> {
         let Place { curve, mut slab, x } = *from;
         loop {
             let strip = &self.arrangement.slabs[slab];
-            let place = strip.order.iter().position(|&other| other == curve)?;
-            let regions =
-                [place.checked_sub(1).map(|below| strip.region_above[below]), Some(strip.region_above[place])];
+            if !strip.order.contains(&curve) {
+                return None;
+            }
+            // A stretch of no length is the event at which the curve begins.
+            let regions = self.regions(slab, curve, self.event_at(curve, strip.x[0], x));
             let stretch = Stretch { curve, x: [x, strip.x[0]], regions };
             let Some(before) = slab.before() else { return Some((stretch, Turn::Rest, slab)) };
             slab = before;
@@ -148,24 +160,19 @@ impl<'a> Down<'a> {
         Turn::Fall(event, left)
     }
 
-    /// From a point that is no minimum, at the upper end of its curve if there is one: the curves that meet there bound no region
-    /// there.
+    /// From a point that is no minimum, at an end of its curve if there is an event.
     fn lost(&self, from: &Place, end: Option<&Event>) -> (Stretch, Turn, SlabId) {
         let (set, &Place { curve, slab, x }) = (self.set(), from);
-        let strip = &self.arrangement.slabs[slab];
-        let meets = |other: &CurveId| *other == curve || end.is_some_and(|event| event.change.curves().contains(other));
+        let meets = |other: &CurveId| end.is_some_and(|event| event.change.curves().contains(other));
         let place = set.curves[curve].point(&set.frame, x);
         let mut left = self.below(slab, x, place.h());
-        left.retain(|other| !meets(other));
+        left.retain(|other| *other != curve && !meets(other));
         // At a cusp the curves that meet change no component.
         if !end.is_some_and(|event| matches!(event.change, Change::Open { .. } | Change::Close { .. })) {
-            let others = strip.order.iter().copied();
-            let others = others.filter(|other| !end.is_some_and(|event| event.change.curves().contains(other)));
-            keep_reachable(set, x, &place, others, &mut left);
+            let others = self.arrangement.slabs[slab].order.iter().copied();
+            keep_reachable(set, x, &place, others.filter(|other| !meets(other)), &mut left);
         }
-        let (lowest, highest) = (strip.order.iter().position(meets), strip.order.iter().rposition(meets));
-        let region = |place: usize| strip.region_above[place];
-        let regions = [lowest.and_then(|place| place.checked_sub(1)).map(region), highest.map(region)];
+        let regions = self.regions(slab, curve, end);
         (Stretch { curve, x: [x; 2], regions }, Turn::Lost(left), slab)
     }
 }

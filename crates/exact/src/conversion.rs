@@ -163,13 +163,11 @@ fn change(proved: &arrange::Arrangement, event: &Event, source: &EventSource, ma
         }
         EventSource::Crossing(pair) => Change::Swap(pair.map(|c| map[c])),
         EventSource::Pole(number) => {
-            if let [first, second] = event.curves[..] {
-                return Change::Swap([map[first].min(map[second]), map[first].max(map[second])]);
-            }
-            // At a cusp or pitchfork more curves meet: these are the first that crosses the line there, and the line.
+            // At a cusp or pitchfork more curves meet: the first that crosses the line there stands for them.
             let crossing = proved.meetings[*number].curves[0];
             let line = event.curves.iter().copied().find(|&c| curves.list[c].pole.is_some()).unwrap_or(crossing);
-            Change::Swap([map[crossing], map[line]])
+            let [first, second] = [map[crossing], map[line]];
+            Change::Swap([first.min(second), first.max(second)])
         }
     }
 }

@@ -6,6 +6,7 @@ use bifdiag_body::{Number, ParseNumberError};
 use bifdiag_diagram::arrangement::RegionId;
 use bifdiag_diagram::atlas::Spot;
 use bifdiag_diagram::topology::Margin;
+use bifdiag_equilibria::permanent::angle_between;
 use bifdiag_numbers::symmetric;
 use bifdiag_numbers::vector::{cross, dot, norm};
 use dashu_ratio::RBig;
@@ -18,6 +19,9 @@ const ROUNDING: f64 = 1e-14;
 
 /// An angular velocity at a smaller angle to the vertical, in radians, is along it.
 const UPRIGHT: f64 = 1e-9;
+
+/// A smaller angle between two directions, in radians, is one of rounding.
+const RESOLVED: f64 = 1e-12;
 
 /// Where a state lies, and whether it is a steady rotation.
 #[derive(Clone, Debug)]
@@ -87,6 +91,12 @@ impl State {
             Some(steady) if steady.angle == 0.0 && is_upright => Ok(Self { steady: Some(steady), ..state }),
             None if is_upright => Ok(Self { unknown: Some(UnknownOfState::Steadiness), ..state }),
             nearest => {
+                // Not rounded to 0, as it is of an axis that is meant to be the vertical.
+                let apart = |steady: &Steady| Some(angle_between(steady.axis, up)).filter(|angle| *angle > RESOLVED);
+                let nearest = nearest.map(|steady| match apart(&steady) {
+                    Some(angle) if steady.angle == 0.0 => Steady { angle, ..steady },
+                    _ => steady,
+                });
                 // A curve rises by l/J, which is at most l/min A, and h and l are rounded.
                 let least = a.into_iter().fold(f64::INFINITY, f64::min);
                 let size = 0.5 * dot(omega, momentum).abs() + norm(r) + l * l / least;

@@ -63,7 +63,7 @@ pub enum CurveKind {
     Generic,
     /// A symmetric pair over μ = A_i with r_i = 0.
     Pair,
-    /// A circle of relative equilibria (Lagrange's top).
+    /// A circle of relative equilibria (bodies with two equal moments).
     Circle,
     /// Rotation about a principal axis: a straight line in (l², h).
     Axis,
@@ -291,7 +291,8 @@ pub struct RegionDocument {
     pub l_range: [Option<f64>; 2],
     /// Ids of the curves on the boundary, each once: below and above each cell, in the order of `cells`.
     pub boundary: Vec<String>,
-    /// The regions across these curves, in the same order.
+    /// The regions across curves of the boundary, one for each region and curve; across a pole line that coincides with
+    /// another curve none.
     pub neighbours: Vec<NeighbourDocument>,
     /// The cells whose union it is, by rising l, then h.
     pub cells: Vec<CellDocument>,

@@ -132,9 +132,9 @@ pub struct ScanIdentityDocument {
 pub enum RowStatus {
     /// It has a class.
     Classified,
-    /// Something about its diagram is open at this accuracy; the numbers of the row are what was found.
+    /// Its diagram is open at this accuracy, or not proved within the limits; the numbers of the row are what was found.
     Undecided,
-    /// There is no atlas; `error` says why.
+    /// The atlas cannot be computed, or fails a check; `error` says why.
     Failed,
 }
 

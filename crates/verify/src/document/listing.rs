@@ -140,8 +140,9 @@ impl Listed<'_> {
             Source::Meeting(number) if together.len() > 2 => {
                 let is_line = |curve: &&usize| matches!(pieces.list[**curve].branch, Branch::Line(_));
                 let crossing = meetings.get(number).and_then(|meeting| meeting.curves.first());
-                let named = [crossing, together.iter().find(is_line)];
-                (EventKind::Crossing, named.into_iter().flatten().copied().collect())
+                let named: Vec<usize> =
+                    [crossing, together.iter().find(is_line)].into_iter().flatten().copied().collect();
+                (EventKind::Crossing, in_order(&named))
             }
             Source::Meeting(_) | Source::Crossing => (EventKind::Crossing, in_order(together)),
         };
