@@ -74,7 +74,15 @@ pub fn filled(model: &Model, text: &str, style: Style) -> Result<String, String>
 
 impl Page<'_> {
     fn table(&self, of: &Type, style: Style) -> Result<String, String> {
-        let own = |field: &&Field| !SHARED.iter().any(|(name, home)| *name == field.name && *home != of.name);
+        // A field of the same name and another meaning, such as the body on a border, is its own.
+        let described = |home: &str, field: &Field| match self.model.find(home).map(|home| &home.form) {
+            Some(Form::Record(fields)) => fields.iter().any(|shared| shared.about == field.about),
+            _ => true,
+        };
+        let is_shared = |field: &Field, (name, home): &(&str, &str)| {
+            *name == field.name && *home != of.name && described(home, field)
+        };
+        let own = |field: &&Field| !SHARED.iter().any(|shared| is_shared(field, shared));
         match &of.form {
             Form::Record(fields) => Ok((style.table)(self, &fields.iter().filter(own).collect::<Vec<_>>())),
             Form::Words(words) => {

@@ -15,8 +15,8 @@ use crate::share::{Share, ShareError, ShareOptions, shares};
 /// The shares at a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointShares {
-    /// The region in which it lies.
-    pub region: RegionId,
+    /// The region in which it lies; `None` without an atlas.
+    pub region: Option<RegionId>,
     /// The components there.
     pub components: Vec<Component>,
     /// The share of each.
@@ -61,7 +61,11 @@ pub fn point_shares(
         return Err(PointError::TooNear);
     }
     let components = components_at(solver.body(), [h, l], &found).map_err(PointError::Nowhere)?;
-    let Spot::Region(region) = solver.spot(h, l, &found.answer) else { return Err(PointError::TooNear) };
+    let region = match solver.spot(h, l, &found.answer) {
+        Spot::Region(region) => Some(region),
+        _ if solver.atlas().is_none() => None,
+        _ => return Err(PointError::TooNear),
+    };
     let surface = EnergySurface::new(solver.body(), h.to_f64(), l.to_f64(), components.len());
     let shares = shares(&surface.map_err(PointError::Range)?, options, monitor)?;
     Ok(PointShares { region, components, shares })

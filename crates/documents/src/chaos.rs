@@ -25,7 +25,7 @@ pub fn chaos_point(
         body: given(&subject.body),
         h: h.text().to_owned(),
         l: l.text().to_owned(),
-        region: Some(found.region.to_string()),
+        region: found.region.map(|region| region.to_string()),
         steps: options.orbits.steps as u64,
         components: found.components.iter().zip(&found.shares).map(|(one, share)| chaos_share(one, *share)).collect(),
         part: subject.part.clone(),

@@ -264,7 +264,8 @@ class Region(behaviour.Region):
     boundary : tuple[str, ...]
         Ids of the curves on the boundary, each once: below and above each cell, in the order of ``cells``.
     neighbours : tuple[Neighbour, ...]
-        The regions across these curves, in the same order.
+        The regions across curves of the boundary, one for each region and curve; across a pole line that coincides with
+        another curve none.
     cells : tuple[Cell, ...]
         The cells whose union it is, by rising l, then h.
     clipped : bool
@@ -651,9 +652,9 @@ class Curve(behaviour.Curve):
         Id, unique in the atlas.
     kind : str
         What it consists of. ``"generic"``: Relative equilibria of the generic family γ(μ). ``"pair"``: A symmetric pair
-        over μ = A_i with r_i = 0. ``"circle"``: A circle of relative equilibria (Lagrange's top). ``"axis"``: Rotation
-        about a principal axis: a straight line in (l², h). ``"pole-plus"``: r̂ enters U_hl. ``"pole-minus"``: −r̂ enters
-        U_hl. ``"sphere"``: All of S² is critical.
+        over μ = A_i with r_i = 0. ``"circle"``: A circle of relative equilibria (bodies with two equal moments).
+        ``"axis"``: Rotation about a principal axis: a straight line in (l², h). ``"pole-plus"``: r̂ enters U_hl.
+        ``"pole-minus"``: −r̂ enters U_hl. ``"sphere"``: All of S² is critical.
     branch : str
         Branch: curves that continue each other through cusps and pitchforks share it.
     branch_name : str

@@ -157,7 +157,9 @@ fn report(class: &ClassDocument, document: &AtlasDocument, written: &[PathBuf]) 
     report.line(format!("  bifdiag --A {moments} --r {center}"));
     if class.distance > 0.0 {
         let distance = significant(class.distance, 3);
-        report.line(format!("  no body of another class is known nearer than {distance}, special bodies included"));
+        report.line(format!(
+            "  the survey found no body of another class nearer than {distance}, special bodies included"
+        ));
     }
     report.line("");
     if class.distance == 0.0 {

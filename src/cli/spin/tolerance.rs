@@ -18,6 +18,7 @@ pub struct ToleranceArgument(pub [Number; 4]);
 
 /// Digits of a bound.
 const DIGITS: usize = 6;
+const MOST_DIGITS: usize = 15;
 
 /// Half a unit of the last digit, relative to the smallest number with that many digits.
 const ROUNDING: f64 = 5e-6;
@@ -172,7 +173,7 @@ fn table(ranges: &[SpinRangeDocument], inside: bool) -> String {
         let word = |found: Option<SpinType>| found.map_or("-", SpinType::word).to_owned();
         let mut cells = vec![
             range.up.word().to_owned(),
-            format!("{} .. {}", low(range.rpm[0]), high(range.rpm[1])),
+            format!("{} .. {}", low(range), high(range)),
             word(range.from),
             word(range.to),
             range.most.clone().unwrap_or_else(|| "-".to_owned()),
@@ -200,14 +201,28 @@ fn classes(tolerance: &ToleranceDocument) -> String {
     format!("classes of diagrams of the {} sampled parts: {}", tolerance.sampled_parts, list.join(", "))
 }
 
-/// A lower bound, rounded down.
-fn low(rpm: Option<f64>) -> String {
-    rpm.map_or_else(|| "-inf".to_owned(), |rpm| significant(rpm * (1.0 - ROUNDING), DIGITS))
+/// A range's lower bound, rounded down.
+fn low(range: &SpinRangeDocument) -> String {
+    let (digits, rounding) = digits(range);
+    range.rpm[0].map_or_else(|| "-inf".to_owned(), |rpm| significant(rpm * (1.0 - rounding), digits))
 }
 
-/// An upper bound, rounded up.
-fn high(rpm: Option<f64>) -> String {
-    rpm.map_or_else(|| "inf".to_owned(), |rpm| significant(rpm * (1.0 + ROUNDING), DIGITS))
+/// A range's upper bound, rounded up.
+fn high(range: &SpinRangeDocument) -> String {
+    let (digits, rounding) = digits(range);
+    range.rpm[1].map_or_else(|| "inf".to_owned(), |rpm| significant(rpm * (1.0 + rounding), digits))
+}
+
+/// The digits with which a bound is printed, so many more than [`DIGITS`] that a narrow range is seen as narrow as it is, and the
+/// largest relative error of rounding to them.
+fn digits(range: &SpinRangeDocument) -> (usize, f64) {
+    let [Some(from), Some(to)] = range.rpm else { return (DIGITS, ROUNDING) };
+    let (mut digits, mut rounding) = (DIGITS, ROUNDING);
+    while digits < MOST_DIGITS && to > from && to - from < 20.0 * rounding * to {
+        digits += 1;
+        rounding /= 10.0;
+    }
+    (digits, rounding)
 }
 
 /// At which spins all parts are linearly stable, in words; without ranges all have the type of the nominal part.
@@ -222,12 +237,12 @@ fn certainly(up: AxisEnd, slow: SpinType, ranges: &[SpinRangeDocument]) -> Strin
     let stable = |found: Option<SpinType>| found.is_some_and(SpinType::is_elliptic);
     let mut stretches: Vec<String> = Vec::new();
     if let Some(first) = ranges.first().filter(|range| stable(range.from)) {
-        stretches.push(format!("up to {} rpm", low(first.rpm[0])));
+        stretches.push(format!("up to {} rpm", low(first)));
     }
     for (number, range) in ranges.iter().enumerate().filter(|(_, range)| stable(range.to)) {
-        let from = high(range.rpm[1]);
+        let from = high(range);
         stretches.push(match ranges.get(number + 1) {
-            Some(next) => format!("from {from} to {} rpm", low(next.rpm[0])),
+            Some(next) => format!("from {from} to {} rpm", low(next)),
             None => format!("from {from} rpm on"),
         });
     }

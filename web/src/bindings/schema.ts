@@ -308,7 +308,7 @@ export interface Region {
   l_range: [number | null, number | null];
   /** Ids of the curves on the boundary, each once: below and above each cell, in the order of `cells`. */
   boundary: string[];
-  /** The regions across these curves, in the same order. */
+  /** The regions across curves of the boundary, one for each region and curve; across a pole line that coincides with another curve none. */
   neighbours: Neighbour[];
   /** The cells whose union it is, by rising l, then h. */
   cells: Cell[];
