@@ -175,3 +175,13 @@ fn curves_bend_in_the_window_of_a_map() {
     let bent = lines.map(corners).filter(|corners| *corners > 20).count();
     assert!(bent >= 6, "{bent} lines have more than 20 points");
 }
+
+/// A pitchfork lies exactly at a cusp of this body: its diagram is not proved, its orbits are followed.
+#[test]
+fn a_body_without_an_atlas_has_shares() {
+    let body = "--A 58,73,88 --r 2,0,1";
+    bifdiag(&format!("atlas {body} --no-plot --out -")).fails();
+    let found = bifdiag(&format!("chaos {body} --h 30 --l 3 --error 0.3 --json")).succeeds().json();
+    let components = found["components"].as_array().unwrap();
+    assert!(found.get("region").is_none() && !components.is_empty(), "{found}");
+}

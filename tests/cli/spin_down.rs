@@ -237,3 +237,13 @@ fn a_body_does_not_fall_over_a_barrier() {
         assert!(height(hanging) < height(onto) && height(onto) < height("L-.2") && height("L-.2") < height(barrier));
     }
 }
+
+/// At a cusp the region between the curves that begin there has no height yet.
+#[test]
+fn a_way_that_begins_at_a_cusp_names_the_regions_beside_it() {
+    for (body, curves) in [("14,13,6", ["S3.1", "S3.2"]), ("14,6,5", ["S2.1", "S2.2"])] {
+        for curve in curves {
+            bifdiag(&format!("spin-down --A {body} --r 1,0,0 --from {curve} --l 4")).succeeds().printing("R1, R1");
+        }
+    }
+}

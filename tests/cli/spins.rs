@@ -132,6 +132,13 @@ fn the_nearest_steady_axis_may_be_that_of_a_fold() {
     found.printing("is (-0.6, 0, 0.8), 5.71° from the vertical");
 }
 
+/// A motion that is not steady is not along the axis either, however small the angle.
+#[test]
+fn the_angle_to_the_nearest_axis_is_not_rounded_to_nothing() {
+    let found = bifdiag("state --A 5,4,3 --r 1,0,0 --omega 1.5,0,0 --vertical 1,1e-6,0").succeeds();
+    found.printing("not a steady rotation").printing("(1, 0, 0), 5.73e-5° from the vertical");
+}
+
 /// A standing top that turns fast about its largest moment lies in a minimum of U_l, but hanging it has less energy.
 #[test]
 fn a_local_minimum_is_not_called_the_least() {

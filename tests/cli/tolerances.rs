@@ -123,3 +123,10 @@ fn tolerances_of_zero_are_not_reported_as_such() {
     let text = bifdiag("critical-spin --A 1,1,2 --r 0,0,1 --axis z --tolerance axis=1%,across=2%").succeeds();
     text.printing("within 1 ± 0.01 of the moment about the axis, 1 ± 0.02 of the others (bounds");
 }
+
+/// Ω = 1 rad/s = 30/π rpm grows with the root of the distance of the centre of mass: by 5e-9 of itself.
+#[test]
+fn a_narrow_range_is_printed_as_narrow_as_it_is() {
+    let line = "critical-spin --inertia 4,3,2,0,0,0 --axis z --g 10 --com";
+    bifdiag(line).and("0,0,0.1±1e-9").and("--mass").and("1").succeeds().printing("9.549296533 .. 9.549296638");
+}
