@@ -114,6 +114,12 @@ fn all_eigenvalues_may_vanish_at_a_pitchfork() {
     ]);
 }
 
+/// A hypothesis of Arnold's theorem fails exactly in the middle of the range in which the rotation is elliptic.
+#[test]
+fn arnolds_theorem_may_fail_in_the_middle_of_a_range() {
+    are_verified(&[[["6", "2", "1"], ["0", "1", "0"]]]);
+}
+
 /// Just below ¾ a pair of saddles lies beside the standing or hanging rotation, with barriers of the square of what is missing: what
 /// they join follows from the symmetry and the saddle between the two other minima (Corollary 9.8), where no path is proved.
 #[test]

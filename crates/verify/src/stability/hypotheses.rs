@@ -88,14 +88,20 @@ impl Stretch {
 
     /// D₄ is other than 0 somewhere, so that it vanishes at isolated points only.
     pub fn has_determinant(&self, spaces: &Spaces) -> bool {
-        self.is_nonzero_in_the_middle::<{ WORDS[0] }>(spaces).is_some()
-            || self.is_nonzero_in_the_middle::<{ WORDS[1] }>(spaces).is_some()
-            || self.is_nonzero_in_the_middle::<{ WORDS[2] }>(spaces).is_some()
+        self.is_nonzero_somewhere::<{ WORDS[0] }>(spaces)
+            || self.is_nonzero_somewhere::<{ WORDS[1] }>(spaces)
+            || self.is_nonzero_somewhere::<{ WORDS[2] }>(spaces)
     }
 
-    fn is_nonzero_in_the_middle<const N: usize>(&self, spaces: &Spaces) -> Option<i8> {
-        let middle = (&self.ends[0][1] + &self.ends[1][0]) / RBig::from(2);
-        NormalForm::new(&self.rotation::<N>(spaces, [&middle, &middle])?)?.arnold.strict_sign()
+    /// In the middle, or where that is a zero or a resonance, as it may be of a body with small numbers, beside it.
+    fn is_nonzero_somewhere<const N: usize>(&self, spaces: &Spaces) -> bool {
+        const PLACES: [[u8; 2]; 3] = [[1, 2], [3, 7], [5, 9]];
+        let [from, to] = [&self.ends[0][1], &self.ends[1][0]];
+        let sign = |[part, whole]: [u8; 2]| {
+            let at = from + (to - from) * RBig::from_parts(part.into(), whole.into());
+            NormalForm::new(&self.rotation::<N>(spaces, [&at, &at])?)?.arnold.strict_sign()
+        };
+        PLACES.into_iter().any(|place| sign(place).is_some())
     }
 
     fn rotation<const N: usize>(&self, spaces: &Spaces, [lo, hi]: [&RBig; 2]) -> Option<Rotation<N>> {
