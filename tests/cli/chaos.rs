@@ -180,7 +180,7 @@ fn curves_bend_in_the_window_of_a_map() {
 #[test]
 fn a_body_without_an_atlas_has_shares() {
     let body = "--A 58,73,88 --r 2,0,1";
-    bifdiag(&format!("atlas {body} --no-plot --out -")).fails();
+    bifdiag(&format!("atlas {body} --json")).fails();
     let found = bifdiag(&format!("chaos {body} --h 30 --l 3 --error 0.3 --json")).succeeds().json();
     let components = found["components"].as_array().unwrap();
     assert!(found.get("region").is_none() && !components.is_empty(), "{found}");
