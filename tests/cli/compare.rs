@@ -63,3 +63,12 @@ fn a_ball_is_turned_to_the_other_body() {
     let path = other.succeeds().json()["path"].clone();
     assert_eq!((&path["ends"][0]["r"], &path["turned"]), (&path["ends"][1]["r"], &json!([false, true])));
 }
+
+/// From a body without weight, of which no moment carries r, to one of which all do.
+#[test]
+fn the_path_may_begin_without_weight() {
+    for first in ["A=3,2,1;r=0,0,0", "A=2,2,1;r=0,0,0"] {
+        let found = bifdiag("compare").and(first).and("A=2,1.1,1;r=0.5,-0.2,0.7").succeeds();
+        found.printing("r is 0 there: the body has no weight");
+    }
+}

@@ -117,3 +117,16 @@ fn manifolds_of_other_equilibria_are_refused() {
     of("--body lagrange --from S23.2 --l 4").telling("not isolated");
     of("--body euler --from S2.1 --l 1").telling("r = 0");
 }
+
+/// Without vertical angular momentum every motion runs back where **l** is turned around: the two orbits with a period of their
+/// own pass through rest; the other two are each other's images.
+#[test]
+fn orbits_through_rest_are_symmetric() {
+    for h in ["0", "-0.3"] {
+        let list = bifdiag(&format!("periodic --A 3,2.3,1.4 --r 0.4,-0.7,0.5 --h={h} --l 0 --crossings 4 --json"));
+        let list = list.succeeds().json();
+        let symmetric: Vec<bool> =
+            list["orbits"].as_array().unwrap().iter().map(|orbit| orbit["symmetric"] == true).collect();
+        assert_eq!(symmetric, [false, false, true, true], "{h}");
+    }
+}

@@ -120,6 +120,12 @@ fn arnolds_theorem_may_fail_in_the_middle_of_a_range() {
     are_verified(&[[["6", "2", "1"], ["0", "1", "0"]]]);
 }
 
+/// The place of a meeting with a pole line is a rational number, and so both ends of the range in which it is isolated.
+#[test]
+fn a_meeting_at_a_rational_place_is_verified() {
+    are_verified(&[[["3", "5", "2"], ["1", "3", "0"]]]);
+}
+
 /// Just below ¾ a pair of saddles lies beside the standing or hanging rotation, with barriers of the square of what is missing: what
 /// they join follows from the symmetry and the saddle between the two other minima (Corollary 9.8), where no path is proved.
 #[test]

@@ -2,6 +2,7 @@
 
 use bifdiag_dynamics::field::{Dimension, HeavyTop, State, dot};
 use bifdiag_dynamics::integrator::StepError;
+use bifdiag_numbers::vector::norm;
 use bifdiag_schema::OrbitStability;
 use thiserror::Error;
 
@@ -59,6 +60,9 @@ pub enum Fixed {
     Both,
 }
 
+/// A smaller l, relative to the length of the angular momentum, is 0.
+const LEVEL: f64 = 1e-13;
+
 /// Half traces closer than this to 1 or −1 count as parabolic.
 const PARABOLIC: f64 = 1e-9;
 
@@ -87,6 +91,8 @@ impl PeriodicOrbit {
         let (space, x, time) = reduced(top, start, period);
         let shot = around(&space, &x, time)?;
         let l = dot(start.gamma, start.reduced(units).l);
+        // At l = 0 time may be reversed by turning l around alone; rounding leaves some of l.
+        let l = if l.abs() <= LEVEL * norm(start.reduced(units).l) { 0.0 } else { l };
         let about = About { space: &space, reversors: &reversors(&space.top, l) };
         Ok(about.describe(&shot).restored(top))
     }

@@ -199,10 +199,11 @@ pub fn cusp_pairs(frame: &Frame, interval: IntervalId) -> Vec<CuspPair> {
     /// Error of the square where it is near to 0.
     const ERROR: f64 = 1e-13;
     let active = frame.active();
-    let interval = MuInterval::numbered(&active, interval.index());
-    if interval.right.is_none() || active.len() < 2 {
+    // The last interval has no cusp, and a body of which fewer moments carry r has fewer intervals.
+    if active.len() < 2 || interval.index() >= active.len() {
         return Vec::new();
     }
+    let interval = MuInterval::numbered(&active, interval.index());
     let form = cusp_form(frame, &interval, &active);
     let coefficients = form.coefficients();
     let degree = coefficients.len() - 1;

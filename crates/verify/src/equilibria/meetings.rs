@@ -149,7 +149,12 @@ impl Branch {
 
 /// Whether a meeting is with P+, if all that is claimed of its line is right.
 fn line(claim: &CertifiedMeeting, equations: &Equations, range: &[RBig; 2]) -> Result<bool, &'static str> {
-    let crosses = equations.meeting.sign_at(&range[0]) * equations.meeting.sign_at(&range[1]) < 0;
+    let signs = range.each_ref().map(|end| equations.meeting.sign_at(end));
+    let crosses = match signs.iter().position(|sign| *sign == 0) {
+        // A rational root may be an end of its range.
+        Some(end) => equations.meeting.order_at(&range[end]) % 2 == 1,
+        None => signs[0] * signs[1] < 0,
+    };
     if crosses == claim.touch {
         return Err("whether the curves touch or cross is not as claimed");
     }

@@ -41,9 +41,8 @@ impl<const N: usize> Determinant<N> {
             _ => 9 * (2 * spaces.active.len() - 1),
         } - known.len();
 
-        let places = places(degree);
         let rotations = Rotations::new(spaces, branch);
-        let values = places.iter().map(|&place| {
+        let value_at = |place: i64| {
             let t = from + &width * RBig::from_parts(place.into(), UNIT.unsigned_abs().into());
             let at = rotations.at(&Ball::of(&t))?;
             let NormalForm { b, c, arnold, .. } = NormalForm::new(&at)?;
@@ -55,8 +54,11 @@ impl<const N: usize> Determinant<N> {
             }
             let away = known.iter().fold(RBig::ONE, |product, zero| product * (&t - zero) / &width);
             value.over(&Ball::of(&away))
-        });
-        let values: Vec<Ball<N>> = values.collect::<Option<_>>()?;
+        };
+        // A resonance may lie exactly at a place.
+        let beside = |place: i64| [place, place + 1].into_iter().find_map(|place| Some((place, value_at(place)?)));
+        let found: Option<Vec<_>> = places(degree).into_iter().map(beside).collect();
+        let (places, values): (Vec<i64>, Vec<Ball<N>>) = found?.into_iter().unzip();
         let form = interpolated(&places, &values)?;
         Some(Self { from: from.clone(), width, known, form })
     }
