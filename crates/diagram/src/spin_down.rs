@@ -91,7 +91,8 @@ impl<'a> Down<'a> {
         self.set().curves[curve].index == Some(0)
     }
 
-    /// The event of a curve at an end of a slab, if x is this end. Other events may be at the same x, with empty slabs between.
+    /// The event of a curve at an end of a slab, if x is this end. Other events may be at the same x, with empty slabs
+    /// between.
     fn event_at(&self, curve: CurveId, end: f64, x: f64) -> Option<&'a Event> {
         if end.is_infinite() {
             return None;
@@ -101,7 +102,8 @@ impl<'a> Down<'a> {
         if (end - x).abs() <= room { self.arrangement.events.iter().find(is_there) } else { None }
     }
 
-    /// The regions just below and just above a curve in a slab, or at an event: the curves that meet there bound no region there.
+    /// The regions just below and just above a curve in a slab, or at an event: the curves that meet there bound no
+    /// region there.
     fn regions(&self, slab: SlabId, curve: CurveId, event: Option<&Event>) -> [Option<RegionId>; 2] {
         let strip = &self.arrangement.slabs[slab];
         let meets =

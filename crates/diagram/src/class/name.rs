@@ -85,7 +85,8 @@ pub enum MapError {
     /// There are no slabs or no curves.
     #[error("the arrangement is empty")]
     Empty,
-    /// Several events are proved to lie in one point or at one l, so that the orders between them are not known one by one.
+    /// Several events are proved to lie in one point or at one l, so that the orders between them are not known one by
+    /// one.
     #[error("several events coincide, in one point or at one l, as on a border between classes")]
     Coincident,
     /// A curve begins or ends in the middle of the plane without an event.
