@@ -25,9 +25,7 @@ pub fn draw(
     timings: &Timings,
 ) -> Result<(), Failure> {
     if subject.body.is_euler() {
-        return Err(Failure::input(
-            "--out: without weight the steady axes are the same at every spin, so there is nothing to draw",
-        ));
+        return Err(Failure::input("--out: without weight there is no angle from the centre of mass to draw"));
     }
     let scene = timings.stage("critical", || scene(subject, ends, count))?;
     let picture = draw_steady(&scene, Theme::Light)?;
