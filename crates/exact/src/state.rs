@@ -6,7 +6,7 @@ use bifdiag_body::{Number, ParseNumberError};
 use bifdiag_diagram::arrangement::RegionId;
 use bifdiag_diagram::atlas::Spot;
 use bifdiag_diagram::topology::Margin;
-use bifdiag_equilibria::permanent::angle_between;
+use bifdiag_equilibria::permanent::MEANT;
 use bifdiag_numbers::symmetric;
 use bifdiag_numbers::vector::{cross, dot, norm};
 use dashu_ratio::RBig;
@@ -19,9 +19,6 @@ const ROUNDING: f64 = 1e-14;
 
 /// An angular velocity at a smaller angle to the vertical, in radians, is along it.
 const UPRIGHT: f64 = 1e-9;
-
-/// A smaller angle between two directions, in radians, is one of rounding.
-const RESOLVED: f64 = 1e-12;
 
 /// Where a state lies, and whether it is a steady rotation.
 #[derive(Clone, Debug)]
@@ -88,15 +85,11 @@ impl State {
         let unknown = solver.atlas().is_none().then_some(UnknownOfState::Regions);
         let state = Self { h, l, steady: None, region: None, margin: None, nearest: None, unknown };
         match found {
-            Some(steady) if steady.angle == 0.0 && is_upright => Ok(Self { steady: Some(steady), ..state }),
+            Some(steady) if steady.angle <= MEANT && is_upright => {
+                Ok(Self { steady: Some(Steady { angle: 0.0, ..steady }), ..state })
+            }
             None if is_upright => Ok(Self { unknown: Some(UnknownOfState::Steadiness), ..state }),
             nearest => {
-                // Not rounded to 0, as it is of an axis that is meant to be the vertical.
-                let apart = |steady: &Steady| Some(angle_between(steady.axis, up)).filter(|angle| *angle > RESOLVED);
-                let nearest = nearest.map(|steady| match apart(&steady) {
-                    Some(angle) if steady.angle == 0.0 => Steady { angle, ..steady },
-                    _ => steady,
-                });
                 // A curve rises by l/J, which is at most l/min A, and h and l are rounded.
                 let least = a.into_iter().fold(f64::INFINITY, f64::min);
                 let size = 0.5 * dot(omega, momentum).abs() + norm(r) + l * l / least;

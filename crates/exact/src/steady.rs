@@ -9,7 +9,7 @@ use bifdiag_diagram::topology::Margin;
 use bifdiag_equilibria::critical::{ExactSpin, Multiplicity};
 use bifdiag_equilibria::curves::CurveName;
 use bifdiag_equilibria::permanent::{
-    AxisKind, AxisRotation, Judged, MEANT, PermanentAxis, SteadyRotation, angle_between, nearest_steady, permanent_axis,
+    AxisKind, AxisRotation, Judged, PermanentAxis, SteadyRotation, angle_between, nearest_steady, permanent_axis,
 };
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::vector::norm;
@@ -23,7 +23,7 @@ const STEPS: [f64; 6] = [1e-9, 1e-12, 1e-15, 1e-18, 1e-26, 1e-40];
 /// How many of them are above the rounding of a point that is not exactly on the curve.
 const ROUNDED: usize = 2;
 
-/// A permanent axis nearer than this, in radians, to a steady rotation that was found in doubles is its axis.
+/// Directions nearer than this, in radians, are one: the rest is rounding.
 const SAME: f64 = 1e-12;
 
 /// Which steady rotation is asked for, in principal axes and the body's units.
@@ -42,7 +42,7 @@ pub struct SpinQuestion {
 pub struct Steady {
     /// Its axis, pointing up, in principal axes.
     pub axis: [f64; 3],
-    /// The angle to the axis of the question in radians; 0 where they are meant to be one.
+    /// The angle to the axis of the question in radians; 0 where only rounding is left of it.
     pub angle: f64,
     /// The axes of the other steady rotations that are as near.
     pub as_near: Vec<[f64; 3]>,
@@ -70,7 +70,7 @@ impl Steady {
         let SpinQuestion { up, exact_up, spin } = question;
         let body = solver.body();
         if let AxisKind::Permanent { axis, .. } = AxisKind::of(body, *up) {
-            return Self::about(solver, question, axis, 0.0);
+            return Self::about(solver, question, axis, angle_between(axis.direction, *up));
         }
         let found = nearest_steady(body, spin, *up, Some(exact_up))?;
         let up = found.gamma.map(|x| 0.0 - x);
@@ -96,7 +96,7 @@ impl Steady {
         let (h, l) = rotation.point(omega, squared);
         Some(Self {
             axis: axis.direction,
-            angle: meant(angle),
+            angle: resolved(angle),
             as_near: Vec::new(),
             place: [h.to_f64(), l.to_f64()],
             multiplicity: rotation.multiplicity(),
@@ -116,7 +116,7 @@ impl Steady {
         let pairs = judged.eigenvalues.pairs;
         Self {
             axis: gamma.map(|x| 0.0 - x),
-            angle: meant(angle),
+            angle: resolved(angle),
             as_near,
             place: [h.to_f64(), l.to_f64()],
             multiplicity,
@@ -129,9 +129,9 @@ impl Steady {
     }
 }
 
-/// 0 where the two axes are meant to be one.
-fn meant(angle: f64) -> f64 {
-    if angle <= MEANT { 0.0 } else { angle }
+/// 0 where the angle is one of rounding.
+fn resolved(angle: f64) -> f64 {
+    if angle <= SAME { 0.0 } else { angle }
 }
 
 fn by_size([p, q]: [f64; 2]) -> [f64; 2] {

@@ -90,9 +90,10 @@ impl PeriodicOrbit {
         let units = top.units();
         let (space, x, time) = reduced(top, start, period);
         let shot = around(&space, &x, time)?;
-        let l = dot(start.gamma, start.reduced(units).l);
-        // At l = 0 time may be reversed by turning l around alone; rounding leaves some of l.
-        let l = if l.abs() <= LEVEL * norm(start.reduced(units).l) { 0.0 } else { l };
+        let momentum = start.reduced(units).l;
+        let l = dot(start.gamma, momentum);
+        // At l = 0 time may be reversed by turning the momentum around alone; rounding leaves some of l.
+        let l = if l.abs() <= LEVEL * norm(momentum) { 0.0 } else { l };
         let about = About { space: &space, reversors: &reversors(&space.top, l) };
         Ok(about.describe(&shot).restored(top))
     }

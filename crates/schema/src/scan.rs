@@ -132,7 +132,8 @@ pub struct ScanIdentityDocument {
 pub enum RowStatus {
     /// It has a class.
     Classified,
-    /// Its diagram is open at this accuracy, or not proved within the limits; the numbers of the row are what was found.
+    /// Its diagram is open at this accuracy, or not proved within the limits; the numbers of the row are what was
+    /// found.
     Undecided,
     /// The atlas cannot be computed, or fails a check; `error` says why.
     Failed,

@@ -130,7 +130,8 @@ fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriu
     report.line(format!("eigenvalues: of the linearised flow at fixed l, {rates}"));
     if points.iter().any(|point| matches!(point.multiplicity, Multiplicity::Points(2..))) {
         report.line(
-            "mult 2: degenerate; several critical points meet in it: two at a cusp, three at a pitchfork (or a circle and one)",
+            "mult 2: degenerate; several critical points meet in it: two at a cusp, three at a pitchfork (or a circle \
+             and one)",
         );
     }
     match points.iter().filter(|point| point.multiplicity == Multiplicity::Circle).count() {

@@ -56,8 +56,8 @@ pub fn listed(axis: [f64; 3]) -> String {
 }
 
 /// Names the axes (in principal axes) that are as near as the reported one; `None` if there are none.
-pub fn as_near(subject: &Subject, others: Vec<[f64; 3]>) -> Option<String> {
-    let axes: Vec<String> = others.into_iter().map(|axis| listed(subject.to_given(axis))).collect();
+pub fn as_near(subject: &Subject, others: &[[f64; 3]]) -> Option<String> {
+    let axes: Vec<String> = others.iter().map(|axis| listed(subject.to_given(*axis))).collect();
     (!axes.is_empty()).then(|| format!("equally near: {}", axes.join(", ")))
 }
 

@@ -190,7 +190,7 @@ fn as_near(report: &mut Report, subject: &Subject, document: &CriticalSpinDocume
     if !subject.body.is_euler() {
         let others =
             equally_near(&subject.body, subject.to_principal(document.axis), subject.to_principal(nearest.axis));
-        if let Some(others) = super::axis::as_near(subject, others) {
+        if let Some(others) = super::axis::as_near(subject, &others) {
             report.line(others);
         }
         return;

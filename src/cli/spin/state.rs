@@ -252,7 +252,7 @@ fn other_text(
         "at this spin the axis of the nearest steady rotation is {}, {angle}° from the vertical",
         listed(nearest.axis)
     ));
-    if let Some(others) = as_near(subject, steady.as_near.clone()) {
+    if let Some(others) = as_near(subject, &steady.as_near) {
         report.line(format!("{others}; what follows refers to the first"));
     }
     report_steady(report, nearest);

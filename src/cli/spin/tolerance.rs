@@ -16,7 +16,7 @@ use crate::cli::terminal::{Report, Table, significant};
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToleranceArgument(pub [Number; 4]);
 
-/// Digits of a bound.
+/// Digits of a bound, and of one of a narrow range at most.
 const DIGITS: usize = 6;
 const MOST_DIGITS: usize = 15;
 
@@ -213,8 +213,8 @@ fn high(range: &SpinRangeDocument) -> String {
     range.rpm[1].map_or_else(|| "inf".to_owned(), |rpm| significant(rpm * (1.0 + rounding), digits))
 }
 
-/// The digits with which a bound is printed, so many more than [`DIGITS`] that a narrow range is seen as narrow as it is, and the
-/// largest relative error of rounding to them.
+/// The digits with which a bound is printed, more than [`DIGITS`] where a narrow range would look wider, and the largest
+/// relative error of rounding to them.
 fn digits(range: &SpinRangeDocument) -> (usize, f64) {
     let [Some(from), Some(to)] = range.rpm else { return (DIGITS, ROUNDING) };
     let (mut digits, mut rounding) = (DIGITS, ROUNDING);
