@@ -168,3 +168,25 @@ fn a_border_may_be_at_a_body() {
         bifdiag(&line).succeeds().printing(distance).printing("J_r passes A2");
     }
 }
+
+/// Where a moment without weight on its axis passes one with it, the classes end on both sides.
+#[test]
+fn the_border_at_equal_moments_of_a_special_body_is_listed_from_both_sides() {
+    for (body, beyond, distance) in [
+        ("--A 4,2,3.9 --r 1,0,0", "efc655840cb4", 0.1 / 9.9 * 2_f64.sqrt()),
+        ("--A 4,2,4.1 --r 1,0,0", "aada7735f947", 0.1 / 10.1 * 2_f64.sqrt()),
+        ("--A 5,3,4 --r 1,0,0", "efc655840cb4", 1.0 / 12.0 * 2_f64.sqrt()),
+        ("--A 3,2.9,2 --r 1,0,1", "578b047db931", 0.1 / 7.9 * 2_f64.sqrt()),
+    ] {
+        let found = bifdiag(&format!("classes --at --json {body}")).succeeds().json();
+        let border = found["borders"].as_array().unwrap().iter().find(|border| border["class"] == beyond).unwrap();
+        assert!((border["distance"].as_f64().unwrap() / distance - 1.0).abs() < 1e-6, "{body} {border}");
+    }
+}
+
+/// 3 = 2 + 1 is a flat body, if its centre of mass lies in its plane.
+#[test]
+fn a_centre_of_mass_off_the_plane_is_the_reason_of_a_refusal() {
+    bifdiag("classes --at --A 3,2,1 --r 1,1,1 --physical").refused().telling("or Ai + Aj = Ak with rk = 0");
+    bifdiag("classes --at --A 3,2,1 --r 0,1,1 --physical").succeeds();
+}

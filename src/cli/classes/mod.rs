@@ -100,10 +100,11 @@ fn table(ClassesDocument { classes, others, .. }: &ClassesDocument) -> String {
     let existing = classes.iter().filter(|class| class.physical).count();
     report.line(format!("{}, {existing} of them of physical bodies", counted(classes.len(), "class", "classes")));
     let special = others.iter().filter(|class| class.stratum.is_some()).count();
-    report.line(format!(
-        "and besides these {special} of special bodies, {} known only for unphysical bodies (--json lists them)",
-        others.len() - special
-    ));
+    let unphysical = match others.len() - special {
+        0 => String::new(),
+        unphysical => format!(", {unphysical} known only for unphysical bodies"),
+    };
+    report.line(format!("and besides these {special} of special bodies{unphysical} (--json lists them)"));
     report.text()
 }
 
@@ -112,8 +113,8 @@ fn standing(arguments: &ClassesArguments) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
     if arguments.physical && subject.body.flags().unphysical {
         return Err(Failure::input(
-            "--physical: no mass distribution has the moments of this body: one exceeds the sum of the others; leave \
-            out --physical",
+            "--physical: no mass distribution has these moments and this centre of mass (it needs Ai + Aj > Ak, or \
+            Ai + Aj = Ak with rk = 0); leave out --physical",
         ));
     }
     let usual = NearestOptions::default();
@@ -185,8 +186,8 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
         report.line("the body is on a border of its class, or within rounding of one");
     }
     report.line(
-        "axes by rising moments; what makes the body special (equal moments, zeros of r) is kept on the way, and more \
-        special bodies are not counted",
+        "axes by rising moments; what makes the body special (equal moments, zeros of r) is kept on the way, and classes \
+        of more special bodies, such as those on a border, are not counted",
     );
 }
 

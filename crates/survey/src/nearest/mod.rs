@@ -68,6 +68,7 @@ pub fn nearest(body: ReducedBody, class: Class, options: &NearestOptions) -> Vec
     let around = Surroundings { basis: TangentBasis::new(body), set: options.set };
     let search = BorderSearch { around, own: (atlas, class) };
     let mut found = search.suggested();
+    found.extend(search.passing(&body));
     let lines = options.lines.unwrap_or(if found.is_empty() { LINES } else { 0 });
     let mut rng = SplitMix64::seed_from_u64(options.seed);
     let lines = (0..lines).map_while(|_| unit_vector(search.around.basis.random(&mut rng)));
@@ -121,6 +122,27 @@ impl BorderSearch {
             }
         }
         found
+    }
+
+    /// The borders of a special body at which the moment of an axis with r_k = 0 passes that of one with r_i ≠ 0, and a pitchfork goes
+    /// through infinity: the bodies with A_k = A_i that are nearest to it.
+    fn passing(&self, body: &ReducedBody) -> Vec<NearestBorder> {
+        let Surroundings { basis, set } = &self.around;
+        let ReducedBody { a, r } = body;
+        let pairs = (0..3).flat_map(|k| (0..3).map(move |i| (k, i))).filter(|&(k, i)| r[k] == 0.0 && r[i] > 0.0);
+        let places = pairs.filter_map(|(k, i)| {
+            let unit = |at: usize| std::array::from_fn(|axis| f64::from(u8::from(axis == at)));
+            let [forth, back]: [[f64; 3]; 2] = [unit(k), unit(i)];
+            let slopes =
+                DVector::from_vec(basis.coordinates(&[std::array::from_fn(|axis| forth[axis] - back[axis]), [0.0; 3]]));
+            // Moments that are equal stay so.
+            let gap = (a[k] - a[i]) / slopes.norm_squared();
+            let place = slopes * -gap;
+            let reach = basis.line(place.as_slice(), *set)?.reach()[1];
+            // The set goes up to the border, to a rounding.
+            (reach >= (1.0 - 1e-9) * place.norm()).then_some(place)
+        });
+        places.flat_map(|place| self.at(&place)).collect()
     }
 
     /// The border on a wall, a function with its value at the body: at its foot, or where that lies beyond other walls, at
