@@ -247,3 +247,19 @@ fn a_way_that_begins_at_a_cusp_names_the_regions_beside_it() {
         }
     }
 }
+
+/// The minima that can be reached are the same up to the pitchfork, where their energies come closer than doubles can tell.
+#[test]
+fn what_a_rotation_falls_to_is_the_same_up_to_a_pitchfork() {
+    for (body, from, momenta, onto) in [
+        ("--A 2,2,3 --r 0,0,1", "L-.1", ["2.99", "2.99999", "2.999999999", "2.9999999999"], "S12.1"),
+        ("--A 2,2,1 --r 0,0,1", "L+.2", ["1.01", "1.0000001", "1.00000001", "1.000000001"], "S12.1"),
+        ("--A 1.49,1.02,1.07 --r 0.98,0,0", "L-.2", ["2.275", "2.276", "2.27601", "2.276012"], "S3.1"),
+        ("--A 0.52,0.59,1.26 --r 0,0,-0.7", "L-.2", ["1.28786", "1.28789", "1.287899", "1.2878999"], "S2.1"),
+    ] {
+        for l in momenta {
+            let way = bifdiag(&format!("spin-down {body} --from {from} --l {l} --json")).succeeds().json();
+            assert_eq!(list(&way["path"])[0]["onto"], json!([onto]), "{body} {l}");
+        }
+    }
+}

@@ -166,13 +166,15 @@ impl<'a> Down<'a> {
     fn lost(&self, from: &Place, end: Option<&Event>) -> (Stretch, Turn, SlabId) {
         let (set, &Place { curve, slab, x }) = (self.set(), from);
         let meets = |other: &CurveId| end.is_some_and(|event| event.change.curves().contains(other));
-        let place = set.curves[curve].point(&set.frame, x);
-        let mut left = self.below(slab, x, place.h());
+        // Between events what lies below is the same, but nowhere as clear as in the middle.
+        let clear = if end.is_some() { x } else { self.arrangement.middle(slab) };
+        let place = set.curves[curve].point(&set.frame, clear);
+        let mut left = self.below(slab, clear, place.h());
         left.retain(|other| *other != curve && !meets(other));
         // At a cusp the curves that meet change no component.
         if !end.is_some_and(|event| matches!(event.change, Change::Open { .. } | Change::Close { .. })) {
             let others = self.arrangement.slabs[slab].order.iter().copied();
-            keep_reachable(set, x, &place, others.filter(|other| !meets(other)), &mut left);
+            keep_reachable(set, clear, &place, others.filter(|other| !meets(other)), &mut left);
         }
         let regions = self.regions(slab, curve, end);
         (Stretch { curve, x: [x; 2], regions }, Turn::Lost(left), slab)

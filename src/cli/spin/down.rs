@@ -77,6 +77,11 @@ pub fn run(arguments: &SpinDownArguments, timings: &Timings) -> Result<(), Failu
             given = given.text()
         );
     }
+    let is_double =
+        |given: &Number| Number::from_f64(given.to_f64()).is_ok_and(|double| double.value() == given.value());
+    if let Some(given) = arguments.momentum.as_ref().filter(|given| !is_double(given)) {
+        tracing::warn!("--l {given}: the path begins at the nearest double, l = {l}", given = given.text());
+    }
     if !(lower < l && l <= upper) {
         if lower == upper && arguments.momentum.is_none() {
             let right = "it begins and ends at the same l in doubles: give --from another curve";
