@@ -279,3 +279,14 @@ fn a_family_that_does_not_begin_says_why() {
         [multiple, multiple, multiple, multiple, "the equilibrium is one of a circle or sphere of them"]
     );
 }
+
+/// The pair of axes S2 has left G1.1, 0.004 away, whose small orbits are stable.
+#[test]
+fn a_family_beside_a_pitchfork_begins_at_its_own_equilibrium() {
+    let found = bifdiag("periodic family --body paper --from S2.1 --l 2.57145 --members 3 --json").succeeds().json();
+    let members = found["families"][0]["members"].as_array().unwrap();
+    assert!(!members.is_empty());
+    for member in members {
+        assert_eq!((&member["symmetric"], &member["stability"]), (&false.into(), &"hyperbolic".into()), "{member}");
+    }
+}

@@ -97,6 +97,8 @@ const CLOSED: f64 = 3e-15;
 /// The largest defect of an orbit that counts as closed.
 pub const RESIDUAL: f64 = 1e-13;
 const CORRECTIONS: u32 = 20;
+/// A correction that makes the period or the size of a guess different by this factor has left it.
+const STRAYED: f64 = 4.0;
 /// A guess with a larger defect is given up.
 const LOST: f64 = 0.5;
 /// Where a correction leaves more than this share of a defect, the derivative is computed anew.
@@ -164,6 +166,11 @@ impl Ring {
         Ok(Shot { ring: self, frames, steps: Vec::new(), residual, missed: residual, level, chain, defects })
     }
 
+    /// The largest distance of a node from the origin, at least 1 as |γ| is.
+    fn size(&self) -> f64 {
+        self.nodes.iter().map(|node| node.norm()).fold(1.0, f64::max)
+    }
+
     /// Corrects the orbit until only rounding is left of its defects.
     ///
     /// # Errors
@@ -175,6 +182,8 @@ impl Ring {
         keep: Keep,
         expected: Option<Expected<'_>>,
     ) -> Result<Shot, ShootingError> {
+        let periods = self.period / STRAYED..self.period * STRAYED;
+        let reach = STRAYED * self.size();
         let ring = self.onto(space, level);
         let mut shot = match expected {
             None => ring.shoot(space, level, None)?,
@@ -202,6 +211,10 @@ impl Ring {
                 continue;
             }
             let ring = shot.corrected(space, &keep)?;
+            // (The comparison is false for NaN.)
+            if !(periods.contains(&ring.period) && ring.size() <= reach) {
+                break;
+            }
             let next = if shot.residual * share <= 0.3 * CLOSED {
                 ring.shoot(space, level, Some(&shot.frames))?
             } else {

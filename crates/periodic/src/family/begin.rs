@@ -12,8 +12,10 @@ use crate::flow::{Phase, Tangent};
 use crate::orbit::NODES;
 use crate::shooting::{Direction, Ring};
 
-/// Size of the first orbit around an equilibrium, where |γ| = 1.
-const FIRST: f64 = 1e-3;
+/// Sizes of the first orbit around an equilibrium, where |γ| = 1: beside another equilibrium a large one may be of that.
+const FIRST: [f64; 3] = [1e-3, 1e-4, 1e-5];
+/// The middle of the first orbit is nearer to the equilibrium than this share of its size.
+const MIDDLE: f64 = 0.5;
 /// Distances from a special orbit at which a branch is tried, the best first.
 const BESIDE: [f64; 3] = [1e-2, 3e-3, 3e-2];
 /// Directions in which the family that passes a tripling is tried. Up to a linear map its orbits lie in six, a sixth of
@@ -46,14 +48,20 @@ impl Course<'_> {
         };
         // (The number of nodes is even: where a family ends at orbits of half its period, nodes half a turn apart
         // meet.)
-        let node = |k: usize| {
-            let (sin, cos) = libm::sincos(std::f64::consts::TAU * k as f64 / NODES as f64);
-            point + (direction * cos + turn * direction * (sin / frequency)) * FIRST
-        };
-        let guess = Ring { nodes: (0..NODES).map(node).collect(), period: std::f64::consts::TAU / frequency };
-        match self.setting().close(guess, &direction.push(0.0), None) {
-            Ok(first) => self.follow(first, 0.5 * FIRST, false),
-            Err(_) => Ok(Stretch::none(FamilyEnd::Lost)),
+        let first = FIRST.into_iter().find_map(|size| {
+            let node = |k: usize| {
+                let (sin, cos) = libm::sincos(std::f64::consts::TAU * k as f64 / NODES as f64);
+                point + (direction * cos + turn * direction * (sin / frequency)) * size
+            };
+            let guess = Ring { nodes: (0..NODES).map(node).collect(), period: std::f64::consts::TAU / frequency };
+            let member = self.setting().close(guess, &direction.push(0.0), None).ok()?;
+            let nodes = &member.shot.ring.nodes;
+            let middle = nodes.iter().sum::<Phase>() / nodes.len() as f64;
+            ((middle - point).norm() < MIDDLE * size).then_some((member, size))
+        });
+        match first {
+            Some((first, size)) => self.follow(first, 0.5 * size, false),
+            None => Ok(Stretch::none(FamilyEnd::Lost)),
         }
     }
 

@@ -203,8 +203,8 @@ impl<'a> Course<'a> {
     /// The end of the family, if a member has reached it.
     fn end(&self, before: &Accepted, last: &Accepted, period: f64) -> Result<Option<End>, FamilyError> {
         let shrinks = last.member.size() < SHRUNK && last.member.size() < before.member.size();
-        let [was, is] = [before, last].map(|accepted| accepted.member.distance_from_half());
-        if !shrinks && is < SHRUNK && is < was {
+        let [was, is] = [before, last].map(|accepted| accepted.member.largest_distance_from_half());
+        if !shrinks && is < SHRUNK && is < was && is < last.member.size() {
             return Ok(Some(End { kind: FamilyEnd::Joined, curves: Vec::new() }));
         }
         if !shrinks && last.orbit.period < GROWN * period && last.orbit.trace.abs() < STEEP {

@@ -94,6 +94,12 @@ impl Member {
         (nodes[nodes.len() / 2] - nodes[0]).norm()
     }
 
+    /// The same for its farthest nodes; of a small ellipse around an equilibrium about twice its size.
+    pub fn largest_distance_from_half(&self) -> f64 {
+        let (first, second) = self.shot.ring.nodes.split_at(self.shot.ring.nodes.len() / 2);
+        first.iter().zip(second).map(|(p, q)| (q - p).norm()).fold(0.0, f64::max)
+    }
+
     /// How far it is from repeating after a third of its period. (Rings at a tripling have a multiple of three nodes.)
     pub fn distance_from_third(&self) -> f64 {
         let nodes = &self.shot.ring.nodes;
