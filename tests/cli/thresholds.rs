@@ -232,3 +232,20 @@ fn tiny_and_huge_bodies_turn_as_bodies_of_size_one() {
         assert_eq!(state(size), [growth.clone(), frequencies.clone()], "{size}");
     }
 }
+
+/// A principal axis off the centre of mass is steady at no spin, whatever its digits are in the frame of the part.
+#[test]
+fn an_axis_of_a_tilted_part_is_principal_where_its_tensor_says_so() {
+    let part = "--inertia 1,44162/28561,443771/285610,0,0,-12852/28561 --products tensor --com 0,-61/507,-199/338 --mass 1 --g 1";
+    let found = bifdiag(&format!("critical-spin {part} --unphysical --axis 0,120/169,119/169")).succeeds();
+    found.printing("this axis is principal, but the centre of mass does not lie on it");
+}
+
+/// The curve of a pair is 1e-40 from that of the axis there.
+#[test]
+fn regions_beside_a_rotation_next_to_a_fork_are_exact() {
+    for (spin, below) in [("0.99999999999999999999", "R3"), ("0.999999999", "R3"), ("1.00000000000000000001", "R1")] {
+        let state = bifdiag("state --A 8,5,11 --r 3,0,0 --axis x --spin").and(&format!("{spin} rad/s")).succeeds();
+        state.printing(&format!("regions beside it: {below} below, "));
+    }
+}

@@ -72,7 +72,7 @@ impl AxisSpins {
     /// For the axis along `up` in principal axes; `exact` is the same in the axes in which the body was given, of any length.
     #[must_use]
     pub fn new(body: &Body, up: [f64; 3], exact: &[RBig; 3]) -> Self {
-        let (kind, itself) = (AxisKind::followed(body, up), AxisKind::of(body, up));
+        let (kind, itself) = (AxisKind::followed(body, up, exact), AxisKind::of(body, up, exact));
         let prepared = RelativeEquilibria::new(body).ok();
         let exceptions = prepared.as_ref().and_then(RelativeEquilibria::exceptions);
         let one_spin = if let AxisKind::AtOneSpin(axis) = &itself { OneSpin::of(body, axis, exact) } else { None };

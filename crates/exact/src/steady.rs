@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use bifdiag_body::{Body, Number};
 use bifdiag_diagram::atlas::Spot;
 use bifdiag_diagram::region_changes::{RotationChange, rotation_changes};
-use bifdiag_diagram::topology::Margin;
+use bifdiag_diagram::topology::{Answer, Margin};
 use bifdiag_equilibria::critical::{ExactSpin, Multiplicity};
 use bifdiag_equilibria::curves::CurveName;
 use bifdiag_equilibria::permanent::{
@@ -19,6 +19,9 @@ use crate::solver::Solver;
 
 /// Distances in h at which the regions beside a curve are looked up, relative to the size of the energies.
 const STEPS: [f64; 6] = [1e-9, 1e-12, 1e-15, 1e-18, 1e-26, 1e-40];
+
+/// The same for a point that is exactly on its curve, far below the digits that are kept of a root.
+const CLOSEST: f64 = 1e-80;
 
 /// How many of them are above the rounding of a point that is not exactly on the curve.
 const ROUNDED: usize = 2;
@@ -69,7 +72,7 @@ impl Steady {
     pub fn nearest(solver: &Solver, question: &SpinQuestion) -> Option<Self> {
         let SpinQuestion { up, exact_up, spin } = question;
         let body = solver.body();
-        if let AxisKind::Permanent { axis, .. } = AxisKind::of(body, *up) {
+        if let AxisKind::Permanent { axis, .. } = AxisKind::of(body, *up, exact_up) {
             return Self::about(solver, question, axis, angle_between(axis.direction, *up));
         }
         let found = nearest_steady(body, spin, *up, Some(exact_up))?;
@@ -151,14 +154,16 @@ fn changes_beside(changes: &[RotationChange], squared: &RBig) -> [Option<Rotatio
     [at(Ordering::Greater).next_back(), at(Ordering::Equal).next(), at(Ordering::Less).next()].map(Option::<&_>::cloned)
 }
 
-/// The regions just below and just above a point of a curve: that curve is still the nearest one there, so no other
-/// lies between. Where the point cannot be classified, as where the body's numbers are roots known to finitely many
-/// digits, no curve is its own: the nearest one is then as far away as the step, to a thousandth of it, and none lies
-/// between that is farther from the point than this.
+/// The regions just below and just above a point of a curve. Of a point exactly on it they are found a tiny step away, where the
+/// nearest curve is as far away as the step, to a thousandth of it: none lies between that is farther from the point than this.
+/// Else that curve is still the nearest one there, so no other lies between, to a rounding; where the point cannot be classified, as
+/// where the body's numbers are roots known to finitely many digits, no curve is its own, and the distance decides again.
 fn beside(solver: &Solver, [h, l]: [&Number; 2], size: f64, is_exact: bool) -> Option<[Spot; 2]> {
     /// By how much of the step a point may miss its curve.
     const MISSED: f64 = 1e-3;
-    let curve = solver.classify(h, l).ok().and_then(|found| found.margin.nearest);
+    let here = solver.classify(h, l).ok();
+    let is_on_curve = here.as_ref().is_some_and(|found| matches!(found.answer, Answer::Critical(_)));
+    let curve = here.and_then(|found| found.margin.nearest);
     let near = |step: RBig, curve: Option<&CurveName>| {
         let distance = step.to_f64().value().abs();
         let h = Number::from_rational(h.value() + step);
@@ -169,6 +174,13 @@ fn beside(solver: &Solver, [h, l]: [&Number; 2], size: f64, is_exact: bool) -> O
         let found = solver.classify(&h, l).ok().filter(|found| is_beside(&found.margin))?;
         Some(solver.spot(&h, l, &found.answer)).filter(|spot| matches!(spot, Spot::Region(_) | Spot::Forbidden))
     };
+    // A point whose h or l is a root misses its curve by the rounding of that.
+    if is_on_curve {
+        let closest = |side: f64| near(RBig::try_from(side * CLOSEST * size).ok()?, None);
+        if let (Some(below), Some(above)) = (closest(-1.0), closest(1.0)) {
+            return Some([below, above]);
+        }
+    }
     let steps = if is_exact { &STEPS[..] } else { &STEPS[..ROUNDED] };
     let region = |side: f64| {
         let steps = || steps.iter().filter_map(move |step| RBig::try_from(side * step * size).ok());

@@ -32,8 +32,8 @@ pub struct CampbellArguments {
     #[command(flatten)]
     pub body: BodyArguments,
     /// Axis of rotation, pointing up: x, y, z or a direction; a permanent axis within 0.5° of it is used instead. Where
-    /// there is none, the steady rotation is followed that tends at fast spins to the nearest principal axis; refused if
-    /// that axis is itself permanent
+    /// there is none, the steady rotation is followed whose axis is nearest to it at fast spins; refused if that axis is
+    /// itself permanent
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "Rotation")]
     pub axis: AxisArgument,
     /// Largest spin, with its unit: rpm, Hz, rad/s, deg/s
@@ -62,10 +62,14 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
         let right = "the largest spin must be greater than 0, such as \"6000 rpm\"";
         return Err(Failure::input(format!("--to {}: {right}", arguments.to)));
     }
-    let kind = AxisKind::followed(&subject.body, subject.to_principal(arguments.axis.direction));
+    let kind = AxisKind::followed(
+        &subject.body,
+        subject.to_principal(arguments.axis.direction),
+        &arguments.axis.given.values(),
+    );
     let followed = match kind {
         AxisKind::Permanent { axis, .. } => permanent(&subject, axis, &kind, &arguments.to)?,
-        _ => moving(&subject, arguments.axis.direction, &arguments.to)?,
+        _ => moving(&subject, &arguments.axis, &arguments.to)?,
     };
     let Followed { rows, crossings, changes, notes } = followed;
     if rows.iter().any(|row| row.frequencies.into_iter().chain([row.growth]).any(f64::is_infinite)) {
@@ -135,11 +139,11 @@ fn permanent(subject: &Subject, axis: PermanentAxis, kind: &AxisKind, largest: &
     })
 }
 
-/// The steady rotation that moves with the spin and tends to the principal axis nearest to the given one at fast spins.
-fn moving(subject: &Subject, given: [f64; 3], largest: &Spin) -> Result<Followed, Failure> {
+/// The steady rotation that moves with the spin and is nearest to the given axis at fast spins.
+fn moving(subject: &Subject, given: &AxisArgument, largest: &Spin) -> Result<Followed, Failure> {
     let prepared = RelativeEquilibria::new(&subject.body).map_err(failed(NOT_FOUND))?;
     let families = prepared.families().ok_or_else(|| Failure::work(NOT_FOUND))?;
-    let near = fastest_along(&subject.body, &families, subject.to_principal(given));
+    let near = fastest_along(&subject.body, &families, subject.to_principal(given.direction));
     let family = match &near[..] {
         [family] if !family.is_permanent => family,
         near if near.iter().all(|family| family.is_permanent) => return Err(not_permanent(subject, given, &families)),
@@ -194,12 +198,13 @@ fn moving(subject: &Subject, given: [f64; 3], largest: &Spin) -> Result<Followed
 }
 
 /// Why an axis has no frequencies over the spin.
-fn not_permanent(subject: &Subject, given: [f64; 3], families: &[SteadyFamily]) -> Failure {
-    match permanent_axis(&subject.body, subject.to_principal(given)) {
+fn not_permanent(subject: &Subject, given: &AxisArgument, families: &[SteadyFamily]) -> Failure {
+    let direction = given.direction;
+    match permanent_axis(&subject.body, subject.to_principal(direction)) {
         Some(nearest) => {
             let axis = subject.to_given(nearest.direction);
-            let angle = angle_between(axis, given).to_degrees();
-            let mut near = if subject.body.is_euler() { principal_near(subject, given, angle) } else { Vec::new() };
+            let angle = angle_between(axis, direction).to_degrees();
+            let mut near = if subject.body.is_euler() { principal_near(subject, direction, angle) } else { Vec::new() };
             if near.is_empty() {
                 near.push(axis);
             }
@@ -229,8 +234,8 @@ fn not_permanent(subject: &Subject, given: [f64; 3], families: &[SteadyFamily]) 
 }
 
 /// At how many spins rotation about an axis is steady that is not permanent.
-fn steady_at(subject: &Subject, given: [f64; 3]) -> &'static str {
-    match AxisKind::of(&subject.body, subject.to_principal(given)) {
+fn steady_at(subject: &Subject, given: &AxisArgument) -> &'static str {
+    match AxisKind::of(&subject.body, subject.to_principal(given.direction), &given.given.values()) {
         AxisKind::AtOneSpin(axis) => match axis.squared_spin {
             Some(s) if s < 0.0 => "one spin only, with its other end up",
             Some(0.0) => "no spin",

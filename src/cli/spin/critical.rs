@@ -95,7 +95,7 @@ fn the_permanent_axis(subject: &Subject) -> Result<AxisArgument, Failure> {
         )));
     }
     let axis = AxisArgument::of_the_centre_of_mass(subject).map_err(|_no_direction| none())?;
-    match AxisKind::of(&subject.body, subject.to_principal(axis.direction)) {
+    match AxisKind::of(&subject.body, subject.to_principal(axis.direction), &axis.given.values()) {
         AxisKind::Permanent { .. } => Ok(axis),
         _ => Err(none()),
     }
@@ -173,7 +173,7 @@ fn stretches(report: &mut Report, document: &CriticalSpinDocument) {
     report.line(format!("\n{}", table.text().trim_end()));
     let by_arnold = || document.stretches.iter().filter(|stretch| stretch.nonlinear.why == Reason::Arnold);
     if by_arnold().any(|stretch| stretch.isolated.is_none()) {
-        report.line("by Arnold's theorem: except at isolated spins; not all of them were found, and none is listed");
+        report.line("by Arnold's theorem; its usual conditions fail at isolated spins, of which not all were found: none is listed");
     } else if by_arnold().next().is_some() {
         let named = |stretch: &SpinStretchDocument| format!("{} up", stretch.up.word());
         let isolated =

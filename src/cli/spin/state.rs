@@ -171,7 +171,7 @@ fn text(subject: &Subject, document: &StateDocument, question: &SpinQuestion, fo
         Some(steady) => {
             meant(&mut report, steady, document.vertical);
             report_steady(&mut report, steady);
-            match AxisKind::of(&subject.body, question.up) {
+            match AxisKind::of(&subject.body, question.up, &question.exact_up) {
                 AxisKind::Permanent { .. } => changes(&mut report, steady, document.note.is_none()),
                 AxisKind::AtOneSpin(axis) if axis.squared_spin == Some(0.0) => {
                     report.line(rests("this axis"));
@@ -229,7 +229,7 @@ fn other_text(
         ));
     }
     let (Some(nearest), Some(steady)) = (&document.nearest, &found.nearest) else { return };
-    let kind = AxisKind::of(&subject.body, question.up);
+    let kind = AxisKind::of(&subject.body, question.up, &question.exact_up);
     match kind {
         AxisKind::AtOneSpin(axis) if axis.squared_spin == Some(0.0) => {
             report.line(rests("the vertical"));

@@ -56,6 +56,12 @@ impl ExactSpin {
     }
 }
 
+/// Whether an axis n of a body is principal, n × An = 0, n in the axes in which the body was given.
+#[must_use]
+pub fn is_principal(body: &Body, n: &[RBig; 3]) -> bool {
+    Balance::new(body, n).left.iter().all(RBig::is_zero)
+}
+
 /// Ω²(n × An) = |n|(n × r): rotation with n pointing up is steady, for γ = −n/|n| and Ω²Aγ + r are parallel.
 struct Balance<'a> {
     n: &'a [RBig; 3],

@@ -23,7 +23,7 @@ use bifdiag_numbers::table::Id;
 use bifdiag_numbers::vector::{dot, norm};
 
 pub use bifdiag_schema::Multiplicity;
-pub use exact_spin::ExactSpin;
+pub use exact_spin::{ExactSpin, is_principal};
 pub use families::{AxisCount, FamilyPoint, SteadyFamily, SteadyStretch, axis_counts};
 
 /// A relative equilibrium: the body turns about the vertical γ with constant angular velocity ω γ.

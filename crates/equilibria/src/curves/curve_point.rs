@@ -12,9 +12,9 @@ use thiserror::Error;
 pub struct MomentumError {
     /// |l| as asked for.
     pub l: f64,
-    /// Smallest |l| > 0.
+    /// About the smallest |l| > 0, inside the range.
     pub smallest: f64,
-    /// Largest |l|.
+    /// About the largest |l|, inside the range.
     pub largest: f64,
 }
 
@@ -28,12 +28,14 @@ pub const X_ROUNDINGS: f64 = 4.0;
 #[inline]
 pub fn abscissa(frame: &Frame, l: f64) -> Result<f64, MomentumError> {
     const LIMIT: f64 = 1e45;
+    // So that the bounds that are named, of two digits, are inside.
+    const INSIDE: f64 = 1.1;
     let scaled = l.abs() / frame.momentum_unit;
     if scaled == 0.0 || (1.0 / LIMIT..=LIMIT).contains(&scaled) {
         Ok(0.5 * scaled * scaled)
     } else {
         let unit = frame.momentum_unit;
-        Err(MomentumError { l: l.abs(), smallest: unit / LIMIT, largest: unit * LIMIT })
+        Err(MomentumError { l: l.abs(), smallest: INSIDE * unit / LIMIT, largest: unit * LIMIT / INSIDE })
     }
 }
 

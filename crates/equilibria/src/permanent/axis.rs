@@ -3,10 +3,11 @@
 use bifdiag_body::Body;
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::vector::{dot, norm};
+use dashu_ratio::RBig;
 
 use super::cone::{NearestAxis, PermanentAxis, angle_between, nearest_permanent, permanent_axis};
 use super::rotation::AxisRotation;
-use crate::critical::{Multiplicity, SteadyFamily};
+use crate::critical::{Multiplicity, SteadyFamily, is_principal};
 
 /// An axis nearer to a permanent one than this, in radians, is that axis: directions are given with some digits.
 pub const MEANT: f64 = 1e-6;
@@ -36,9 +37,10 @@ pub enum AxisKind {
 }
 
 impl AxisKind {
-    /// For the axis along a direction in principal axes, which points up.
+    /// For the axis along `up` in principal axes, which points up; `exact` is the same in the axes in which the body was given,
+    /// of any length.
     #[must_use]
-    pub fn of(body: &Body, up: [f64; 3]) -> Self {
+    pub fn of(body: &Body, up: [f64; 3], exact: &[RBig; 3]) -> Self {
         if let Some(found) = Self::permanent(body, up, MEANT) {
             return found;
         }
@@ -46,15 +48,16 @@ impl AxisKind {
             None => Self::Unknown,
             Some(axis) if axis.angle.is_nan() || axis.squared_spin.is_some_and(|s| !s.is_finite()) => Self::Unknown,
             Some(axis) if axis.angle > MEANT => Self::Other(axis),
-            Some(axis) if axis.squared_spin.is_some() => Self::AtOneSpin(axis),
+            // Turned into principal axes, a principal axis may miss its own by rounding.
+            Some(axis) if axis.squared_spin.is_some() && !is_principal(body, exact) => Self::AtOneSpin(axis),
             Some(_) => Self::Principal,
         }
     }
 
     /// The same, where a permanent axis within half a degree is followed in place of the one given.
     #[must_use]
-    pub fn followed(body: &Body, up: [f64; 3]) -> Self {
-        Self::permanent(body, up, FOLLOWED).unwrap_or_else(|| Self::of(body, up))
+    pub fn followed(body: &Body, up: [f64; 3], exact: &[RBig; 3]) -> Self {
+        Self::permanent(body, up, FOLLOWED).unwrap_or_else(|| Self::of(body, up, exact))
     }
 
     /// The axis that is permanent at every spin, if one is as near as `within` to a direction.
