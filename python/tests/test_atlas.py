@@ -178,7 +178,7 @@ def test_files_that_are_no_atlas_are_told(atlas, section, tmp_path):
     for name, words in [
         ("section.npz", "section.npz is a section .NPZ., no atlas: bifdiag.Section.load reads it"),
         ("other.json", "another document"),
-        ("bytes", "something else"),
+        ("bytes", "bytes is no atlas: an atlas.json of"),
         ("empty", "empty"),
     ]:
         for read in (bifdiag.Atlas.load, bifdiag.verify):
@@ -252,6 +252,11 @@ def test_curves_are_as_fine_as_is_wanted(atlas):
         exact = found["h"][found["branch"] == "G1.2"]
         assert np.abs(exact - middles[:: max(1, len(middles) // 40), 0]).max() <= 1.1 * tolerance
     assert atlas.polyline("G1.2", (90, 91)).shape[1] == 2
+    # A pole line on an axis whose branch has two pieces: h = l²/4 + 1.
+    points = bifdiag.Body([2, 2, 1], [1, 0, 0]).atlas().polyline("P-", (0, 5))
+    h, l = points.T
+    assert points[0].tolist() == [1, 0] and l[-1] == 5 and (np.diff(l) > 0).all()
+    assert np.allclose(h, l**2 / 4 + 1, rtol=0, atol=1e-12) and np.isclose(l, 2, rtol=0, atol=1e-12).any()
     for arguments, message in [
         (("X", (1, 2)), "the curves are"),
         (("G1.2", (2, 1)), "from < to"),

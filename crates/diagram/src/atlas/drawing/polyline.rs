@@ -4,7 +4,7 @@
 
 use crate::atlas::Atlas;
 use bifdiag_body::Frame;
-use bifdiag_equilibria::curves::{Branch, Curve, CurveId, CurveName, End, Pole, Shape};
+use bifdiag_equilibria::curves::{Branch, Curve, CurveId, CurveName, End, Shape};
 use bifdiag_numbers::UNIT_ROUNDOFF;
 
 /// How far a chord may leave its curve.
@@ -68,34 +68,39 @@ impl Atlas {
     /// The energies of a curve at momenta, at its ends and beyond them the limits; `None` when there is no such curve.
     #[must_use]
     pub fn energies(&self, curve: CurveName, momenta: &[f64]) -> Option<Vec<f64>> {
-        let curve = self.named(curve)?;
-        Some(momenta.iter().map(|l| self.h_at(curve, *l)).collect())
+        let pieces = self.named(curve);
+        let first = *pieces.first()?;
+        let over =
+            |l: f64| pieces.iter().rev().find(|piece| self.momentum(piece.x()[0]) <= l).copied().unwrap_or(first);
+        Some(momenta.iter().map(|&l| self.h_at(over(l), l)).collect())
     }
 
-    fn named(&self, name: CurveName) -> Option<&Curve> {
+    /// The pieces of a curve by rising l: of a pole line on an axis all those of the axis; none where there is no such curve.
+    fn named(&self, name: CurveName) -> Vec<&Curve> {
         let set = &self.arrangement.set;
         let is_named =
-            |id: CurveId| CurveName::of(set, id) == name || self.carries_pole(id).map(CurveName::Pole) == Some(name);
-        set.curves.ids().find(|&id| is_named(id)).map(|id| &set.curves[id])
+            |id: &CurveId| CurveName::of(set, *id) == name || set.curves[*id].pole.map(CurveName::Pole) == Some(name);
+        let mut pieces: Vec<&Curve> = set.curves.ids().filter(is_named).map(|id| &set.curves[id]).collect();
+        pieces.sort_by(|p, q| p.x()[0].total_cmp(&q.x()[0]));
+        pieces
     }
 
     fn chords(&self, curve: CurveName, l: [f64; 2], tolerance: Tolerance) -> Option<Vec<[f64; 2]>> {
-        let set = &self.arrangement.set;
-        let curve = self.named(curve)?;
-        let range = curve.x().map(|x| self.momentum(x));
-        let range = [range[0].max(l[0]), range[1].min(l[1])];
-        (range[0] < range[1]).then(|| {
-            let mut points = self.sampled(curve, range.map(|l| l / set.frame.momentum_unit), tolerance);
-            let last = points.len() - 1;
-            (points[0][1], points[last][1]) = (range[0], range[1]);
-            points
-        })
-    }
-
-    /// The pole whose line runs on the last piece of this axis curve.
-    fn carries_pole(&self, curve: CurveId) -> Option<Pole> {
-        let curve = &self.arrangement.set.curves[curve];
-        curve.pole.filter(|_| curve.x()[1].is_infinite())
+        let unit = self.arrangement.set.frame.momentum_unit;
+        let mut found: Vec<[f64; 2]> = Vec::new();
+        for piece in self.named(curve) {
+            let range = piece.x().map(|x| self.momentum(x));
+            let range = [range[0].max(l[0]), range[1].min(l[1])];
+            if range[0] < range[1] {
+                let mut points = self.sampled(piece, range.map(|l| l / unit), tolerance);
+                let last = points.len() - 1;
+                (points[0][1], points[last][1]) = (range[0], range[1]);
+                // Where a piece begins the one before has ended.
+                found.pop();
+                found.extend(points);
+            }
+        }
+        (!found.is_empty()).then_some(found)
     }
 
     /// The polyline of a curve, in the body's units, over a range of l inside its own, in the frame's.
