@@ -1,7 +1,7 @@
 //! Poincaré sections as arrays.
 
 use bifdiag::body::{Body as Top, Number};
-use bifdiag::documents::{self, Subject};
+use bifdiag::documents::{self, SectionPlace, Subject};
 use bifdiag::dynamics::poincare::{PoincareError, PoincareSection, SectionSetting};
 use bifdiag::dynamics::section::chaos::ChaosOptions;
 use bifdiag::dynamics::section::{Monitor, SectionCondition, SectionPoint, SweepOptions, TorusPoint};
@@ -114,7 +114,7 @@ fn columns<'py>(python: Python<'py>, subject: &Subject, section: &PoincareSectio
     out.set_item("s_dot", floats(|p| p.s_dot))?;
     out.set_item("theta", floats(|p| p.theta))?;
     out.set_item("psi", floats(|p| p.psi))?;
-    let document = documents::section(subject, section, None);
+    let document = documents::section(subject, section, SectionPlace::Point);
     if document.orbits.iter().any(|orbit| orbit.chaos.is_some()) {
         let spread = |value: &dyn Fn(usize) -> Option<f64>| {
             let rows =

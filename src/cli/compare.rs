@@ -7,7 +7,9 @@ use bifdiag_diagram::class::Class;
 use bifdiag_documents::words::counted;
 use bifdiag_documents::{Compared, DocumentOptions, Drawn};
 use bifdiag_exact::Accuracy;
-use bifdiag_schema::{AtlasDocument, ComparedRegionsDocument, ComparisonDocument, EventKind, SCHEMA_VERSION};
+use bifdiag_schema::{
+    AtlasDocument, ComparedRegionsDocument, ComparisonDocument, CurveDocument, CurveKind, EventKind, SCHEMA_VERSION,
+};
 use bifdiag_survey::border::BorderOptions;
 use bifdiag_survey::path::{Oriented, borders_between, in_near_axes};
 use clap::Args;
@@ -62,7 +64,7 @@ pub fn run(arguments: &CompareArguments, timings: &Timings) -> Result<(), Failur
     let borders = timings
         .stage("path", || borders_between(&first.standard.body, &second.standard.body, &BorderOptions::default()));
     let document = bifdiag_documents::comparison([first.compared(), second.compared()], &borders);
-    answer(arguments.json, &document, || report(&document))
+    answer(arguments.json, &document, || report(&document, [&first, &second]))
 }
 
 impl<'a> Diagram<'a> {
@@ -84,7 +86,6 @@ impl<'a> Diagram<'a> {
 
     fn compared(&self) -> Compared<'_> {
         Compared {
-            name: self.name,
             atlas: &self.atlas,
             class: self.class.as_ref(),
             standard: &self.standard,
@@ -120,17 +121,20 @@ fn body(text: &str) -> Result<Body, Failure> {
     Body::parse(&atlas.body.given.moments, &atlas.body.given.center).map_err(|error| wrong(&error))
 }
 
-fn report(document: &ComparisonDocument) -> String {
+/// In words, with the bodies named as they were asked for.
+fn report(document: &ComparisonDocument, diagrams: [&Diagram<'_>; 2]) -> String {
     let mut report = Report::default();
-    let [first, second] = &document.bodies;
-    for (number, body) in ["1", "2"].into_iter().zip([first, second]) {
+    for ((number, diagram), body) in ["1", "2"].into_iter().zip(diagrams).zip(&document.bodies) {
+        let Diagram { name, atlas, .. } = diagram;
+        let is_set = |curve: &CurveDocument| matches!(curve.kind, CurveKind::Circle | CurveKind::Sphere);
+        let once = if atlas.curves.iter().any(is_set) { " (a circle or sphere of them counted once)" } else { "" };
         let class = body.class.as_ref().map_or("class undecided".to_owned(), |class| format!("class {class}"));
         report.line(format!(
-            "{number}: {}, {class}, {}, {}, at most {} at one l",
-            body.name,
+            "{number}: {name}, {class}, {}, {}, at most {} at one l{}",
             counted(body.regions, "region", "regions"),
             counted(body.events, "event", "events"),
             counted(body.critical_points_max, "relative equilibrium", "relative equilibria"),
+            once,
         ));
     }
     if document.same_class == Some(true) {

@@ -72,3 +72,11 @@ fn the_path_may_begin_without_weight() {
         found.printing("r is 0 there: the body has no weight");
     }
 }
+
+/// The document knows bodies, not the names or files by which they were asked for.
+#[test]
+fn the_document_is_the_same_however_a_body_is_named() {
+    let named = bifdiag("compare paper katok:1 --json").succeeds().stdout();
+    let given = bifdiag("compare --json").and("A=2,1.1,1;r=0.94868,0,0.61623").and("A=1,1.6,1.3;r=1,0,0").succeeds();
+    assert_eq!(named, given.stdout());
+}

@@ -85,7 +85,7 @@ fn two_bodies_are_compared() {
         ["paper", "katok:1"].map(|body| bifdiag(&format!("--body {body} --json --no-drawing")).succeeds().json());
     for (number, body) in ["paper", "katok:1"].into_iter().enumerate() {
         let (reply, atlas) = (&found["bodies"][number], &atlases[number]);
-        assert_eq!((&reply["name"], &reply["class"]), (&json!(body), &class(body)));
+        assert_eq!(reply["class"], class(body));
         assert_eq!((&reply["regions"], &reply["events"]), (&atlas["summary"]["regions"], &atlas["summary"]["events"]));
         // Every region stands in the table once, beside those with the same components.
         let mut ids: Vec<&str> = Vec::new();

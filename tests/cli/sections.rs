@@ -299,3 +299,19 @@ fn open_orbits_are_followed_further_for_their_verdicts() {
     let exact = bifdiag(&format!("{line} --crossings 400 --verdict only")).succeeds().json();
     assert!(exact["notes"].is_null(), "{exact}");
 }
+
+/// The sample of a certified atlas is another point of the region.
+#[test]
+fn the_command_of_a_section_leads_to_its_point() {
+    let atlas = bifdiag("atlas --body paper --certificate --json").succeeds().stdout();
+    let found =
+        bifdiag("section --atlas - --region R5 --orbits 2 --crossings 10 --json").reading(atlas).succeeds().json();
+    let made =
+        "bifdiag atlas --A 2,1.1,1 --r 0.94868,0,0.61623 --certificate --json | bifdiag section --atlas=- --region R5 ";
+    assert!(found["command"].as_str().unwrap().starts_with(made), "{}", found["command"]);
+    let section = &found["sections"][0];
+    let again = bifdiag(section["command"].as_str().unwrap().strip_prefix("bifdiag ").unwrap()).succeeds().json();
+    for field in ["h", "l", "orbits", "command"] {
+        assert_eq!(section[field], again[field], "{field}");
+    }
+}

@@ -13,8 +13,6 @@ use crate::border::event;
 
 /// One of two bodies: its atlas as given and in standard axes, whose branches both bodies share.
 pub struct Compared<'a> {
-    /// As it was asked for.
-    pub name: &'a str,
     /// The atlas of the body as given.
     pub atlas: &'a AtlasDocument,
     /// Its class, if that is decided.
@@ -25,13 +23,18 @@ pub struct Compared<'a> {
     pub standard_atlas: &'a AtlasDocument,
 }
 
+impl Compared<'_> {
+    /// As an argument of the command.
+    fn name(&self) -> String {
+        let given = &self.atlas.body.given;
+        format!("A={};r={}", given.moments.join(","), given.center.join(","))
+    }
+}
+
 /// What one of two bodies has and the other lacks, and the borders between them.
 #[must_use]
 pub fn comparison(bodies: [Compared<'_>; 2], borders: &[Border]) -> ComparisonDocument {
-    let command = bodies.iter().fold(CommandLine::new("compare"), |line, body| {
-        let given = &body.atlas.body.given;
-        line.argument(format!("A={};r={}", given.moments.join(","), given.center.join(",")))
-    });
+    let command = bodies.iter().fold(CommandLine::new("compare"), |line, body| line.argument(body.name()));
     let classes = bodies.each_ref().map(|body| body.class);
     let same_class = match classes {
         [Some(first), Some(second)] => Some(first == second),
@@ -51,7 +54,7 @@ pub fn comparison(bodies: [Compared<'_>; 2], borders: &[Border]) -> ComparisonDo
             complete: same_class == Some(true) || last.is_some_and(|last| Some(last) == classes[1]),
         },
         bodies: bodies.map(|body| ComparedBodyDocument {
-            name: body.name.to_owned(),
+            name: body.name(),
             body: body.atlas.body.given.clone(),
             class: body.class.map(|class| class.name().to_string()),
             regions: body.atlas.summary.regions,

@@ -51,7 +51,7 @@ pub use orbit_catalogue::{Asked, families_listed, periodic_list};
 pub use orbit_list::periodic;
 pub use periodic::{periodic_families, periodic_orbit};
 pub use proved::{EnclosureRow, ProofAsked, USUAL_BOUND, enclosure_rows, enclosures, proved_motion};
-pub use section::{chaos, drift, integrator, section, sections, tolerance_option};
+pub use section::{SectionPlace, chaos, drift, integrator, section, sections, tolerance_option};
 pub use spin::{AxisQuestion, NONE_NEAREST, critical_spin, fast_axes, nearest_axis};
 pub use spin_change::{asked_spin, spin};
 pub use spin_down::spin_down;

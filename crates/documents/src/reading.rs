@@ -142,8 +142,13 @@ fn redirection(file: &str) -> String {
 
 /// A command that a file names, if it is one of this program and a shell takes it for nothing more.
 fn own(command: String) -> String {
-    let is_own = command.starts_with("bifdiag atlas ") && command.bytes().all(|c| c == b' ' || is_plain(c));
-    if is_own { command } else { "bifdiag atlas".to_owned() }
+    if is_own(&command) { command } else { "bifdiag atlas".to_owned() }
+}
+
+/// Whether a command of a file makes an atlas, and a shell takes it for nothing more.
+#[must_use]
+pub fn is_own(command: &str) -> bool {
+    command.starts_with("bifdiag atlas ") && command.bytes().all(|c| c == b' ' || is_plain(c))
 }
 
 fn atlas_command(OldAtlas { accuracy, body, window }: &OldAtlas) -> String {

@@ -21,9 +21,20 @@ use crate::classification::components;
 use crate::integrals::further_integrals;
 use crate::subject::Subject;
 
-/// Puts together what is known; orbits that are missing were not begun. `region`: the region whose sample this is.
+/// Where a section is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SectionPlace<'a> {
+    /// At a point (h, l).
+    Point,
+    /// At the sample of a region of the body's atlas as `section` makes it.
+    OwnSample(&'a str),
+    /// At the sample of a region of another atlas of the body: its regions are the same, its samples may not be.
+    OtherSample(&'a str),
+}
+
+/// Puts together what is known; orbits that are missing were not begun.
 #[must_use]
-pub fn section(subject: &Subject, section: &PoincareSection, region: Option<&str>) -> SectionDocument {
+pub fn section(subject: &Subject, section: &PoincareSection, place: SectionPlace<'_>) -> SectionDocument {
     let mut orbits: Vec<OrbitDocument> = section
         .orbits
         .iter()
@@ -74,7 +85,10 @@ pub fn section(subject: &Subject, section: &PoincareSection, region: Option<&str
         body: given(&section.body),
         h: section.h.text().to_owned(),
         l: section.l.text().to_owned(),
-        region: region.map(str::to_owned),
+        region: match place {
+            SectionPlace::Point => None,
+            SectionPlace::OwnSample(region) | SectionPlace::OtherSample(region) => Some(region.to_owned()),
+        },
         components: components(&section.components),
         // The theorem is about the section S = d⟨γ,r⟩/dt = 0.
         signature: match options.condition {
@@ -100,9 +114,9 @@ pub fn section(subject: &Subject, section: &PoincareSection, region: Option<&str
         part: subject.part.clone(),
     };
     let at = subject.command("section");
-    let at = match region {
-        Some(region) => at.option("region", region),
-        None => at.option("h", &document.h).option("l", &document.l),
+    let at = match place {
+        SectionPlace::OwnSample(region) => at.option("region", region),
+        SectionPlace::Point | SectionPlace::OtherSample(_) => at.option("h", &document.h).option("l", &document.l),
     };
     document.head.command = as_asked(at, &document).json();
     document
@@ -147,17 +161,24 @@ pub fn tolerance_option(line: CommandLine, tolerance: f64) -> CommandLine {
     line.option_if("tol", (tolerance != DEFAULT_TOLERANCE).then_some(tolerance))
 }
 
-/// Sections of several regions, those that `wanted` names, or `all`; `complete` says whether all of them had their turn.
+/// Sections of several regions, those that `wanted` names, or `all`, at the samples of the atlas that the command `atlas` prints, or
+/// of the body's own; `complete` says whether all of them had their turn.
 #[must_use]
 pub fn sections(
     subject: &Subject,
+    atlas: Option<&str>,
     wanted: &str,
     sections: Vec<SectionDocument>,
     skipped: Vec<SkippedDocument>,
     complete: bool,
 ) -> SectionsDocument {
-    let all = subject.command("section").option("region", wanted);
-    let command = sections.first().map_or(all.clone(), |first| as_asked(all, first)).json();
+    let all = match atlas {
+        Some(_) => CommandLine::new("section").option("atlas", "-"),
+        None => subject.command("section"),
+    };
+    let all = all.option("region", wanted);
+    let all = sections.first().map_or(all.clone(), |first| as_asked(all, first)).json();
+    let command = atlas.map_or_else(|| all.clone(), |atlas| format!("{atlas} | {all}"));
     let complete = complete && sections.iter().all(|section| section.complete);
     SectionsDocument { head: head(command), complete, sections, skipped }
 }

@@ -124,9 +124,15 @@ fn note(subject: &Subject, tolerances: Tolerances<'_>, found: &AxisSpins) -> Opt
         let right = "give one share for all, such as 1%";
         return Some(format!("tolerances by name are for an axis that is permanent at every spin; {right}"));
     }
-    let [plus, _] = found.beside.as_ref()?;
+    let Some([plus, _]) = &found.beside else {
+        return Some("the steady rotations that are nearest to it at fast spins could not be found".to_owned());
+    };
     if plus.is_empty() {
-        return Some(NONE_NEAREST.to_owned());
+        let bounds = match tolerances {
+            Tolerances::Exact => "",
+            Tolerances::Shares(_) | Tolerances::Measured(..) => "; for bounds give another axis",
+        };
+        return Some(format!("{NONE_NEAREST}{bounds}"));
     }
     (plus.len() > 1).then(|| {
         let listed = match tolerances {

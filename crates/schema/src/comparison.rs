@@ -8,7 +8,7 @@ use super::{BorderEventDocument, ComponentDocument, EventKind, GivenBody, Head, 
 /// One of two bodies that are compared.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ComparedBodyDocument {
-    /// The body as it was asked for.
+    /// The body as `command` names it.
     pub name: String,
     /// The body.
     #[serde(flatten)]

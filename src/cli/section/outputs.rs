@@ -29,6 +29,7 @@ pub fn write(plan: &Plan<'_>, mut sections: Sections, complete: bool, timings: &
                 arguments.json,
                 &bifdiag_documents::sections(
                     &plan.sites.subject,
+                    plan.sites.atlas.as_deref(),
                     &plan.sites.wanted(),
                     all,
                     sections.skipped.clone(),

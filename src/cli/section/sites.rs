@@ -8,7 +8,8 @@ use bifdiag_body::part::UnitsError;
 use bifdiag_body::{Body, Number};
 use bifdiag_diagram::arrangement::RegionId;
 use bifdiag_diagram::fast::FastError;
-use bifdiag_documents::Subject;
+use bifdiag_documents::reading::is_own;
+use bifdiag_documents::{SectionPlace, Subject};
 use bifdiag_dynamics::poincare::PoincareError;
 use bifdiag_dynamics::section::TorusPoint;
 use bifdiag_exact::{Accuracy, Solver};
@@ -36,9 +37,20 @@ pub struct Sites {
     pub list: Vec<Site>,
     /// All regions were requested: those without a section are skipped.
     pub all: bool,
+    /// The command that prints the atlas whose samples these are, where it came from a file.
+    pub atlas: Option<String>,
 }
 
 impl Sites {
+    /// What the document says of a site.
+    pub fn place<'a>(&self, site: &'a Site) -> SectionPlace<'a> {
+        match (&site.region, &self.atlas) {
+            (None, _) => SectionPlace::Point,
+            (Some(region), None) => SectionPlace::OwnSample(region),
+            (Some(region), Some(_)) => SectionPlace::OtherSample(region),
+        }
+    }
+
     /// Whether the user named several regions, for comparison.
     pub fn is_listed(&self) -> bool {
         !self.all && self.list.len() > 1
@@ -79,7 +91,7 @@ impl Sites {
         };
         let h = arguments.point.energy.clone().ok_or_else(missing("--h", "the energy, such as --h 4.45"))?;
         let l = arguments.point.momentum.clone().ok_or_else(missing("--l", "the momentum, such as --l 3.25"))?;
-        Ok(Self { subject, list: vec![Site { region: None, h, l }], all: false })
+        Ok(Self { subject, list: vec![Site { region: None, h, l }], all: false, atlas: None })
     }
 
     /// The samples of a body's own atlas.
@@ -108,7 +120,7 @@ impl Sites {
                 is_outside.then(|| stray_sample(id))
             })
         });
-        stray.map_or_else(|| Ok(Self { subject, list, all: is_all(wanted) }), Err)
+        stray.map_or_else(|| Ok(Self { subject, list, all: is_all(wanted), atlas: None }), Err)
     }
 
     /// The samples of an atlas.json.
@@ -132,7 +144,9 @@ impl Sites {
         let subject = Subject { body, part: atlas.body.part, units };
         let samples = atlas.regions.into_iter().map(|region| (region.id, region.sample.h, region.sample.l));
         let solver = (atlas.accuracy == Accuracy::Exact).then(|| Solver::new(subject.body.clone(), Accuracy::Exact));
-        Self::of_samples(subject, samples.collect(), wanted, solver.as_ref())
+        let command = if is_own(&atlas.head.command) { atlas.head.command } else { subject.command("atlas").json() };
+        let sites = Self::of_samples(subject, samples.collect(), wanted, solver.as_ref())?;
+        Ok(Self { atlas: Some(command), ..sites })
     }
 }
 

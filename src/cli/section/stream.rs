@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::atomic::Ordering;
 
-use bifdiag_documents::Subject;
+use bifdiag_documents::{SectionPlace, Subject};
 use bifdiag_dynamics::field::State;
 use bifdiag_dynamics::poincare::{PoincareError, PoincareSection, SectionSetting};
 use bifdiag_dynamics::section::chaos::{ChaosOptions, Judgement, OpenReason, TangentCourse, UNIT, growths};
@@ -81,7 +81,7 @@ pub fn follow(
 /// Which section it is: its document before any orbit is followed, and the starts.
 fn identity(subject: &Subject, section: &PoincareSection) -> Result<Vec<u8>, Failure> {
     let starts: Vec<_> = section.starts.iter().map(|start| (start.theta, start.psi, start.sheet)).collect();
-    Ok(serde_json::to_vec(&(bifdiag_documents::section(subject, section, None), starts))?)
+    Ok(serde_json::to_vec(&(bifdiag_documents::section(subject, section, SectionPlace::Point), starts))?)
 }
 
 /// The verdicts that the same orbits have in memory. Only the beginning of each orbit is integrated once more, until its verdict is

@@ -105,7 +105,7 @@ fn section_at(plan: &Plan<'_>, site: &Site, monitor: &Monitor) -> Result<Done, F
             (section, None)
         }
     };
-    let document = bifdiag_documents::section(subject, &section, site.region.as_deref());
+    let document = bifdiag_documents::section(subject, &section, plan.sites.place(site));
     let (h, l) = (setting.h(), setting.l());
     Ok(Done {
         h,

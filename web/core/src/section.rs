@@ -2,6 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
+use bifdiag::documents::SectionPlace;
 use bifdiag::dynamics::integrator::DEFAULT_TOLERANCE;
 use bifdiag::dynamics::motion::{MotionOptions, follow};
 use bifdiag::dynamics::section::chaos::ChaosOptions;
@@ -144,7 +145,7 @@ impl Section {
         let monitor = Monitor::default();
         let mut section = self.setting.run(&starts, None, &options(crossings), &monitor)?;
         self.setting.measure(&mut section, &ChaosOptions::default(), &monitor)?;
-        json(&documents::section(&self.setting.body().clone().into(), &section, None).orbits)
+        json(&documents::section(&self.setting.body().clone().into(), &section, SectionPlace::Point).orbits)
     }
 
     fn picture(&self, rows: u32) -> Result<String, Refused> {
