@@ -13,7 +13,7 @@ const SHARED: [(&str, &str); 6] = [
     ("command", "Head"),
     ("A", "GivenBody"),
     ("r", "GivenBody"),
-    ("part", ""),
+    ("part", "ChaosMap"),
 ];
 
 /// How a page is written.

@@ -30,15 +30,17 @@ pub fn body_of_tensor(
     let mut entries = Vec::new();
     for (row, column) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)] {
         let [above, below] = [&tensor[row][column], &tensor[column][row]];
-        let [value, mirrored] = [above, below].map(|text| given.read(text, Dimension::MOMENT, &units));
-        let (value, mirrored) = (value?, mirrored?);
-        if value != mirrored {
+        let [found, mirrored] = [above, below].map(|text| given.measured(text, Dimension::MOMENT, &units));
+        let (found, mirrored) = (found?, mirrored?);
+        // One of the two entries may say for both how well they are known.
+        let are_alike = found.within.is_zero() || mirrored.within.is_zero() || found.within == mirrored.within;
+        if found.value != mirrored.value || !are_alike {
             let [row, column] = [row + 1, column + 1];
             return Err(errors::wrong(format!(
                 "the tensor is not symmetric: entry {row},{column} is {above}, entry {column},{row} is {below}"
             )));
         }
-        entries.push(value);
+        entries.push(found.value);
     }
     let tensor = Symmetric::new(entries.try_into().expect("six entries"));
     let mass = given.read(mass, Dimension::MASS, &units)?;
@@ -88,10 +90,14 @@ struct Given {
 impl Given {
     /// The nominal value.
     fn read(&mut self, text: &str, dimension: Dimension, units: &Units) -> PyResult<RBig> {
+        Ok(self.measured(text, dimension, units)?.value)
+    }
+
+    fn measured(&mut self, text: &str, dimension: Dimension, units: &Units) -> PyResult<Measured> {
         let quantity: Quantity = text.parse().map_err(|error| errors::input(&error))?;
-        let Measured { value, within } = quantity.measured(dimension, units).map_err(|error| errors::input(&error))?;
-        self.is_measured |= !within.is_zero();
-        Ok(value)
+        let found = quantity.measured(dimension, units).map_err(|error| errors::input(&error))?;
+        self.is_measured |= !found.within.is_zero();
+        Ok(found)
     }
 
     fn place(&mut self, texts: &[String; 3], units: &Units) -> PyResult<[RBig; 3]> {

@@ -183,3 +183,27 @@ def test_help_has_two_screens_with_a_line_for_each_question():
             """My own question."""
 
     assert "My own question" in pydoc.plain(pydoc.render_doc(Mine))
+
+
+def test_what_is_masked_is_no_number():
+    masked = np.ma.masked
+    body = bifdiag.Body([2, 1.1, 1], [0.6, 0, 0.8])
+    for asked in (
+        lambda: bifdiag.Body([2, 1.1, 1], [1, masked, 0]),
+        lambda: bifdiag.Body(np.ma.array([2, 1.1, 1], mask=[0, 1, 0]), [1, 0, 0]),
+        lambda: body.classify(masked, 1),
+        lambda: body.section(masked, 1),
+        lambda: body.critical_spin([masked, 0, 1]),
+        lambda: body.orbit(gamma=np.ma.array([0.0, 1.0, 1.0], mask=[0, 1, 0]), omega=[0, 0, 1]),
+    ):
+        with pytest.raises(bifdiag.InputError, match="masked"):
+            asked()
+
+
+def test_both_entries_of_a_product_have_one_tolerance():
+    def body(above, below):
+        return bifdiag.Body.from_inertia([[3, above, 0], [below, 2, 0], [0, 0, 1.5]], [0, 0, 0.1], 1, 10)
+
+    assert body("0±0.02", "0±0.02").critical_spin("z").bounds is not None
+    with pytest.raises(bifdiag.InputError, match=r"entry 1,2 is 0±0\.02, entry 2,1 is 0±0\.01"):
+        body("0±0.02", "0±0.01")

@@ -107,3 +107,15 @@ def test_tables_are_handed_on(moving):
     assert frame.loc[frame["stable_above"] & ~frame["stable_below"].fillna(False), "rpm"].max() == pytest.approx(
         9.663175436748414
     )
+
+
+def test_changes_beside_an_axis_that_is_not_permanent_are_rows():
+    body = bifdiag.Body([2, 1.3, 1], [0, 0, 1])
+    for axis in ([0, "1/3", 1], [0, 1, 3]):
+        found = body.critical_spin(axis)
+        changes = found[found.kind == "stability"]
+        expected = [1.1710918254567828, 23.69856332099955, 9.549296585513721, 17.434550493976417]
+        assert changes.rpm.tolist() == pytest.approx(expected)
+        assert list(changes.event) == ["real-collision", "hamiltonian-hopf", "zero", "zero"]
+        ends = found.ranges.rpm_from[found.ranges.rpm_from > 0]
+        assert sorted(ends) == pytest.approx(sorted(changes.rpm))

@@ -34,6 +34,9 @@ def test_the_page_is_served_with_the_body(atlas):
     assert atlas.explore(3.8, "13/4").url == shown.url + "&h=3.8&l=13/4"
     with pytest.raises(bifdiag.InputError, match="both h and l"):
         atlas.explore(3.8)
+    for wrong in ("x", float("nan"), "1/0"):
+        with pytest.raises(bifdiag.InputError):
+            atlas.explore(wrong, 1)
 
 
 def test_the_command_of_the_wheel_serves_its_page():

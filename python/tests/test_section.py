@@ -106,6 +106,9 @@ def test_files_that_are_none_are_told(tmp_path):
         bifdiag.Section.load(tmp_path / "other.npz")
     with pytest.raises(FileNotFoundError):
         bifdiag.Section.load(tmp_path / "nothing.npz")
+    (tmp_path / "diagram.svg").write_text("<svg/>")
+    with pytest.raises(bifdiag.InputError, match=r"diagram.svg is no atlas: an atlas.json of .* is needed here$"):
+        bifdiag.Atlas.load(tmp_path / "diagram.svg")
     np.savez(tmp_path / "y.npz", orbit=[1], meta="{}")
     with pytest.raises(bifdiag.InputError, match="no array 'index'"):
         bifdiag.Section.load(tmp_path / "y.npz")
@@ -236,6 +239,23 @@ def test_motions_agree_with_the_command_line(paper, command):
     motion = paper.orbit(gamma=[0.6, 0, 0.8], l=[1, 0.3, 1], t=[sample["time"] for sample in samples])
     assert motion.gamma.tolist() == [sample["gamma"] for sample in samples]
     assert motion.quaternion.tolist() == [sample["attitude"] for sample in samples]
+
+
+def test_motions_of_the_command_line_are_read(paper, command, tmp_path):
+    path = tmp_path / "theirs.npz"
+    command("orbit", "--A=2,11/10,1", "--r=0.94868,0,0.61623", "--gamma=0.6,0,0.8", "--l-vector=1,0.3,1",
+            "--times=0:3:7", "--data", path)  # fmt: skip
+    theirs, ours = bifdiag.Motion.load(path), paper.orbit(gamma=[0.6, 0, 0.8], l=[1, 0.3, 1], t=np.linspace(0, 3, 7))
+    assert theirs.columns == ours.columns
+    assert all(np.array_equal(theirs[name], ours[name]) for name in ours.columns)
+    document = theirs.meta.pop("document")
+    assert theirs.meta == ours.meta | {"momentum": document["l"]} and document["complete"]
+    assert np.array_equal(theirs.energy, ours.energy)
+    bifdiag.Motion.load(path).save(tmp_path / "again.npz")
+    assert bifdiag.Motion.load(tmp_path / "again.npz") == bifdiag.Motion.load(path)
+    np.savez(tmp_path / "other.npz", attitude=np.zeros((1, 4)), meta="{}")
+    with pytest.raises(bifdiag.InputError, match="no array 'time'"):
+        bifdiag.Motion.load(tmp_path / "other.npz")
 
 
 @pytest.mark.parametrize(

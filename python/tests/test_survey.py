@@ -36,6 +36,8 @@ def test_wrong_scans_are_told(tmp_path):
         bifdiag.scan(family="nobody", samples=3, out=tmp_path / "x.csv")
     with pytest.raises(bifdiag.InputError, match="samples"):
         bifdiag.scan(samples=-3, out=tmp_path / "x.csv")
+    with pytest.raises(bifdiag.InputError, match=r"use .parquet, .csv or .jsonl$"):
+        bifdiag.scan(samples=3, out=tmp_path / "x.txt")
 
 
 def test_what_is_found_shows_what_was_sought():

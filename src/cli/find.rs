@@ -21,8 +21,8 @@ Examples:
   bifdiag find --critical-points 8 --samples 20000
 
 If a built-in witness has the type, it is printed at once; --search, --seed and --all look for another. If nothing is \
-found (exit status 1), the answer says how many bodies were tried and how close the best one came; it says that none \
-exists only where a theorem does.";
+found (exit status 1), the answer says how many bodies were tried and, with --critical-points, how close the best one \
+came. Where a theorem shows that none exists, the answer says so (exit status 0).";
 
 /// `bifdiag find`.
 #[derive(Debug, Args)]

@@ -172,9 +172,8 @@ fn unknown(id: &str, document: &AtlasDocument) -> Failure {
     };
     let regions = up_to("region", "R", document.regions.len());
     let (curves, events) = (curves.join(", "), up_to("event", "E", document.events.len()));
-    Failure::input(format!(
-        "ID {id}: this body has nothing of that name; it has {regions}, the curves {curves} and {events}"
-    ))
+    let one = if id.contains([',', ' ']) { "give one ID" } else { "this body has nothing of that name" };
+    Failure::input(format!("ID {id}: {one}; it has {regions}, the curves {curves} and {events}"))
 }
 
 fn range([from, to]: [Option<f64>; 2]) -> String {
@@ -282,7 +281,9 @@ fn isolated(report: &mut Report, document: &AtlasDocument, curve: &CurveDocument
     }
     let by_arnold = curve.stability.iter().any(|span| span.nonlinear.why == Reason::Arnold);
     if by_arnold && document.verdict_changes.is_none() {
-        report.line("  Arnold's theorem: except at isolated l; not all of them were found, and none is listed");
+        report.line(
+            "  Arnold's theorem: its usual conditions fail at isolated l, of which not all were found: none is listed",
+        );
     }
 }
 

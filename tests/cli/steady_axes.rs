@@ -204,11 +204,14 @@ fn steady_axes_over_the_spin_are_a_table_and_a_picture() {
     assert_eq!(lines.len(), 13);
     let one = bifdiag("critical --body paper --json --spin").and("15 rpm").succeeds().json();
     assert_eq!((&lines[3]["axes"], &lines[3]["command"]), (&one["axes"], &one["command"]));
-    run("--out axes.svg").succeeds().printing("5 families of steady axes at these spins").printing("written: axes.svg");
+    run("--out axes.svg")
+        .succeeds()
+        .printing("5 families of steady axes over this range of spins or a part of it")
+        .printing("written: axes.svg");
     // Of its five families two are there at slow spins, of which one hangs and one stands.
     let few =
         bifdiag("critical --body paper --out few.svg --spin").and("0:3:4 rpm").inside(directory.path()).succeeds();
-    few.printing("2 families of steady axes at these spins");
+    few.printing("2 families of steady axes over this range of spins or a part of it");
     let picture = std::fs::read_to_string(directory.path().join("few.svg")).unwrap();
     assert!(!picture.contains(">S2<") && !picture.contains("stable without friction"), "{picture}");
     let picture = std::fs::read_to_string(directory.path().join("axes.svg")).unwrap();

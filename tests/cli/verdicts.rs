@@ -133,7 +133,7 @@ fn friction_wakes_a_slender_sleeping_top() {
 #[test]
 fn a_range_of_spins_admits_its_isolated_exceptions() {
     let line = "critical-spin --A 1.71,2.63,2.11 --r 0,0,1 --axis z";
-    let reply = bifdiag(line).succeeds().printing("by Arnold's theorem: at all of these spins except\n");
+    let reply = bifdiag(line).succeeds().printing("by Arnold's theorem; spins at which its usual conditions fail:\n");
     reply
         .printing("  +axis up: 13.087694 rpm (1:2 resonance): stable (Arnold's theorem)\n")
         .printing(" rpm (1:3 resonance): stable\n")

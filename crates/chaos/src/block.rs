@@ -26,7 +26,7 @@ pub struct CellShare {
     pub region: RegionId,
     /// The component of E there, in the order of the region's.
     pub component: usize,
-    /// Which part of the cell belongs to the region, of 16 points.
+    /// Which part of the block belongs to the region, of 16 points.
     pub part: f64,
     /// Cells along a side of the block that was measured.
     pub block: u64,

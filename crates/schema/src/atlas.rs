@@ -188,12 +188,13 @@ pub struct CurveDocument {
     pub multiplicity: u32,
     /// Ids of the curves with the same (h, l): pole lines that run on critical curves.
     pub coincides_with: Vec<String>,
-    /// Range of μ of the closed form; an infinite end is null. Absent for pole lines.
+    /// Range of μ of the closed form; an infinite end is null. Absent for pole lines, and where r = 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mu_range: Option<[Option<f64>; 2]>,
     /// Range of l; an infinite end is null.
     pub l_range: [Option<f64>; 2],
-    /// The linear type along the curve, by rising l; empty for pole lines.
+    /// The linear type along the curve, by rising l; empty for pole lines, and with a window for curves that have no l in
+    /// common with it.
     pub stability: Vec<StabilitySpan>,
     /// Asymptotics for l → ∞; null for a curve with two finite ends.
     pub tail: Option<TailDocument>,
@@ -292,7 +293,7 @@ pub struct RegionDocument {
     /// Ids of the curves on the boundary, each once: below and above each cell, in the order of `cells`.
     pub boundary: Vec<String>,
     /// The regions across curves of the boundary, one for each region and curve; across a pole line that coincides with
-    /// another curve none.
+    /// another curve none. With a window only listed regions, and the forbidden one.
     pub neighbours: Vec<NeighbourDocument>,
     /// The cells whose union it is, by rising l, then h.
     pub cells: Vec<CellDocument>,
@@ -319,18 +320,18 @@ pub struct UndecidedDocument {
 /// Totals of an atlas.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SummaryDocument {
-    /// Number of regions.
+    /// Number of the `regions`.
     pub regions: usize,
-    /// Number of events.
+    /// Number of the `events`.
     pub events: usize,
-    /// How many regions have each signature (for r = 0, each type of U).
+    /// How many of the `regions` have each signature (for r = 0, each type of U).
     pub signatures: BTreeMap<String, usize>,
     /// The largest number of relative equilibria at one l, of the whole half-plane also where a window was searched; a critical
     /// circle or sphere counts once.
     pub critical_points_max: usize,
     /// What could not be decided.
     pub undecided: Vec<UndecidedDocument>,
-    /// True when `regions` covers the whole half-plane l > 0 and nothing is undecided.
+    /// True when `regions` covers the whole half-plane l > 0 and nothing is undecided; never with a window.
     pub complete: bool,
 }
 
@@ -367,7 +368,7 @@ pub struct RegionDrawing {
     /// The part of the region inside `view.everything` (inside the window, if one was asked for): closed outlines of points
     /// [h, l] whose last point is the first; a hole is a separate outline (fill by the even-odd rule). An outline
     /// begins at
-    /// its smallest l, there at the lowest h, and has the region on its left as l runs to the right and h upwards;
+    /// its smallest l, there at the lowest h (to a rounding), and has the region on its left as l runs to the right and h upwards;
     /// outlines are ordered by that l, then h. Where two events of the list are at one l, all outlines end at the l of
     /// each event. Corners lie on the curves, except where a curve leaves the view. No edge leaves its curve by more
     /// than 1/250 of the
@@ -399,20 +400,22 @@ pub struct AtlasDocument {
     pub accuracy: Accuracy,
     /// The body.
     pub body: BodyDocument,
-    /// The requested window; absent: the whole half-plane.
+    /// The requested window: events and changes are then those in it, `regions` those that meet it; absent: the whole
+    /// half-plane.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub window: Option<WindowDocument>,
     /// Critical curves and pole lines.
     pub curves: Vec<CurveDocument>,
-    /// Cusps, pitchforks and crossings, by rising l.
+    /// Cusps, pitchforks and crossings, by rising l; with a window those in it.
     pub events: Vec<EventDocument>,
-    /// Every change of the linear type along a branch, by rising l.
+    /// Every change of the linear type along a branch, by rising l; with a window those in it.
     pub stability_changes: Vec<StabilityChangeDocument>,
-    /// Every isolated point of a curve at which a hypothesis of Arnold's theorem fails, by rising l, then h; absent with
-    /// `--accuracy fast`, in Python and on the page without a certificate, and where not all of them are known.
+    /// Every isolated point of a curve at which a hypothesis of Arnold's theorem fails, by rising l, then h; with a window
+    /// those in it. None on curves where a further integral decides (`integral`). Absent with `--accuracy fast`, and where
+    /// not all of them are known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub verdict_changes: Option<Vec<VerdictChangeDocument>>,
-    /// Every region.
+    /// Every region; with a window those that meet it.
     pub regions: Vec<RegionDocument>,
     /// Totals.
     pub summary: SummaryDocument,

@@ -63,7 +63,7 @@ pub struct ChaosCellDocument {
     pub region: String,
     /// The component of E, counted from 0 in the order of `classify`.
     pub component: u32,
-    /// The fraction of the cell that belongs to the region, estimated from 16 points.
+    /// The fraction of the block that belongs to the region, estimated from 16 points.
     pub part: f64,
     /// Cells along a side of the block that was measured as one: its orbits are those of all its cells.
     pub block: u32,

@@ -29,8 +29,8 @@ pub struct ClassNeighbourDocument {
 pub struct ClassDocument {
     /// Its name.
     pub name: String,
-    /// The canonical form of its diagram, whose SHA-256 begins with the name. (Absent in the built-in list: the witness
-    /// has it.)
+    /// The canonical form of its diagram, whose SHA-256 begins with the name. Absent in the `others` of a list: the
+    /// witness has it.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub text: String,
     /// What is special about its bodies: the moments that are equal, where r lies (axes by rising moments). Absent for a

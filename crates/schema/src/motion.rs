@@ -20,7 +20,7 @@ pub struct MotionSampleDocument {
     pub theta: f64,
     /// Euler's angle ψ ∈ (−π, π].
     pub psi: f64,
-    /// Euler's angle φ, continuous in time.
+    /// Euler's angle φ, continuous in time while γ is not at ±e₃.
     pub phi: f64,
     /// The attitude as a unit quaternion [w, x, y, z], continuous in time: it takes vectors from the body to space.
     pub attitude: [f64; 4],

@@ -64,14 +64,15 @@ pub struct NonlinearDocument {
     /// Why.
     pub why: Reason,
     /// Arnold's determinant D₄ = K₁₁ω₂² + K₁₂ω₁ω₂ + K₂₂ω₁² over Ω², where H = ω₁I₁ − ω₂I₂ + K₁₁I₁² + K₁₂I₁I₂ + K₂₂I₂² + … with
-    /// the pair of positive Krein sign first; `null` except at index 2 with two distinct imaginary pairs, and along a
-    /// curve.
+    /// the pair of positive Krein sign first; `null` except at index 2 with two distinct imaginary pairs, and there too where
+    /// a further integral decides, at a resonance 1:2 that makes it unstable, and along a curve.
     #[serde(rename = "D4_over_s")]
     pub d4_over_s: Option<f64>,
     /// Bound on its error.
     #[serde(rename = "D4_error")]
     pub d4_error: Option<f64>,
-    /// Distances to the resonances; `null` except at index 2 with imaginary pairs, and along a curve.
+    /// Distances to the resonances; `null` except at index 2 with imaginary pairs, and there too where a further integral
+    /// decides, and along a curve.
     pub near: Option<ResonancesDocument>,
     /// Decided by enclosures and exact arithmetic; in an atlas: `verify` confirms it.
     pub proved: bool,
@@ -120,6 +121,7 @@ pub struct FrictionDocument {
     /// Directions that grow: the Morse index.
     pub growing: u8,
     /// Pairs of `eigenvalues`, each with d Re λ/dδ at δ = 0 for the torque −δA(ω − Ωγ): of an imaginary pair negative exactly if
-    /// its Krein sign is positive. Without double pairs and zeros; empty along a curve.
+    /// its Krein sign is positive. Without double pairs and zeros; empty along a curve. Computed in doubles: they grow without bound
+    /// towards a collision of eigenvalues, and lose digits there.
     pub rates: Vec<([f64; 2], f64)>,
 }

@@ -51,7 +51,7 @@ pub struct PartDocument {
     /// m g times the centre of mass, in the principal axes.
     #[serde(rename = "r")]
     pub center: [String; 3],
-    /// True when A and r are exact; else they are rounded to 130 digits, so that equal moments, zeros and coincidences
+    /// True when A and r are exact; else they are rounded to at least 130 digits, so that equal moments, zeros and coincidences
     /// of thresholds remain.
     pub exact: bool,
     /// Some mass distribution has these mass properties.

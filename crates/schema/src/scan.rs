@@ -186,9 +186,10 @@ pub struct RowDocument {
     pub smallest_margin: Option<f64>,
     /// Signature of that region.
     pub smallest_region: Option<String>,
-    /// No mass distribution has these moments.
+    /// No mass distribution has these moments and this centre of mass. This and what follows, up to `euler`, is false of
+    /// numbers that are those of no body, such as A1 = 0.
     pub unphysical: bool,
-    /// A_i + A_j = A_k.
+    /// A_i + A_j = A_k and r_k = 0.
     pub plate: bool,
     /// Equal moments.
     pub symmetric: bool,

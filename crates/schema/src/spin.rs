@@ -228,16 +228,14 @@ pub struct CriticalSpinDocument {
     /// no such spin; absent where the given axis is permanent at every spin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub steady: Option<Vec<SteadySpinDocument>>,
-    /// For an axis that is not permanent: the families of steady axes that tend to the principal axis nearest to it at
-    /// fast
-    /// spins, with `+axis` and with `-axis` up.
+    /// For an axis that is not permanent: the families of steady axes that are nearest to it at fast spins, with `+axis` and with `-axis` up.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub families: Vec<SteadyFamilyDocument>,
     /// The spectral type at rest or at the slowest spins, with `+axis` and with `-axis` up; of `families` at their start.
     pub slow: Option<[SpinType; 2]>,
     /// By the end that is up, then by rising spin.
     pub changes: Vec<SpinChangeDocument>,
-    /// The spins between the changes of the type, by the end that is up, then by rising spin.
+    /// The spins between the changes of the type, but those between which no double lies, by the end that is up, then by rising spin.
     pub stretches: Vec<SpinStretchDocument>,
     /// What the tolerance does to the changes of stability.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -19,11 +19,11 @@ pub struct PermanentAxisDocument {
 /// How many steady axes there are from one spin on, to the next one of the list.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct AxisCountDocument {
-    /// `null`: from rest.
+    /// `null`: from rest; without weight every axis is one of rest, which is not counted.
     pub from: Option<SpinDocument>,
     /// Axes by the end that is up, those of circles apart.
     pub axes: u32,
-    /// Circles of axes.
+    /// Circles of axes; of a ball without weight the sphere of all axes.
     pub circles: u32,
 }
 

@@ -15,8 +15,8 @@ pub struct ToleranceDocument {
     /// The numbers of the part that have an uncertainty; empty with `relative`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub inputs: Vec<MeasuredDocument>,
-    /// The ranges are those of the steady rotation that moves with the spin and tends to the principal axis nearest to the
-    /// given one at fast spins, since no rotation about the given axis is permanent.
+    /// The ranges are those of the steady rotation that moves with the spin and is nearest to the given axis at
+    /// fast spins, since no rotation about the given axis is permanent.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub moving: bool,
     /// Outside the ranges each part has at every spin a steady rotation nearer than this, in degrees, to the axis or, with
@@ -59,7 +59,8 @@ pub struct SampledClassDocument {
 pub struct SpinRangeDocument {
     /// Which end of the axis is up.
     pub up: AxisEnd,
-    /// The spectral type of all parts below; `null` where the range begins at rest.
+    /// The spectral type of all parts below, `elliptic` and `elliptic (local minimum)` also for double pairs; `null` where the range
+    /// begins at rest.
     pub from: Option<SpinType>,
     /// The spectral type of all parts above; `null` where the range has no end.
     pub to: Option<SpinType>,

@@ -118,8 +118,10 @@ class AtlasDocument:
         Returns
         -------
         Atlas
-            Its `to_json` gives the bytes of the file. If the file was made for a window, only `document`, `to_json` and
-            `Region.polygon` are restricted to it; `regions` are those of the whole half-plane.
+            Its `to_json` gives the bytes of the file. If the file was made for a window, `document`, `stability_changes`,
+            `verdict_changes` and `Region.polygon` are restricted to it, `Curve.stability` is empty for curves that have no
+            l in common with it, and `complete` is False; `regions` and `events` are those of the whole half-plane. If it
+            was made with ``--no-drawing``, every `Region.polygon` and `Curve.points` is empty.
 
         Raises
         ------
@@ -173,14 +175,15 @@ class AtlasDocument:
 
     @cached_property
     def stability_changes(self) -> Changes[StabilityChange]:
-        """Points of curves at which the linear type of the relative equilibria changes."""
+        """Points of curves at which the linear type of the relative equilibria changes; of a file's window those in it."""
         return Changes(self._source.traced["stability_changes"], StabilityChange._of)
 
     @cached_property
     def verdict_changes(self) -> Changes[VerdictChange] | None:
         """Isolated points of curves at which a hypothesis of Arnold's theorem fails, by increasing l.
 
-        None where not all of them are known, and with `accuracy="fast"`.
+        Curves where a further integral decides have none; of a file's window those in it. None where not all of them are
+        known, and with `accuracy="fast"`.
         """
         found = self._source.document.get("verdict_changes")
         return None if found is None else Changes(found, VerdictChange._of)
@@ -196,7 +199,7 @@ class AtlasDocument:
 
     @property
     def complete(self) -> bool:
-        """Whether `regions` covers the whole half-plane l > 0 and nothing is undecided."""
+        """Whether `regions` covers the whole half-plane l > 0 and nothing is undecided; False of a file with a window."""
         return bool(self._source.traced["summary"]["complete"])
 
     def to_json(self) -> str:

@@ -1,6 +1,7 @@
 """Atlases as pictures: their lines in numbers, with matplotlib, as SVG and as the explorer's page."""
 
 import json
+from contextlib import suppress
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal, cast
 
@@ -10,7 +11,7 @@ import numpy.typing as npt
 from . import _core, exact, pictures
 from .atlas_document import AtlasDocument, Span
 from .behaviour import Document
-from .errors import InputError
+from .errors import InputError, RangeError
 from .exact import Number
 from .explorer import Explorer
 
@@ -132,6 +133,8 @@ class AtlasDrawing(AtlasDocument):
         RangeError
             If the plane cannot be straightened.
         """
+        exact.unmasked(h, "h")
+        exact.unmasked(l, "l")
         first, second = np.broadcast_arrays(np.asarray(h, dtype=np.float64), np.asarray(l, dtype=np.float64))
         flat = [np.ascontiguousarray(array).reshape(-1) for array in (first, second)]
         return self._straightened.positions(*flat).reshape(*first.shape, 2)
@@ -166,7 +169,11 @@ class AtlasDrawing(AtlasDocument):
             raise InputError("give both h and l, or none of them")
         state = f"A={','.join(self.body.A)}&r={','.join(self.body.r)}"
         if h is not None or l is not None:
-            state += f"&h={exact.text(h, 'h')}&l={exact.text(l, 'l')}"
+            point = exact.text(h, "h"), exact.text(l, "l")
+            # It refuses what is no number; a point without an answer can be shown.
+            with suppress(RangeError):
+                self._inner.place(*point)
+            state += f"&h={point[0]}&l={point[1]}"
         return Explorer(state, height)
 
     def _repr_svg_(self) -> str:

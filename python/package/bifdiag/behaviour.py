@@ -79,7 +79,8 @@ class Region(Drawn):
 
         They are fit for a picture of that view, ``atlas.document["drawing"]["view"]["everything"]``: their corners lie on
         the curves, and between corners they are off by a thousandth of its range of h. `Atlas.outlines` gives finer ones
-        of a smaller window, `Atlas.region` decides points exactly.
+        of a smaller window, `Atlas.region` decides points exactly. Of a file they lie within its window, if it has one,
+        and there are none if it has no drawing.
         """
         outlines: tuple[np.ndarray, ...] = self._drawn[1](self.id)
         return outlines
@@ -101,9 +102,12 @@ class Curve(Drawn):
 
     @property
     def points(self: Any) -> np.ndarray:
-        """Points [h, l] by rising l; between them the curve is off by a thousandth of the ranges of the events.
+        """Points [h, l] by rising l, dense enough for a picture of the diagram.
 
-        An unbounded curve goes on beyond the last one. `Atlas.polyline` gives finer ones.
+        No chord between them leaves the curve by more than 1/800 of the size of the whole diagram, whose l reaches up to
+        l₁, the largest of 1.6 times the l of the last event and 3√(A|r|) with the largest A, and its h up to l₁²/(2A) +
+        2|r|. An unbounded curve goes on beyond the last one. `Atlas.polyline` gives finer ones. Of a file without a drawing
+        there are none.
         """
         drawn = getattr(self, "_drawn", None)
         return np.array(drawn["polyline"] if drawn else [], dtype=float).reshape(-1, 2)

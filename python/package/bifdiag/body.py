@@ -54,8 +54,8 @@ class Body(RealParts, Diagrams, Motions):
     h has the unit of r, l that of √(A r): H = ½⟨l, A⁻¹ l⟩ − ⟨γ, r⟩. γ points *down*: the body
     hangs at γ = +r̂. The page "Conventions" has the equations.
     Wrong input raises `InputError` or `BodyError`, a question without an answer `RangeError`; a
-    body that no mass distribution can have gives a `BodyWarning`. ``threads``: None is one,
-    0 one per core, with the same results.
+    body that no mass distribution can have gives a `BodyWarning`, but a part that was given with
+    ``unphysical=True``. ``threads``: None is one, 0 one per core, with the same results.
     """
 
     __slots__ = ()

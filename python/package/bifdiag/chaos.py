@@ -41,7 +41,7 @@ class ChaosMap(StoredTable):
     component : array (n,) of int
         The component of E, in the order of `Body.classify`.
     part : array (n,)
-        Which part of the cell belongs to the region, of 16 points.
+        Which part of the block belongs to the region, of 16 points.
     block : array (n,) of int
         Cells along a side of the block that was measured as one.
     fraction : array (n,)

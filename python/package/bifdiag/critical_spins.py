@@ -22,11 +22,11 @@ class SpinRanges(Table):
     Attributes
     ----------
     up : array (n,) of str
-        Which end of the axis of the question is up: ``"+axis"`` or ``"-axis"``; ``""`` where no axis was given.
+        Which end of the axis of the question is up: ``"+axis"`` or ``"-axis"``; ``""`` where all axes are meant.
     family : array (n,) of int
-        Steady axes that move together: their place in ``meta["families"]``; −1 of a given axis that is permanent.
+        Steady axes that move together: their place in ``meta["families"]``; −1 of a single axis that is permanent.
     branch : array (n,) of str
-        Id of the branch of relative equilibria; ``""`` for a given axis that is permanent.
+        Id of the branch of relative equilibria; ``""`` for a single axis that is permanent.
     axis_up : array (n, 3)
         The end of the axis that is up, at the slowest of these spins, in the frame of the question.
     rpm_from, rpm_to : array (n,)
@@ -38,7 +38,8 @@ class SpinRanges(Table):
     stable_by : array (n,) of str
         Why, as in `Equilibria`; ``""`` where no reason is given.
     survives_friction : masked array (n,) of bool
-        It stays stable with a small friction that conserves l; masked where nothing is known of that.
+        It stays stable with a small friction that conserves l; masked where nothing is known of that, and of families,
+        of which it is not told: there it survives where ``stable_by`` is ``"energy"``.
     isolated : array (n,) of int
         Isolated spins inside at which Arnold's theorem does not apply, rows of `CriticalSpins`; −1 where not all are known.
     """
@@ -110,11 +111,11 @@ class CriticalSpins(Table):
     Attributes
     ----------
     up : array (n,) of str
-        Which end of the axis of the question is up: ``"+axis"`` or ``"-axis"``; ``""`` where no axis was given.
+        Which end of the axis of the question is up: ``"+axis"`` or ``"-axis"``; ``""`` where all axes are meant.
     family : array (n,) of int
-        Steady axes that move together: their place in ``meta["families"]``; −1 of a given axis that is permanent.
+        Steady axes that move together: their place in ``meta["families"]``; −1 of a single axis that is permanent.
     branch : array (n,) of str
-        Id of the branch of relative equilibria; ``""`` for a given axis that is permanent.
+        Id of the branch of relative equilibria; ``""`` for a single axis that is permanent.
     axis_up : array (n, 3)
         The end of the axis that is up, in the frame of the question; NaN where it moves and ``kind`` is ``"isolated"``.
     rpm, rad_per_s : array (n,)
@@ -127,9 +128,10 @@ class CriticalSpins(Table):
     event : array (n,) of str
         What happens: ``"fork"``, ``"crossing"``, ``"cusp"``, ``"fold"`` of curves, ``"hamiltonian-hopf"``,
         ``"real-collision"``, ``"zero"`` of eigenvalues, ``"1:2"``, ``"D4"``, … of an isolated spin; ``""`` where only the
-        type changes.
+        type of rotation about a permanent axis changes, unless the question was about an axis that is not permanent.
     below, above : array (n,) of str
-        The linear types of rotation below and above, as in `Equilibria`; ``""`` where there is none.
+        The linear types of rotation below and above, as in `Equilibria`, for an axis that is permanent with ``(local
+        minimum)`` where U_l has one; ``""`` where there is none.
     stable_below, stable_above : masked array (n,) of bool
         Whether it is stable there; masked where that is open, or where there is none.
     verdict : array (n,) of str
@@ -172,7 +174,11 @@ class CriticalSpins(Table):
 
     @property
     def bounds(self) -> SpinBounds | None:
-        """Bounds on the critical spins of every part within the tolerance; None where no number has one."""
+        """Bounds on the critical spins of every part within the tolerance.
+
+        None where no number has one that the spins depend on, and where several steady rotations are equally near to the
+        axis.
+        """
         told = self.meta.get("tolerance")
         if told is None:
             return None

@@ -39,7 +39,8 @@ class Diagrams(Given):
             ``"exact"`` decides everything; ``"fast"`` is floating point with error bounds, and may leave points undecided.
         certificate : bool
             Prove the whole diagram and include in the document what `bifdiag.verify` needs to check it, like ``bifdiag
-            --certificate``. This takes about ten times as long.
+            --certificate``. Making the atlas then takes far longer, usually some milliseconds, and `to_json` up to about
+            twice as long.
         """
         self._exactly()
         return Atlas(cast("Body", self), accuracy, certificate=certificate)
@@ -69,8 +70,9 @@ class Diagrams(Given):
         threads : int, optional
             As of all questions: `Body`.
         invalid : {"mark", "raise"}
-            What becomes of an entry of an array that is NaN, masked, infinite, or beyond 1e±150: it has no row, and
-            ``meta["invalid"]`` its place; or an error names it.
+            What becomes of an entry of an array of floats that is NaN, masked, infinite, or beyond 1e±150: it has no row,
+            and ``meta["invalid"]`` its place; or an error names it. A text, Decimal, Fraction or int that is no number in
+            range is always an error.
 
         Returns
         -------
@@ -89,7 +91,8 @@ class Diagrams(Given):
         Parameters
         ----------
         axis : {"x", "y", "z"} or three numbers, optional
-            An axis in the frame of the part; None: all axes about which it can turn steadily.
+            An axis in the frame of the part; None: all axes about which it can turn steadily, with ± or a tolerance the
+            one that is permanent at every spin, if there is one alone.
         tolerance : str, optional
             Such as ``"1%"``: of the moments and the weight, in place of ± on single numbers.
 

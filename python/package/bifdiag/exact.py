@@ -31,6 +31,8 @@ def text(value: Any, name: str) -> str:
     InputError
         For what is no number, and for NaN and infinities.
     """
+    if isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
+        raise InputError(f"{name} is masked; a number is needed")
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value.item() if value.dtype != np.float32 else value[()]
     match value:
@@ -154,8 +156,28 @@ def span(values: Any, name: str) -> tuple[float, float]:
     return low, high
 
 
+def unmasked(values: Any, name: str) -> None:
+    """Refuses what is masked, whose number means nothing.
+
+    Raises
+    ------
+    InputError
+        If an entry is masked: the message says which.
+    """
+    if isinstance(values, np.ma.MaskedArray):
+        mask = np.ma.getmaskarray(values)
+    elif isinstance(values, list | tuple):
+        mask = np.array([isinstance(entry, np.ma.MaskedArray) and np.ma.is_masked(entry) for entry in values])
+    else:
+        return
+    if mask.any():
+        where = ", ".join(str(place) for place in np.argwhere(mask)[0])
+        raise InputError(f"{name}{f'[{where}]' if where else ''} is masked; a number is needed")
+
+
 def floats(values: Any, name: str) -> np.ndarray:
     """Numbers as floats; a text such as ``"1/3"`` is rounded."""
+    unmasked(values, name)
     try:
         return np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError):

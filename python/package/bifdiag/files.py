@@ -22,9 +22,8 @@ READERS = {
     "table": ("a Parquet file", "pandas.read_parquet reads it"),
     "document": ("another document (JSON)", "json.load reads it"),
     "nothing": ("empty", "nothing was written there"),
-    "other": ("something else", "bifdiag did not write it"),
 }
-"""What files are, in words, with advice."""
+"""What files are that are known by how they begin or what they hold, in words, with advice."""
 
 SOURCES = {
     "atlas": "an atlas.json of `bifdiag --json` or Atlas.save",
@@ -40,6 +39,7 @@ SOURCES = {
 
 ARCHIVES = {
     "quaternion": "motion",
+    "attitude": "motion",
     "attitude_lo": "proved motion",
     "fraction": "chaos map",
     "continuum": "list of periodic orbits",
@@ -59,18 +59,19 @@ def require(path: str | os.PathLike[str], wanted: str) -> None:
     Raises
     ------
     InputError
-        If it is something else: the message says what.
+        If it is something else: the message says what, if that is known.
     OSError
         If it cannot be read.
     """
     found = _kind(Path(path))
     if found != wanted:
-        words, advice = READERS[found]
-        raise InputError(f"{os.fspath(path)} is {words}, no {wanted}: {advice}; {SOURCES[wanted]} is needed here")
+        needed, known = f"{SOURCES[wanted]} is needed here", READERS.get(found)
+        told = f"no {wanted}: {needed}" if known is None else f"{known[0]}, no {wanted}: {known[1]}; {needed}"
+        raise InputError(f"{os.fspath(path)} is {told}")
 
 
 def _kind(path: Path) -> str:
-    """One of `READERS`."""
+    """One of `READERS`, or ``"other"``."""
     with path.open("rb") as file:
         head = file.read(6)
     if not head:

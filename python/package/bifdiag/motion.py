@@ -34,13 +34,14 @@ class Motion(StoredTable):
     theta, psi, phi : array (n,)
         Euler's angles of R = R_z(φ) R_x(ϑ) R_z(ψ), which takes vectors from the body frame to space; γ is its third
         row: γ = (sin ψ sin ϑ, cos ψ sin ϑ, cos ϑ). So ϑ in [0, π] is the angle between the body's third axis and *down*;
-        ψ is in (−π, π], and φ, the angle about the vertical, is continuous. These are not the ``theta`` and ``psi`` of a
-        `Section`.
+        ψ is in (−π, π], and φ, the angle about the vertical, is continuous while γ is not at ±e₃. These are not the
+        ``theta`` and ``psi`` of a `Section`.
     quaternion : array (n, 4)
         The same R as w, x, y, z; continuous in time.
     meta : dict
         ``A`` and ``r``, ``energy`` H and ``momentum`` ⟨γ, l⟩ of the start, ``energy_drift``, the largest deviation from
-        that energy at the times (of many starts lists of these), ``tolerance`` and ``version``.
+        that energy at the times (of many starts lists of these), ``tolerance`` and ``version``; of a file of ``bifdiag
+        orbit`` also its ``document``.
     """
 
     orbit: npt.NDArray[np.int32]
@@ -110,6 +111,20 @@ class Motion(StoredTable):
         for name in cls.NAMES:
             rows[name] = np.concatenate([np.empty(width.get(name, 0)), *(one[name] for one in found)])
         return cls(rows, json.dumps(about | meta))
+
+    @classmethod
+    def _of_command(cls, arrays: dict[str, npt.NDArray[Any]]) -> dict[str, npt.NDArray[Any]]:
+        if "attitude" not in arrays or "quaternion" in arrays:
+            return arrays
+        try:
+            document = json.loads(str(arrays["meta"]))
+            about = {name: document[name] for name in ("A", "r", "version")}
+            about |= {"tolerance": document["integrator"]["tol"], "energy": document["h"], "momentum": document["l"]}
+            about |= {"energy_drift": document["summary"]["drift"]["h"], "document": document}
+        except (KeyError, TypeError, ValueError):
+            return arrays
+        named = {"quaternion" if name == "attitude" else name: array for name, array in arrays.items()}
+        return named | {"meta": np.array(json.dumps(about))}
 
     @property
     def energy(self) -> npt.NDArray[np.float64]:

@@ -68,8 +68,8 @@ class Motions(Given):
         tolerance : float
             Error of a step relative to the size of the motion.
         chaos : bool
-            Compute verdict, Lyapunov exponent and rotation number of each orbit. Without them a section takes a quarter
-            of the time, and every verdict is ``"open"``.
+            Compute verdict, Lyapunov exponent and rotation number of each orbit. Without them a section usually takes less
+            than half of the time, and every verdict is ``"open"``.
         threads : int, optional
             As of all questions: `Body`.
         """

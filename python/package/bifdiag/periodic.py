@@ -40,7 +40,7 @@ class PeriodicOrbits(_Orbits):
     h, l : array (n,)
         Energy and vertical angular momentum.
     gamma, omega : array (n, 3)
-        A point of the orbit, in the body's axes: where the centre of mass is highest, if it has such a point.
+        A point of the orbit, in the body's axes: where the centre of mass is lowest, if it has such a point.
     period : array (n,)
         Period of γ and ω; the body itself need not be back.
     crossings : array (n,) of int
@@ -55,7 +55,8 @@ class PeriodicOrbits(_Orbits):
     symmetric : array (n,) of bool
         Whether a reversor takes the orbit to itself.
     proved : array (n,) of bool
-        Whether its existence was proved: ``meta["orbits"][k]["enclosure"]`` then has bounds.
+        Whether its existence was proved: ``enclosure`` of the orbit in `meta` then has bounds. The rows are those of
+        ``meta["orbits"]`` and, after them, of ``meta["continua"]``.
     continuum : array (n,) of bool
         Whether it stands for a continuum of orbits of one period, such as a resonant torus.
     meta : dict
@@ -140,8 +141,8 @@ class PeriodicFamily(_Orbits):
     def end(self) -> str:
         """How it ends; ``meta["end"]`` has more.
 
-        ``"equilibrium"``, ``"separatrix"``, ``"joined"``, ``"members"`` (so many were asked for), ``"lost"`` or
-        ``"resonant"`` (not begun).
+        ``"equilibrium"``, ``"separatrix"``, ``"circle"`` (of equilibria), ``"joined"``, ``"members"`` (so many were asked
+        for), ``"lost"``; ``"resonant"`` or ``"not-isolated"`` (not begun).
         """
         end: str = self.meta["end"]["kind"]
         return end

@@ -125,7 +125,7 @@ class ProvedMotion(StoredTable):
 
     @property
     def widest(self) -> float:
-        """The widest enclosure of all, rounded up."""
+        """The widest enclosure of all, rounded up; in the columns the ends are rounded outward, so it is a little wider."""
         widest: float = self.meta["widest"]
         return widest
 

@@ -265,7 +265,7 @@ class Region(behaviour.Region):
         Ids of the curves on the boundary, each once: below and above each cell, in the order of ``cells``.
     neighbours : tuple[Neighbour, ...]
         The regions across curves of the boundary, one for each region and curve; across a pole line that coincides with
-        another curve none.
+        another curve none. With a window only listed regions, and the forbidden one.
     cells : tuple[Cell, ...]
         The cells whose union it is, by rising l, then h.
     clipped : bool
@@ -523,12 +523,13 @@ class Nonlinear:
         eigenvalue zero, or D₄ = 0 where D₆ does not decide.
     D4_over_s : float or None
         Arnold's determinant D₄ = K₁₁ω₂² + K₁₂ω₁ω₂ + K₂₂ω₁² over Ω², where H = ω₁I₁ − ω₂I₂ + K₁₁I₁² + K₁₂I₁I₂ + K₂₂I₂² + …
-        with the pair of positive Krein sign first; None except at index 2 with two distinct imaginary pairs, and along a
-        curve.
+        with the pair of positive Krein sign first; None except at index 2 with two distinct imaginary pairs, and there too
+        where a further integral decides, at a resonance 1:2 that makes it unstable, and along a curve.
     D4_error : float or None
         Bound on its error.
     near : Resonances or None
-        Distances to the resonances; None except at index 2 with imaginary pairs, and along a curve.
+        Distances to the resonances; None except at index 2 with imaginary pairs, and there too where a further integral
+        decides, and along a curve.
     proved : bool
         Decided by enclosures and exact arithmetic; in an atlas: ``verify`` confirms it.
     """
@@ -565,7 +566,8 @@ class Friction:
         Directions that grow: the Morse index.
     rates : tuple[tuple[tuple[float, float], float], ...]
         Pairs of ``eigenvalues``, each with d Re λ/dδ at δ = 0 for the torque −δA(ω − Ωγ): of an imaginary pair negative
-        exactly if its Krein sign is positive. Without double pairs and zeros; empty along a curve.
+        exactly if its Krein sign is positive. Without double pairs and zeros; empty along a curve. Computed in doubles:
+        they grow without bound towards a collision of eigenvalues, and lose digits there.
     """
 
     conserving_l: str | None
@@ -667,11 +669,12 @@ class Curve(behaviour.Curve):
     coincides_with : tuple[str, ...]
         Ids of the curves with the same (h, l): pole lines that run on critical curves.
     mu_range : tuple[float, float] or None
-        Range of μ of the closed form; an infinite end is ``inf``. Absent for pole lines.
+        Range of μ of the closed form; an infinite end is ``inf``. Absent for pole lines, and where r = 0.
     l_range : tuple[float, float]
         Range of l; an infinite end is ``inf``.
     stability : tuple[StabilitySpan, ...]
-        The linear type along the curve, by rising l; empty for pole lines.
+        The linear type along the curve, by rising l; empty for pole lines, and with a window for curves that have no l in
+        common with it.
     tail : Tail or None
         Asymptotics for l → ∞; None for a curve with two finite ends.
     """

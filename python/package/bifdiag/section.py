@@ -36,7 +36,8 @@ class Section(StoredTable):
         +1 on the half T⁺ of the PP-torus, where Δ = ⟨ω × γ, A⁻¹(γ × r)⟩ > 0, −1 on T⁻, where Δ < 0. Over each γ of U lie
         two states of the section, one on each sheet.
     s_dot : array (n,)
-        dS/dt: negative where the crossing is incoming (centre of mass lowest), positive where outgoing.
+        dS/dt: negative where the crossing is incoming (centre of mass lowest), positive where outgoing. With
+        ``condition="angular-momentum"`` S is ⟨l, γ × r⟩, which vanishes where |l| is extremal.
     theta, psi : array (n,)
         ϑ′ in [0, π] and ψ′ in [0, 2π), the point on the PP-torus: ϑ′ is the angle between γ and r, ψ′ the longitude about
         r. These are not the Euler angles ``theta`` and ``psi`` of a `Motion`.
@@ -162,6 +163,7 @@ class Section(StoredTable):
 
 
 def _starts(values: Any) -> list[tuple[float, float, int]]:
+    exact.unmasked(values, "starts")
     array: npt.NDArray[np.float64] = np.asarray(values, dtype=np.float64)
     if array.ndim != 2 or array.shape[1] != 3 or not np.isfinite(array).all():
         raise InputError(f"starts has the shape {array.shape}; rows of finite theta, psi, sheet are needed")

@@ -30,8 +30,10 @@ class Range:
     stable_by: str
     survives: bool | None
     isolated: list[Document] | None
-    # What begins the range: "fold", "fork", or of eigenvalues; nothing for a given axis, of which `changes` say it.
+    # What begins the range: "fold", "fork", or of eigenvalues; nothing where `changes` say it.
     event: str
+    # The axis changes with the spin.
+    moves: bool
     # The type below.
     below: "Range | None"
 
@@ -50,7 +52,8 @@ def ranges(document: Document) -> Iterator[Range]:
         nonlinear, axis = one["nonlinear"], _end(document["axis"], one["up"])
         stable, survives = STABLE.get(nonlinear["verdict"]), SURVIVES.get(one["friction"]["conserving_l"])
         known = one["stability"], stable, nonlinear["why"], survives, one["isolated"]
-        yield Range(one["up"], -1, "", axis, None, ends, *known, "", None)
+        yield Range(one["up"], -1, "", axis, None, ends, *known, "", False, None)
+    is_told = isinstance(document.get("permanent"), list)
     for number, family in enumerate(document.get("families", ())):
         up = ""
         if "axis" in document:
@@ -67,10 +70,9 @@ def ranges(document: Document) -> Iterator[Range]:
             stable = False if one["stable"] is False else (None if told in ("", "spectrum") else True)
             event = one["change"] or family["start"]
             known = one["stability"], stable, told, None, one["isolated"]
-            before = Range(up, number, family["branch"], axis, start, ends, *known, event, before)
-            # What changes along a permanent axis is told with it.
-            if family["permanent"]:
-                before.event = ""
+            # What changes along a permanent axis is told with it, where all of them are listed.
+            event = "" if family["permanent"] and is_told else event
+            before = Range(up, number, family["branch"], axis, start, ends, *known, event, not family["permanent"], before)
             yield before
 
 
@@ -115,8 +117,8 @@ def isolated(known: Iterable[Range]) -> Iterator[Document]:
     """Spins at which alone Arnold's theorem does not apply."""
     nan = float("nan")
     for one in known:
-        # Where a permanent axis does not move, its end is that of every spin.
-        axis = one.axis if not one.event else [nan] * 3
+        # Where the axis does not move, its end is that of every spin.
+        axis = [nan] * 3 if one.moves else one.axis
         for spin in one.isolated or ():
             row = {
                 "up": one.up,

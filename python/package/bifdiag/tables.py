@@ -192,7 +192,7 @@ class StoredTable(Table):
     """What a file of them is, one of `files.SOURCES`."""
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the same bytes as the command line with ``--data FILE.npz``."""
+        """Writes an archive .npz: where the command line writes this table too, the same bytes, but for a `Motion`."""
         with zipfile.ZipFile(path, "w", zipfile.ZIP_STORED, allowZip64=True) as archive:
             for name, column in [*self._columns.items(), ("meta", np.array(self._meta))]:
                 buffer = io.BytesIO()
@@ -204,7 +204,7 @@ class StoredTable(Table):
 
     @classmethod
     def load(cls: type[AnyTable], path: str | os.PathLike[str]) -> AnyTable:
-        """Reads a file written by `save` or by the command line with ``--data FILE.npz``.
+        """Reads an archive .npz written by `save` or by the command line.
 
         Raises
         ------
@@ -219,10 +219,16 @@ class StoredTable(Table):
                 arrays = {name: archive[name] for name in archive.files}
         except (ValueError, zipfile.BadZipFile, TypeError) as error:
             raise InputError(f"{path} is no archive of arrays: {error}") from error
+        arrays = cls._of_command(arrays)
         missing = [name for name in (*cls.NAMES, "meta") if name not in arrays]
         if missing:
             raise InputError(f"{path} is no {cls.KIND}: it has no array {missing[0]!r}")
         return cls(arrays, str(arrays.pop("meta")))
+
+    @classmethod
+    def _of_command(cls, arrays: dict[str, npt.NDArray[Any]]) -> dict[str, npt.NDArray[Any]]:
+        """The arrays of a file as they are named here, where the command line names them otherwise."""
+        return arrays
 
 
 def _field(name: str, column: npt.NDArray[Any]) -> tuple[Any, ...]:

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from . import exact
 from .errors import InputError
 
 SAMPLES = 201
@@ -19,6 +20,7 @@ def times(t: Any) -> npt.NDArray[np.float64]:
     InputError
         If they are none, do not rise, or are not finite.
     """
+    exact.unmasked(t, "t")
     try:
         found: npt.NDArray[np.float64] = np.asarray(t, dtype=np.float64)
     except (TypeError, ValueError) as error:

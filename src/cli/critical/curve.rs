@@ -34,7 +34,10 @@ pub fn draw(
     let written = timings.stage("files", || files.write())?;
     let mut report = Report::default();
     let drawn = scene.curves.iter().filter(|curve| curve.is_within(scene.range)).count();
-    report.line(format!("{} of steady axes at these spins", counted(drawn, "family", "families")));
+    report.line(format!(
+        "{} of steady axes over this range of spins or a part of it",
+        counted(drawn, "family", "families")
+    ));
     report.written(&written);
     print(report.text())
 }

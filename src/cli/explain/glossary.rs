@@ -1,6 +1,7 @@
 //! The glossary of the documentation, and the entries that a word means.
 
 use bifdiag_equilibria::curves::{BranchName, CurveName};
+use bifdiag_numbers::table::Id;
 
 /// The page itself, so that the documentation and the program say the same.
 const PAGE: &str = include_str!("../../../docs/glossary.md");
@@ -148,15 +149,16 @@ fn kind(word: &str) -> Option<&'static str> {
         let (circles, poles) = upper.strip_prefix('K')?.split_once('N')?;
         (number(circles) && number(poles)).then_some(())
     };
+    // Three moments part the μ of the generic family into four intervals.
     let branch = |name: &BranchName| match name {
-        BranchName::Generic(_) => "generic",
-        BranchName::Axis(_) => "axis",
-        BranchName::Pole(_) => "pole line",
-        BranchName::Over(axes) => match axes.iter().filter(|axis| **axis).count() {
+        BranchName::Generic(interval) => (interval.index() < 4).then_some("generic"),
+        BranchName::Axis(_) => Some("axis"),
+        BranchName::Pole(_) => Some("pole line"),
+        BranchName::Over(axes) => Some(match axes.iter().filter(|axis| **axis).count() {
             1 => "pair",
             2 => "circle",
             _ => "sphere",
-        },
+        }),
     };
     let in_directions = || upper.starts_with("UNSTABLE IN ") && upper.contains(" DIRECTION");
     let is_class = || word.len() == 12 && word.bytes().all(|byte| byte.is_ascii_hexdigit());
@@ -175,9 +177,9 @@ fn kind(word: &str) -> Option<&'static str> {
         () if upper.starts_with("POLE LINE OF ") => Some("pole line"),
         () if in_directions() => Some("lost"),
         () => match upper.parse() {
-            Ok(CurveName::Piece { branch: name, .. }) => Some(branch(&name)),
+            Ok(CurveName::Piece { branch: name, .. }) => branch(&name),
             Ok(CurveName::Pole(_)) => Some("pole line"),
-            Ok(CurveName::Rest) | Err(_) => upper.parse().ok().as_ref().map(branch),
+            Ok(CurveName::Rest) | Err(_) => upper.parse().ok().as_ref().and_then(branch),
         },
     }
 }

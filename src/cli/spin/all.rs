@@ -41,7 +41,7 @@ fn text(subject: &Subject, document: &SteadySpinsDocument) -> String {
     }
     // For a ball this is said above.
     if document.families.iter().all(|family| family.axes != Multiplicity::Sphere) {
-        report.line(counts(document));
+        report.line(counts(document, subject.body.is_euler()));
     }
     if let Some(note) = &document.note {
         report.line(format!("note: {note}"));
@@ -165,7 +165,7 @@ pub fn exceptions(report: &mut Report, isolated: impl Iterator<Item = (String, I
     if lines.is_empty() {
         report.line("by Arnold's theorem: at each of these spins");
     } else {
-        report.line("by Arnold's theorem: at all of these spins except");
+        report.line("by Arnold's theorem; spins at which its usual conditions fail:");
         for line in lines {
             report.line(line);
         }
@@ -173,7 +173,9 @@ pub fn exceptions(report: &mut Report, isolated: impl Iterator<Item = (String, I
 }
 
 /// How many axes there are, in words.
-fn counts(document: &SteadySpinsDocument) -> String {
+fn counts(document: &SteadySpinsDocument, is_weightless: bool) -> String {
+    // At rest without weight every axis is one.
+    let spin = if is_weightless { "spin but 0" } else { "spin" };
     let list = document.counts.iter().enumerate().map(|(number, count)| {
         let circles = match count.circles {
             0 => String::new(),
@@ -182,7 +184,7 @@ fn counts(document: &SteadySpinsDocument) -> String {
         };
         let next = document.counts.get(number + 1).and_then(|next| next.from.as_ref());
         let until = match (number, next) {
-            (0, None) => " at every spin".to_owned(),
+            (0, None) => format!(" at every {spin}"),
             (_, Some(next)) => format!(" up to {} rpm", significant(next.rpm, 8)),
             (_, None) => " at faster spins".to_owned(),
         };

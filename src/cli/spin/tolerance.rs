@@ -98,7 +98,8 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
     report.line(if [first, second, weight].iter().all(|other| *other == axis) {
         format!("every part whose moments and weight differ by at most a factor of 1 ± {axis} (bounds, not samples):")
     } else {
-        let known = [(axis, "the moment about the axis"), (first, "the others"), (weight, "the weight")];
+        let known =
+            [(axis, "the moment about the axis"), (first, "the two moments across the axis"), (weight, "the weight")];
         let loose = known.iter().filter(|(share, _)| *share != "0");
         let loose: Vec<String> = loose.map(|(share, what)| format!("1 ± {share} of {what}")).collect();
         let exact = if loose.len() < known.len() { "; what is not named is exact" } else { "" };
@@ -157,6 +158,10 @@ fn ranges(report: &mut Report, ranges: &[SpinRangeDocument], slow: Option<&[Spin
     }
     for (up, slow) in AxisEnd::ALL.iter().zip(slow.into_iter().flatten()) {
         report.line(certainly(*up, *slow, ranges));
+    }
+    let is_double = |kind: &SpinType| matches!(kind, SpinType::DoubleMinimum | SpinType::DoubleElliptic);
+    if slow.is_some_and(|slow| slow.iter().any(is_double)) {
+        report.line("of these parts elliptic means elliptic or double-elliptic");
     }
 }
 

@@ -12,17 +12,17 @@ export interface Atlas {
   accuracy: Accuracy;
   /** The body. */
   body: Body;
-  /** The requested window; absent: the whole half-plane. */
+  /** The requested window: events and changes are then those in it, `regions` those that meet it; absent: the whole half-plane. */
   window?: Window;
   /** Critical curves and pole lines. */
   curves: Curve[];
-  /** Cusps, pitchforks and crossings, by rising l. */
+  /** Cusps, pitchforks and crossings, by rising l; with a window those in it. */
   events: Event[];
-  /** Every change of the linear type along a branch, by rising l. */
+  /** Every change of the linear type along a branch, by rising l; with a window those in it. */
   stability_changes: StabilityChange[];
-  /** Every isolated point of a curve at which a hypothesis of Arnold's theorem fails, by rising l, then h; absent with `--accuracy fast`, in Python and on the page without a certificate, and where not all of them are known. */
+  /** Every isolated point of a curve at which a hypothesis of Arnold's theorem fails, by rising l, then h; with a window those in it. None on curves where a further integral decides (`integral`). Absent with `--accuracy fast`, and where not all of them are known. */
   verdict_changes?: VerdictChange[];
-  /** Every region. */
+  /** Every region; with a window those that meet it. */
   regions: Region[];
   /** Totals. */
   summary: Summary;
@@ -94,7 +94,7 @@ export interface Part {
   A: [string, string, string];
   /** m g times the centre of mass, in the principal axes. */
   r: [string, string, string];
-  /** True when A and r are exact; else they are rounded to 130 digits, so that equal moments, zeros and coincidences of thresholds remain. */
+  /** True when A and r are exact; else they are rounded to at least 130 digits, so that equal moments, zeros and coincidences of thresholds remain. */
   exact: boolean;
   /** Some mass distribution has these mass properties. */
   physical: boolean;
@@ -132,11 +132,11 @@ export interface Curve {
   multiplicity: number;
   /** Ids of the curves with the same (h, l): pole lines that run on critical curves. */
   coincides_with: string[];
-  /** Range of μ of the closed form; an infinite end is null. Absent for pole lines. */
+  /** Range of μ of the closed form; an infinite end is null. Absent for pole lines, and where r = 0. */
   mu_range?: [number | null, number | null];
   /** Range of l; an infinite end is null. */
   l_range: [number | null, number | null];
-  /** The linear type along the curve, by rising l; empty for pole lines. */
+  /** The linear type along the curve, by rising l; empty for pole lines, and with a window for curves that have no l in common with it. */
   stability: StabilitySpan[];
   /** Asymptotics for l → ∞; null for a curve with two finite ends. */
   tail: Tail | null;
@@ -168,11 +168,11 @@ export interface Nonlinear {
   verdict: NonlinearVerdict;
   /** Why. */
   why: Reason;
-  /** Arnold's determinant D₄ = K₁₁ω₂² + K₁₂ω₁ω₂ + K₂₂ω₁² over Ω², where H = ω₁I₁ − ω₂I₂ + K₁₁I₁² + K₁₂I₁I₂ + K₂₂I₂² + … with the pair of positive Krein sign first; `null` except at index 2 with two distinct imaginary pairs, and along a curve. */
+  /** Arnold's determinant D₄ = K₁₁ω₂² + K₁₂ω₁ω₂ + K₂₂ω₁² over Ω², where H = ω₁I₁ − ω₂I₂ + K₁₁I₁² + K₁₂I₁I₂ + K₂₂I₂² + … with the pair of positive Krein sign first; `null` except at index 2 with two distinct imaginary pairs, and there too where a further integral decides, at a resonance 1:2 that makes it unstable, and along a curve. */
   D4_over_s: number | null;
   /** Bound on its error. */
   D4_error: number | null;
-  /** Distances to the resonances; `null` except at index 2 with imaginary pairs, and along a curve. */
+  /** Distances to the resonances; `null` except at index 2 with imaginary pairs, and there too where a further integral decides, and along a curve. */
   near: Resonances | null;
   /** Decided by enclosures and exact arithmetic; in an atlas: `verify` confirms it. */
   proved: boolean;
@@ -200,7 +200,7 @@ export interface Friction {
   conserving_l: Damped | null;
   /** Directions that grow: the Morse index. */
   growing: number;
-  /** Pairs of `eigenvalues`, each with d Re λ/dδ at δ = 0 for the torque −δA(ω − Ωγ): of an imaginary pair negative exactly if its Krein sign is positive. Without double pairs and zeros; empty along a curve. */
+  /** Pairs of `eigenvalues`, each with d Re λ/dδ at δ = 0 for the torque −δA(ω − Ωγ): of an imaginary pair negative exactly if its Krein sign is positive. Without double pairs and zeros; empty along a curve. Computed in doubles: they grow without bound towards a collision of eigenvalues, and lose digits there. */
   rates: [[number, number], number][];
 }
 
@@ -308,7 +308,7 @@ export interface Region {
   l_range: [number | null, number | null];
   /** Ids of the curves on the boundary, each once: below and above each cell, in the order of `cells`. */
   boundary: string[];
-  /** The regions across curves of the boundary, one for each region and curve; across a pole line that coincides with another curve none. */
+  /** The regions across curves of the boundary, one for each region and curve; across a pole line that coincides with another curve none. With a window only listed regions, and the forbidden one. */
   neighbours: Neighbour[];
   /** The cells whose union it is, by rising l, then h. */
   cells: Cell[];
@@ -372,17 +372,17 @@ export interface Cell {
 
 /** Totals of an atlas. */
 export interface Summary {
-  /** Number of regions. */
+  /** Number of the `regions`. */
   regions: number;
-  /** Number of events. */
+  /** Number of the `events`. */
   events: number;
-  /** How many regions have each signature (for r = 0, each type of U). */
+  /** How many of the `regions` have each signature (for r = 0, each type of U). */
   signatures: Record<string, number>;
   /** The largest number of relative equilibria at one l, of the whole half-plane also where a window was searched; a critical circle or sphere counts once. */
   critical_points_max: number;
   /** What could not be decided. */
   undecided: Undecided[];
-  /** True when `regions` covers the whole half-plane l > 0 and nothing is undecided. */
+  /** True when `regions` covers the whole half-plane l > 0 and nothing is undecided; never with a window. */
   complete: boolean;
 }
 
@@ -424,7 +424,7 @@ export interface CurveDrawing {
 
 /** The drawing of a region. */
 export interface RegionDrawing {
-  /** The part of the region inside `view.everything` (inside the window, if one was asked for): closed outlines of points [h, l] whose last point is the first; a hole is a separate outline (fill by the even-odd rule). An outline begins at its smallest l, there at the lowest h, and has the region on its left as l runs to the right and h upwards; outlines are ordered by that l, then h. Where two events of the list are at one l, all outlines end at the l of each event. Corners lie on the curves, except where a curve leaves the view. No edge leaves its curve by more than 1/250 of the height of the view in h, or it spans less than 10⁻⁹ of the view's l. */
+  /** The part of the region inside `view.everything` (inside the window, if one was asked for): closed outlines of points [h, l] whose last point is the first; a hole is a separate outline (fill by the even-odd rule). An outline begins at its smallest l, there at the lowest h (to a rounding), and has the region on its left as l runs to the right and h upwards; outlines are ordered by that l, then h. Where two events of the list are at one l, all outlines end at the l of each event. Corners lie on the curves, except where a curve leaves the view. No edge leaves its curve by more than 1/250 of the height of the view in h, or it spans less than 10⁻⁹ of the view's l. */
   polygon: [number, number][][];
   /** The largest extent in h at one l, to 10⁻⁶ of it and 4·10⁻⁹ of |r|; null if unbounded. */
   h_width: number | null;
