@@ -1,7 +1,7 @@
 //! What a section's document says beside its orbits.
 
 use bifdiag_body::Preset;
-use bifdiag_documents::section;
+use bifdiag_documents::{SectionPlace, section};
 use bifdiag_dynamics::poincare::SectionSetting;
 use bifdiag_dynamics::section::{Monitor, SweepOptions};
 
@@ -15,7 +15,7 @@ fn a_stopped_run_says_so() {
     let document = section(
         &body.clone().into(),
         &setting.run(&starts, Some(0), &SweepOptions::default(), &monitor).unwrap(),
-        None,
+        SectionPlace::Point,
     );
     assert!(!document.complete && document.orbits.is_empty());
     assert!(document.notes[0].contains("interrupted"));
