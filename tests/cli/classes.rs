@@ -190,3 +190,10 @@ fn a_centre_of_mass_off_the_plane_is_the_reason_of_a_refusal() {
     bifdiag("classes --at --A 3,2,1 --r 1,1,1 --physical").refused().telling("or Ai + Aj = Ak with rk = 0");
     bifdiag("classes --at --A 3,2,1 --r 0,1,1 --physical").succeeds();
 }
+
+/// On the way from a flat to a long symmetric body lies the ball.
+#[test]
+fn the_ball_is_the_border_of_symmetric_bodies() {
+    let found = bifdiag("classes --at --A 1.009,1.009,1.686 --r 0.969,0.726,0.528").succeeds();
+    found.printing("the moments A1, A2 and A3 are equal there");
+}

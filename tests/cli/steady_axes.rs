@@ -336,3 +336,17 @@ fn the_energy_of_a_threshold_is_zero_where_it_is_exactly() {
         assert_eq!(row.split_whitespace().rev().nth(2), Some("0"), "{text}");
     }
 }
+
+/// Staude's cone also holds the principal axes off the centre of mass, about which rotation is steady at no spin.
+#[test]
+fn a_principal_axis_on_the_cone_is_not_called_permanent() {
+    let body = "--A 3,2,4 --r 0,0,1";
+    let near = bifdiag(&format!("critical-spin {body} --axis 1,0.3,0")).succeeds();
+    near.printing(
+        "the nearest axis of Staude's cone is (1, 0, 0), 16.7° away: it is principal, and rotation about it is",
+    );
+    bifdiag(&format!("critical-spin {body} --axis 1,2,9")).succeeds().printing("axis of a steady rotation is");
+    bifdiag("critical-spin --A 3,2,4 --r 0,0,0 --axis 0,1,9")
+        .succeeds()
+        .printing("the nearest permanent axis is (0, 0, 1)");
+}

@@ -137,7 +137,7 @@ pub struct NearestAxisDocument {
     pub axis: [f64; 3],
     /// The angle between the two, in degrees.
     pub angle_deg: f64,
-    /// The one spin at which it is permanent; `null`: every spin, or none.
+    /// The one spin at which it is permanent; `null`: every spin, or none for a principal axis off the centre of mass.
     pub spin: Option<SpinDocument>,
     /// Which of its ends is up then.
     #[serde(default, skip_serializing_if = "Option::is_none")]

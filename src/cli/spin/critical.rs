@@ -1,7 +1,7 @@
 //! `bifdiag critical-spin`.
 
 use bifdiag_documents::{AxisQuestion, Subject, words};
-use bifdiag_equilibria::permanent::{AxisKind, angle_between, equally_near};
+use bifdiag_equilibria::permanent::{AxisKind, angle_between, equally_near, permanent_axis};
 use bifdiag_exact::AxisSpins;
 use bifdiag_schema::{AxisEnd, CriticalSpinDocument, NearestAxisDocument, Reason, SpinStretchDocument};
 use bifdiag_survey::tolerance::{Tolerances, Tolerated};
@@ -110,15 +110,19 @@ fn text(subject: &Subject, document: &CriticalSpinDocument, found: &AxisSpins) -
     match &document.nearest {
         Some(nearest) if document.permanent => report.line(followed_text(nearest)),
         Some(nearest) => {
-            let [x, y, z] = nearest.axis.map(|x| significant(x, 6));
+            let [x, y, z] = nearest.axis.map(|x| significant(if x.abs() < 1e-15 { 0.0 } else { x }, 6));
             let angle = significant(nearest.angle_deg, 3);
             let end = if nearest.up == Some(AxisEnd::Minus) { ", with its other end up" } else { "" };
             let spin = match &nearest.spin {
                 Some(spin) => format!(", at {} rpm only{end}", significant(spin.rpm, 6)),
                 None => String::new(),
             };
-            let what = if nearest.spin.is_some() { "axis of a steady rotation" } else { "permanent axis" };
-            report.line(format!("the nearest {what} is ({x}, {y}, {z}), {angle}° away{spin}"));
+            let (what, note) = match nearest.spin {
+                Some(_) => ("axis of a steady rotation", ""),
+                None if is_permanent(subject, nearest.axis) => ("permanent axis", ""),
+                None => ("axis of Staude's cone", ": it is principal, and rotation about it is steady at no spin"),
+            };
+            report.line(format!("the nearest {what} is ({x}, {y}, {z}), {angle}° away{spin}{note}"));
             as_near(&mut report, subject, document, nearest);
         }
         None => {}
@@ -180,6 +184,12 @@ fn stretches(report: &mut Report, document: &CriticalSpinDocument) {
             by_arnold().flat_map(|stretch| stretch.isolated.iter().flatten().map(move |one| (named(stretch), *one)));
         all::exceptions(report, isolated);
     }
+}
+
+/// Whether rotation about an axis is steady at every spin.
+fn is_permanent(subject: &Subject, axis: [f64; 3]) -> bool {
+    let axis = subject.to_principal(axis);
+    permanent_axis(&subject.body, axis).is_some_and(|permanent| angle_between(permanent.direction, axis) < SAME)
 }
 
 /// Axes that are nearer to each other, in radians, are one.

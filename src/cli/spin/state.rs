@@ -17,7 +17,7 @@ use crate::cli::export::answer;
 use crate::cli::failure::{Failure, failed, incomplete};
 use crate::cli::input::values::{self, Triple};
 use crate::cli::input::{BodyArguments, head};
-use crate::cli::terminal::{Report, Timings, significant};
+use crate::cli::terminal::{Report, Timings, significant, told_apart};
 
 pub const STATE_EXAMPLES: &str = "\
 Examples:
@@ -237,7 +237,7 @@ fn other_text(
         AxisKind::AtOneSpin(_) => {
             let given = bifdiag_documents::nearest_axis(subject, &kind);
             if let Some((spin, up)) = given.and_then(|given| given.spin.zip(given.up)) {
-                let rpm = significant(spin.rpm, 8);
+                let [_, rpm] = told_apart([document.spin.rpm, spin.rpm], 8);
                 let end = if up == AxisEnd::Minus { "its other end" } else { "this end" };
                 report
                     .line(format!("rotation about the vertical is steady at one spin only: {rpm} rpm, with {end} up"));

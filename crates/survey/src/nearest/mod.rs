@@ -12,7 +12,7 @@ use rand_xoshiro::rand_core::SeedableRng;
 use crate::border::{self, BodySegment, BorderEventKind, BorderOptions, class_of};
 use crate::parallel::each;
 use crate::space::{BodyLine, BodySet, ReducedBody, TangentBasis, unit_vector};
-use bifdiag_body::Body;
+use bifdiag_body::{Body, BodyAxis};
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::class::{Class, ClassName};
 use bifdiag_exact::Accuracy;
@@ -127,6 +127,8 @@ impl BorderSearch {
     /// The borders of a special body at which the moment of an axis with r_k = 0 passes that of one with r_i ≠ 0, and a pitchfork goes
     /// through infinity: the bodies with A_k = A_i that are nearest to it.
     fn passing(&self, body: &ReducedBody) -> Vec<NearestBorder> {
+        /// Moments of the sum 2 that differ by less are equal.
+        const EQUAL: f64 = 1e-12;
         let Surroundings { basis, set } = &self.around;
         let ReducedBody { a, r } = body;
         let pairs = (0..3).flat_map(|k| (0..3).map(move |i| (k, i))).filter(|&(k, i)| r[k] == 0.0 && r[i] > 0.0);
@@ -142,7 +144,17 @@ impl BorderSearch {
             // The set goes up to the border, to a rounding.
             (reach >= (1.0 - 1e-9) * place.norm()).then_some(place)
         });
-        places.flat_map(|place| self.at(&place)).collect()
+        let named = |border: NearestBorder| match border.event {
+            BorderEventKind::PitchforkAtInfinity { .. } => border,
+            // What else the diagrams suggest goes to infinity with it.
+            _ => {
+                let a = border.body.a;
+                let is_equal = |k: &BodyAxis| (0..3).any(|i| i != k.index() && (a[k.index()] - a[i]).abs() < EQUAL);
+                let axes = BodyAxis::ALL.into_iter().filter(is_equal).collect();
+                NearestBorder { event: BorderEventKind::MomentsEqual { axes }, ..border }
+            }
+        };
+        places.flat_map(|place| self.at(&place)).map(named).collect()
     }
 
     /// The border on a wall, a function with its value at the body: at its foot, or where that lies beyond other walls, at
