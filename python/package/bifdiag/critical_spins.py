@@ -97,7 +97,9 @@ class SpinBounds(Table):
     def __repr__(self) -> str:
         lines = [self._head()]
         for row in self:
-            told = f"{row['rpm_from']:.6g} to {row['rpm_to']:.6g} rpm, {row['below'] or '–'} to {row['above'] or '–'}"
+            # Rounded outwards.
+            low, high = row["rpm_from"] * (1 - 5e-6), row["rpm_to"] * (1 + 5e-6)
+            told = f"{low:.6g} to {high:.6g} rpm, {row['below'] or '–'} to {row['above'] or '–'}"
             lines.append(f"  {row['up']} up, {told}")
         return "\n".join(lines)
 

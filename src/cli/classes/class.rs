@@ -156,7 +156,8 @@ fn report(class: &ClassDocument, document: &AtlasDocument, written: &[PathBuf]) 
     let (moments, center) = (class.witness.body.moments.join(","), class.witness.body.center.join(","));
     report.line(format!("  bifdiag --A {moments} --r {center}"));
     if class.distance > 0.0 {
-        let distance = significant(class.distance, 3);
+        // Rounded down.
+        let distance = significant(class.distance * (1.0 - 5e-3), 3);
         report.line(format!(
             "  the survey found no body of another class nearer than {distance}, special bodies included"
         ));

@@ -14,7 +14,7 @@ use clap::Args;
 use super::export::answer;
 use super::failure::Failure;
 use super::input::{PlainBodyArguments, head};
-use super::terminal::{Report, Table, counted, significant};
+use super::terminal::{Report, Table, bound, counted, significant};
 use class::share;
 
 pub use class::{CLASS_EXAMPLES, ClassArguments, run as class};
@@ -196,5 +196,5 @@ const ROUNDING: f64 = 1e-15;
 
 /// A distance, 0 within the body's own rounding.
 fn distance(distance: f64) -> String {
-    if distance < ROUNDING { "0".to_owned() } else { significant(distance, 4) }
+    if distance < ROUNDING { "0".to_owned() } else { bound(distance, 4) }
 }

@@ -49,14 +49,17 @@ impl Glossary {
     /// The entries that a word refers to: those with this term or other name; for the name of one of many things, such
     /// as R5 or M7, the entry of its kind; and those whose name contains it, such as Krein.
     pub fn find(&self, word: &str) -> Vec<&Entry> {
-        let number = word.strip_suffix(['s', 'S']).filter(|one| one.len() > 1);
+        let lower = word.to_lowercase();
+        let endings = [("ies", "y"), ("es", ""), ("s", "")];
+        let singular = |(plural, one)| Some(format!("{}{one}", lower.strip_suffix(plural)?));
+        let singulars: Vec<String> = endings.into_iter().filter_map(singular).filter(|one| one.len() > 1).collect();
         let is_kind = |entry: &Entry| kind(word).is_some_and(|term| entry.terms.contains(&term));
         // R1 to R3 are regions, and r1 to r3 the components of r: whoever types R1 may mean either.
         let may_be_both = |entry: &Entry| is_kind(entry) && word.starts_with('R');
         let ways: [&dyn Fn(&Entry) -> bool; 4] = [
             &|entry| entry.is_called(word) || may_be_both(entry),
             &is_kind,
-            &|entry| number.is_some_and(|one| entry.is_called(one)),
+            &|entry| singulars.iter().any(|one| entry.is_called(one)),
             &|entry| entry.has_part(word),
         ];
         let found = |way: &&dyn Fn(&Entry) -> bool| self.entries.iter().filter(|entry| way(entry)).collect::<Vec<_>>();

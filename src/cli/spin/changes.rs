@@ -2,7 +2,7 @@
 
 use bifdiag_schema::SpinChangeDocument;
 
-use crate::cli::terminal::{Table, significant};
+use crate::cli::terminal::{Table, bound, significant};
 
 /// The changes as a table; `without` is the entry where no change of regions is listed.
 pub fn table_of_changes(changes: &[SpinChangeDocument], without: &str) -> String {
@@ -17,7 +17,7 @@ pub fn table_of_changes(changes: &[SpinChangeDocument], without: &str) -> String
             change.event.clone().unwrap_or_else(|| without.to_owned()),
             significant(change.h, 6),
             significant(change.l, 6),
-            significant(change.error_bound, 1),
+            bound(change.error_bound, 1),
         ]);
     }
     table.text()

@@ -10,7 +10,7 @@ use dashu_ratio::RBig;
 
 use crate::cli::failure::Failure;
 use crate::cli::input::values;
-use crate::cli::terminal::{Report, Table, significant};
+use crate::cli::terminal::{Report, Table, bound, significant};
 
 /// Relative tolerances of the moment about the axis, of the two others, and of the weight times its distance.
 #[derive(Clone, Debug, PartialEq)]
@@ -138,7 +138,7 @@ fn beside(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[Spi
         }
         // Below this it is the rounding of the bounds.
         Some(tilt) => {
-            let tilt = significant(tilt.max(1e-9), 2);
+            let tilt = bound(tilt.max(1e-9), 2);
             format!("at each spin outside these ranges it has a steady rotation within {tilt}° of {of}")
         }
     });
