@@ -162,7 +162,7 @@ fn a_border_may_be_at_a_body() {
         standing.printing("\n0   ").printing("J_r passes A2").printing("the body is on a border of its class");
     }
     for (z, distance) in
-        [("1.00000000001", "1.659e-12"), ("1.000000000001", "1.659e-13"), ("0.99999999999", "1.659e-12")]
+        [("1.00000000001", "1.659e-12"), ("1.000000000001", "1.658e-13"), ("0.99999999999", "1.659e-12")]
     {
         let line = format!("classes --at --A 2,3,4 --r 1,1,{z}");
         bifdiag(&line).succeeds().printing(distance).printing("J_r passes A2");
