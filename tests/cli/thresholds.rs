@@ -245,7 +245,7 @@ fn an_axis_of_a_tilted_part_is_principal_where_its_tensor_says_so() {
 #[test]
 fn regions_beside_a_rotation_next_to_a_fork_are_exact() {
     for (spin, below) in [("0.99999999999999999999", "R3"), ("0.999999999", "R3"), ("1.00000000000000000001", "R1")] {
-        let state = bifdiag("state --A 8,5,11 --r 3,0,0 --axis x --spin").and(&format!("{spin} rad/s")).succeeds();
+        let state = bifdiag("state --A 8,5,11 --r 3,0,0 --axis x --spin").and(format!("{spin} rad/s")).succeeds();
         state.printing(&format!("regions beside it: {below} below, "));
     }
 }

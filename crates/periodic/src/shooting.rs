@@ -168,7 +168,7 @@ impl Ring {
 
     /// The largest distance of a node from the origin, at least 1 as |γ| is.
     fn size(&self) -> f64 {
-        self.nodes.iter().map(|node| node.norm()).fold(1.0, f64::max)
+        self.nodes.iter().map(Phase::norm).fold(1.0, f64::max)
     }
 
     /// Corrects the orbit until only rounding is left of its defects.

@@ -144,15 +144,15 @@ impl BorderSearch {
             // The set goes up to the border, to a rounding.
             (reach >= (1.0 - 1e-9) * place.norm()).then_some(place)
         });
-        let named = |border: NearestBorder| match border.event {
-            BorderEventKind::PitchforkAtInfinity { .. } => border,
-            // What else the diagrams suggest goes to infinity with it.
-            _ => {
-                let a = border.body.a;
-                let is_equal = |k: &BodyAxis| (0..3).any(|i| i != k.index() && (a[k.index()] - a[i]).abs() < EQUAL);
-                let axes = BodyAxis::ALL.into_iter().filter(is_equal).collect();
-                NearestBorder { event: BorderEventKind::MomentsEqual { axes }, ..border }
+        // What else the diagrams suggest goes to infinity there.
+        let named = |border: NearestBorder| {
+            if matches!(border.event, BorderEventKind::PitchforkAtInfinity { .. }) {
+                return border;
             }
+            let a = border.body.a;
+            let is_equal = |k: &BodyAxis| (0..3).any(|i| i != k.index() && (a[k.index()] - a[i]).abs() < EQUAL);
+            let axes = BodyAxis::ALL.into_iter().filter(is_equal).collect();
+            NearestBorder { event: BorderEventKind::MomentsEqual { axes }, ..border }
         };
         places.flat_map(|place| self.at(&place)).map(named).collect()
     }
