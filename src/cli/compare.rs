@@ -4,12 +4,10 @@ use std::path::Path;
 
 use bifdiag_body::{Body, Preset};
 use bifdiag_diagram::class::Class;
-use bifdiag_documents::words::counted;
+use bifdiag_documents::words::{counted, most_equilibria};
 use bifdiag_documents::{Compared, DocumentOptions, Drawn};
 use bifdiag_exact::Accuracy;
-use bifdiag_schema::{
-    AtlasDocument, ComparedRegionsDocument, ComparisonDocument, CurveDocument, CurveKind, EventKind, SCHEMA_VERSION,
-};
+use bifdiag_schema::{AtlasDocument, ComparedRegionsDocument, ComparisonDocument, EventKind, SCHEMA_VERSION};
 use bifdiag_survey::border::BorderOptions;
 use bifdiag_survey::path::{Oriented, borders_between, in_near_axes};
 use clap::Args;
@@ -126,15 +124,12 @@ fn report(document: &ComparisonDocument, diagrams: [&Diagram<'_>; 2]) -> String 
     let mut report = Report::default();
     for ((number, diagram), body) in ["1", "2"].into_iter().zip(diagrams).zip(&document.bodies) {
         let Diagram { name, atlas, .. } = diagram;
-        let is_set = |curve: &CurveDocument| matches!(curve.kind, CurveKind::Circle | CurveKind::Sphere);
-        let once = if atlas.curves.iter().any(is_set) { " (a circle or sphere of them counted once)" } else { "" };
         let class = body.class.as_ref().map_or("class undecided".to_owned(), |class| format!("class {class}"));
         report.line(format!(
-            "{number}: {name}, {class}, {}, {}, at most {} at one l{}",
+            "{number}: {name}, {class}, {}, {}, {}",
             counted(body.regions, "region", "regions"),
             counted(body.events, "event", "events"),
-            counted(body.critical_points_max, "relative equilibrium", "relative equilibria"),
-            once,
+            most_equilibria(atlas),
         ));
     }
     if document.same_class == Some(true) {

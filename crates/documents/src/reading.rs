@@ -142,12 +142,12 @@ fn redirection(file: &str) -> String {
 
 /// A command that a file names, if it is one of this program and a shell takes it for nothing more.
 fn own(command: String) -> String {
-    if is_own(&command) { command } else { "bifdiag atlas".to_owned() }
+    if makes_an_atlas(&command) { command } else { "bifdiag atlas".to_owned() }
 }
 
 /// Whether a command of a file makes an atlas, and a shell takes it for nothing more.
 #[must_use]
-pub fn is_own(command: &str) -> bool {
+pub fn makes_an_atlas(command: &str) -> bool {
     command.starts_with("bifdiag atlas ") && command.bytes().all(|c| c == b' ' || is_plain(c))
 }
 

@@ -10,6 +10,15 @@ use bifdiag_schema::{
     NonlinearDocument, NonlinearVerdict, Reason, RegionDocument,
 };
 
+/// How many relative equilibria there are at most at one l.
+#[must_use]
+pub fn most_equilibria(document: &AtlasDocument) -> String {
+    let is_set = |curve: &CurveDocument| matches!(curve.kind, CurveKind::Circle | CurveKind::Sphere);
+    let once = if document.curves.iter().any(is_set) { " (a circle or sphere of them counted once)" } else { "" };
+    let most = counted(document.summary.critical_points_max, "relative equilibrium", "relative equilibria");
+    format!("at most {most} at one l{once}")
+}
+
 /// What lies over one component of U.
 #[must_use]
 pub fn component(component: &ComponentDocument) -> [String; 3] {

@@ -4,11 +4,10 @@ use std::path::PathBuf;
 
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_documents::Subject;
-use bifdiag_documents::words::counted;
+use bifdiag_documents::words::{counted, most_equilibria};
 use bifdiag_exact::{Accuracy, Solver};
 use bifdiag_schema::{
-    AtlasDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument, EventKind, RegionDocument,
-    SampleDocument, StabilityChangeDocument,
+    AtlasDocument, ComponentDocument, EventDocument, EventKind, RegionDocument, SampleDocument, StabilityChangeDocument,
 };
 
 use crate::cli::failure::Failure;
@@ -76,11 +75,8 @@ pub fn text(subject: &Subject, atlas: &Atlas, document: &AtlasDocument, written:
         report.line("");
     }
     let summary = &document.summary;
-    let is_set = |curve: &CurveDocument| matches!(curve.kind, CurveKind::Circle | CurveKind::Sphere);
-    let once = if document.curves.iter().any(is_set) { " (a circle or sphere of them counted once)" } else { "" };
-    let most = counted(summary.critical_points_max, "relative equilibrium", "relative equilibria");
     // In a window there may be fewer of them.
-    let most = if document.window.is_none() { format!(", at most {most} at one l{once}") } else { String::new() };
+    let most = if document.window.is_none() { format!(", {}", most_equilibria(document)) } else { String::new() };
     let (regions, events) = (counted(summary.regions, "region", "regions"), counted(summary.events, "event", "events"));
     report.line(format!("{regions}, {events}{most}"));
     match (summary.complete, document.window) {

@@ -8,7 +8,7 @@ use bifdiag_body::part::UnitsError;
 use bifdiag_body::{Body, Number};
 use bifdiag_diagram::arrangement::RegionId;
 use bifdiag_diagram::fast::FastError;
-use bifdiag_documents::reading::is_own;
+use bifdiag_documents::reading::makes_an_atlas;
 use bifdiag_documents::{SectionPlace, Subject};
 use bifdiag_dynamics::poincare::PoincareError;
 use bifdiag_dynamics::section::TorusPoint;
@@ -144,7 +144,8 @@ impl Sites {
         let subject = Subject { body, part: atlas.body.part, units };
         let samples = atlas.regions.into_iter().map(|region| (region.id, region.sample.h, region.sample.l));
         let solver = (atlas.accuracy == Accuracy::Exact).then(|| Solver::new(subject.body.clone(), Accuracy::Exact));
-        let command = if is_own(&atlas.head.command) { atlas.head.command } else { subject.command("atlas").json() };
+        let command =
+            if makes_an_atlas(&atlas.head.command) { atlas.head.command } else { subject.command("atlas").json() };
         let sites = Self::of_samples(subject, samples.collect(), wanted, solver.as_ref())?;
         Ok(Self { atlas: Some(command), ..sites })
     }

@@ -110,7 +110,6 @@ fn text(subject: &Subject, document: &CriticalSpinDocument, found: &AxisSpins) -
     match &document.nearest {
         Some(nearest) if document.permanent => report.line(followed_text(nearest)),
         Some(nearest) => {
-            let [x, y, z] = nearest.axis.map(|x| significant(if x.abs() < 1e-15 { 0.0 } else { x }, 6));
             let angle = significant(nearest.angle_deg, 3);
             let end = if nearest.up == Some(AxisEnd::Minus) { ", with its other end up" } else { "" };
             let spin = match &nearest.spin {
@@ -122,7 +121,7 @@ fn text(subject: &Subject, document: &CriticalSpinDocument, found: &AxisSpins) -
                 None if is_permanent(subject, nearest.axis) => ("permanent axis", ""),
                 None => ("axis of Staude's cone", ": it is principal, and rotation about it is steady at no spin"),
             };
-            report.line(format!("the nearest {what} is ({x}, {y}, {z}), {angle}° away{spin}{note}"));
+            report.line(format!("the nearest {what} is {}, {angle}° away{spin}{note}", listed(nearest.axis)));
             as_near(&mut report, subject, document, nearest);
         }
         None => {}

@@ -133,10 +133,9 @@ impl BorderSearch {
         let ReducedBody { a, r } = body;
         let pairs = (0..3).flat_map(|k| (0..3).map(move |i| (k, i))).filter(|&(k, i)| r[k] == 0.0 && r[i] > 0.0);
         let places = pairs.filter_map(|(k, i)| {
-            let unit = |at: usize| std::array::from_fn(|axis| f64::from(u8::from(axis == at)));
-            let [forth, back]: [[f64; 3]; 2] = [unit(k), unit(i)];
-            let slopes =
-                DVector::from_vec(basis.coordinates(&[std::array::from_fn(|axis| forth[axis] - back[axis]), [0.0; 3]]));
+            let mut apart = [0.0; 3];
+            (apart[k], apart[i]) = (1.0, -1.0);
+            let slopes = DVector::from_vec(basis.coordinates(&[apart, [0.0; 3]]));
             // Moments that are equal stay so.
             let gap = (a[k] - a[i]) / slopes.norm_squared();
             let place = slopes * -gap;
