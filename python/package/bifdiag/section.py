@@ -37,7 +37,7 @@ class Section(StoredTable):
         two states of the section, one on each sheet.
     s_dot : array (n,)
         dS/dt: negative where the crossing is incoming (centre of mass lowest), positive where outgoing. With
-        ``condition="angular-momentum"`` S is ⟨l, γ × r⟩, which vanishes where |l| is extremal.
+        ``condition="angular-momentum"`` S is ⟨l, γ × r⟩, which vanishes where ``|l|`` is extremal.
     theta, psi : array (n,)
         ϑ′ in [0, π] and ψ′ in [0, 2π), the point on the PP-torus: ϑ′ is the angle between γ and r, ψ′ the longitude about
         r. These are not the Euler angles ``theta`` and ``psi`` of a `Motion`.
