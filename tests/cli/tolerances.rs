@@ -122,6 +122,10 @@ fn tolerances_of_zero_are_not_reported_as_such() {
     text.printing("every part within 1 ± 0.01 of the weight (bounds, not samples; what is not named is exact):");
     let text = bifdiag("critical-spin --A 1,1,2 --r 0,0,1 --axis z --tolerance axis=1%,across=2%").succeeds();
     text.printing("within 1 ± 0.01 of the moment about the axis, 1 ± 0.02 of the two moments across the axis (bounds");
+    for twice in ["axis=1%,axis=2%", "moments=1%,across=2%"] {
+        let refused = bifdiag("critical-spin --A 1,1,2 --r 0,0,1 --axis z --tolerance").and(twice).refused();
+        refused.telling("another item sets the same");
+    }
 }
 
 /// Ω = 1 rad/s = 30/π rpm grows with the root of the distance of the centre of mass: by 5e-9 of itself.

@@ -129,18 +129,20 @@ fn entries(rows: &[CampbellRow], has_changes: bool) -> Vec<(Symbol, String)> {
     let line = |color: RGBColor, known: Steadiness, text: &str| {
         (Symbol::Line(pattern(known, color), width(known)), text.to_owned())
     };
-    let mut entries = vec![
-        line(COLORS[0], Steadiness::Lasting, "one mode; in space, the spin minus its frequency"),
-        line(COLORS[1], Steadiness::Lasting, "the other mode"),
-        line(SUMS[0], Steadiness::Lasting, "the spin plus its frequency"),
-        line(
-            SUMS[1],
-            Steadiness::Lasting,
-            "the same for the other mode (a body symmetric about the axis shows only \
-        one of them)",
-        ),
-        line(ONCE, Steadiness::Frictionless, "once per turn"),
+    let oscillates = |mode: &usize| rows.iter().any(|row| !row.frequencies[*mode].is_nan());
+    let names = [
+        ["one mode; in space, the spin less its frequency or the reverse", "the other mode"],
+        [
+            "in space, the spin plus its frequency",
+            "the same for the other mode (a body symmetric about the axis shows only one of them)",
+        ],
     ];
+    let mut entries = Vec::new();
+    for (colors, names) in [COLORS, SUMS].into_iter().zip(names) {
+        let modes = (0..2).filter(oscillates).zip(names);
+        entries.extend(modes.map(|(mode, name)| line(colors[mode], Steadiness::Lasting, name)));
+    }
+    entries.push(line(ONCE, Steadiness::Frictionless, "once per turn"));
     let is_there = |known: &Steadiness| rows.iter().any(|row| row.known == *known);
     entries.extend(Steadiness::ALL.into_iter().filter(is_there).map(|known| line(INK, known, meaning(known))));
     if has_changes {

@@ -75,7 +75,7 @@ pub struct ClassesDocument {
 pub struct ClassBorderDocument {
     /// The class beyond it.
     pub class: String,
-    /// What happens on it, in axes by rising moments.
+    /// What happens on it, in axes by rising moments, numbered as in the body on both sides.
     pub event: String,
     /// How far the nearest body on it is that was found: √(|ΔA|² + ∠²), for A with the sum 2 and the angle between the
     /// two r.

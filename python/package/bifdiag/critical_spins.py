@@ -119,7 +119,8 @@ class CriticalSpins(Table):
     branch : array (n,) of str
         Id of the branch of relative equilibria; ``""`` for a single axis that is permanent.
     axis_up : array (n, 3)
-        The end of the axis that is up, in the frame of the question; NaN where it moves and ``kind`` is ``"isolated"``.
+        The end of the axis that is up, in the frame of the question; NaN where it moves and ``kind`` is ``"isolated"``. The
+        axis of the question is meant as it was given, also where a permanent one within 0.5° of it is followed.
     rpm, rad_per_s : array (n,)
         The spin.
     l, h : array (n,)

@@ -196,7 +196,9 @@ fn missing(key: &str, example: &str) -> Failure {
 fn json_error(error: &serde_json::Error) -> Failure {
     let message = error.to_string();
     let what = message.rsplit_once(" at line ").map_or(message.as_str(), |(what, _)| what);
-    Failure::input(format!("the line is not valid JSON: {what} (column {})", error.column()))
+    // What is JSON may still be another object, or have a key twice.
+    let wrong = if error.is_data() { "a query" } else { "valid JSON" };
+    Failure::input(format!("the line is not {wrong}: {what} (column {})", error.column()))
 }
 
 fn list((key, example): (&'static str, &'static str), raw: Option<&RawValue>) -> Result<Vec<String>, Failure> {

@@ -186,7 +186,7 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
         report.line("the body is on a border of its class, or within rounding of one");
     }
     report.line(
-        "axes by rising moments; what makes the body special (equal moments, zeros of r) is kept on the way, and classes \
+        "axes by rising moments, numbered as in this body beyond a border too; what makes the body special (equal moments, zeros of r) is kept on the way, and classes \
         of more special bodies, such as those on a border, are not counted",
     );
 }

@@ -2,12 +2,12 @@
 
 use bifdiag_documents::Subject;
 use bifdiag_equilibria::critical::Multiplicity;
-use bifdiag_equilibria::permanent::{permanent_multiplicity, principal_at};
+use bifdiag_equilibria::permanent::{FOLLOWED, permanent_multiplicity, principal_at};
 use bifdiag_schema::NearestAxisDocument;
 
 use crate::cli::failure::Failure;
 use crate::cli::input::values::{self, Triple};
-use crate::cli::terminal::significant;
+use crate::cli::terminal::{significant, told_apart};
 
 /// x, y, z or three coordinates.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,9 +61,15 @@ pub fn as_near(subject: &Subject, others: &[[f64; 3]]) -> Option<String> {
     (!axes.is_empty()).then(|| format!("equally near: {}", axes.join(", ")))
 }
 
+/// Degrees between an axis and the one that it is near to, told apart from those within which it would be followed.
+pub fn angle_text(degrees: f64) -> String {
+    let [_, angle] = told_apart([FOLLOWED.to_degrees(), degrees], 3);
+    angle
+}
+
 /// Says which permanent axis is followed instead of the given one.
 pub fn followed_text(nearest: &NearestAxisDocument) -> String {
-    let angle = significant(nearest.angle_deg, 3);
+    let angle = angle_text(nearest.angle_deg);
     format!("following the nearest permanent axis, {}, {angle}° from the one given", listed(nearest.axis))
 }
 

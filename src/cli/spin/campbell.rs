@@ -14,7 +14,7 @@ use bifdiag_numbers::Sign;
 use bifdiag_plot::{Campbell, CampbellRow, Steadiness, draw_campbell};
 use clap::Args;
 
-use super::axis::{AxisArgument, axis, followed_text, listed, one_of, principal_near};
+use super::axis::{AxisArgument, angle_text, axis, followed_text, listed, one_of, principal_near};
 use crate::cli::export::{Column, Columns, DataFormat, FileSet, PictureArguments, PictureFormat, Values};
 use crate::cli::failure::{Failure, failed};
 use crate::cli::input::BodyArguments;
@@ -221,7 +221,7 @@ fn not_permanent(subject: &Subject, given: &AxisArgument, families: &[SteadyFami
                 nearest {are} {}, {}° away",
                 steady_at(subject, given),
                 axes.join(" and "),
-                significant(angle, 3)
+                angle_text(angle)
             ))
         }
         // Then no family is permanent, and none is nearest.

@@ -8,7 +8,7 @@ use bifdiag_survey::tolerance::{Tolerances, Tolerated};
 use clap::Args;
 
 use super::all;
-use super::axis::{AxisArgument, axis, followed_text, listed, one_of, principal_near, rests};
+use super::axis::{AxisArgument, angle_text, axis, followed_text, listed, one_of, principal_near, rests};
 use super::changes::table_of_changes;
 use super::tolerance::{self, ToleranceArgument};
 use crate::cli::export::answer;
@@ -79,7 +79,7 @@ pub fn run(arguments: &CriticalSpinArguments, timings: &Timings) -> Result<(), F
 fn the_permanent_axis(subject: &Subject) -> Result<AxisArgument, Failure> {
     let none = || {
         Failure::input(
-            "no axis of this body is permanent at every spin: give --axis, or leave out the tolerance to list all \
+            "no axis of this body is permanent at every spin: give --axis, or leave out --tolerance and ± to list all \
             steady axes",
         )
     };
@@ -89,7 +89,7 @@ fn the_permanent_axis(subject: &Subject) -> Result<AxisArgument, Failure> {
             format!("--axis={axis}")
         });
         return Err(Failure::input(format!(
-            "without weight every principal axis is permanent: give {}, {} or {}, or leave out the tolerance to list \
+            "without weight every principal axis is permanent: give {}, {} or {}, or leave out --tolerance and ± to list \
             all steady axes",
             principal[0], principal[1], principal[2]
         )));
@@ -110,8 +110,12 @@ fn text(subject: &Subject, document: &CriticalSpinDocument, found: &AxisSpins) -
     match &document.nearest {
         Some(nearest) if document.permanent => report.line(followed_text(nearest)),
         Some(nearest) => {
-            let angle = significant(nearest.angle_deg, 3);
-            let end = if nearest.up == Some(AxisEnd::Minus) { ", with its other end up" } else { "" };
+            let angle = angle_text(nearest.angle_deg);
+            let end = match nearest.up {
+                Some(AxisEnd::Plus) => ", with this end up",
+                Some(AxisEnd::Minus) => ", with its other end up",
+                None => "",
+            };
             let spin = match &nearest.spin {
                 Some(spin) => format!(", at {} rpm only{end}", significant(spin.rpm, 6)),
                 None => String::new(),

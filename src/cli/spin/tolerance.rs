@@ -42,13 +42,19 @@ pub fn tolerance(text: &str) -> Result<ToleranceArgument, Failure> {
     }
     let zero = values::number("0")?;
     let mut all: [Number; 4] = std::array::from_fn(|_| zero.clone());
+    let mut given = [false; 4];
     for item in text.split(',') {
         let (name, value) = item.split_once('=').ok_or_else(wrong)?;
         let known = NAMES.iter().find(|(known, _)| *known == name.trim());
-        let (_, which) = known.ok_or_else(|| unknown(name.trim()))?;
+        let (name, which) = known.ok_or_else(|| unknown(name.trim()))?;
         let value = relative(value)?;
-        for (tolerance, _) in all.iter_mut().zip(which).filter(|(_, named)| **named) {
-            *tolerance = value.clone();
+        for (place, _) in which.iter().enumerate().filter(|(_, named)| **named) {
+            if std::mem::replace(&mut given[place], true) {
+                return Err(Failure::input(format!(
+                    "{name}: another item sets the same moment or the weight already; leave out one of them"
+                )));
+            }
+            all[place] = value.clone();
         }
     }
     Ok(ToleranceArgument(all))

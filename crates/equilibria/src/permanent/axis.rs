@@ -14,7 +14,7 @@ pub const MEANT: f64 = 1e-6;
 
 /// Half a degree, in radians: an axis that misses a permanent one by less is replaced by it where changes over the spin
 /// are requested, since only a permanent axis has them.
-const FOLLOWED: f64 = std::f64::consts::PI / 360.0;
+pub const FOLLOWED: f64 = std::f64::consts::PI / 360.0;
 
 /// What an axis is.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -24,7 +24,7 @@ mod steady;
 mod stretches;
 mod tolerance;
 
-pub use axis::{AxisKind, MEANT, permanent_axes, permanent_multiplicity, principal_at};
+pub use axis::{AxisKind, FOLLOWED, MEANT, permanent_axes, permanent_multiplicity, principal_at};
 pub use bifdiag_schema::{AxisEnd, SpinType};
 pub use cone::{NearestAxis, PermanentAxis, angle_between, equally_near, nearest_permanent, permanent_axis};
 pub use fast::fastest_along;
