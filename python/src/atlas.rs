@@ -82,6 +82,10 @@ impl Atlas {
         documents::atlas::attach_part(&mut document, &self.subject);
         Ok(document)
     }
+
+    fn undrawn(&self) -> PyResult<AtlasDocument> {
+        self.document(&DocumentOptions { drawing: Drawn::Nothing, ..DocumentOptions::default() })
+    }
 }
 
 fn themed(is_dark: bool) -> plot::DiagramOptions {
@@ -95,13 +99,13 @@ fn window([h, l]: Ranges) -> WindowDocument {
 
 #[pymethods]
 impl Atlas {
-    /// The regions of the document, each a text, without their outlines and cells.
+    /// The regions of the document, each a text, without their outlines.
     fn regions(&self, python: Python<'_>) -> PyResult<Vec<String>> {
         python.detach(|| {
-            let mut regions = documents::atlas::regions(self.atlas());
-            for region in &mut regions {
-                region.cells.clear();
-            }
+            let regions = match self.proved {
+                Some(_) => self.undrawn()?.regions,
+                None => documents::atlas::regions(self.atlas()),
+            };
             regions.iter().map(json).collect()
         })
     }
@@ -113,12 +117,9 @@ impl Atlas {
 
     /// The events of the document.
     fn events(&self, python: Python<'_>) -> PyResult<String> {
-        python.detach(|| {
-            if self.proved.is_none() {
-                return json(&documents::atlas::events(self.atlas()));
-            }
-            let options = DocumentOptions { drawing: Drawn::Nothing, ..DocumentOptions::default() };
-            json(&self.document(&options)?.events)
+        python.detach(|| match self.proved {
+            Some(_) => json(&self.undrawn()?.events),
+            None => json(&documents::atlas::events(self.atlas())),
         })
     }
 

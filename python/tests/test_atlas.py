@@ -58,6 +58,7 @@ def test_records_hold_what_the_document_says(atlas):
     for region, told in zip(atlas.regions, document["regions"], strict=True):
         assert (region.id, region.bounded, list(region.boundary)) == (told["id"], told["bounded"], told["boundary"])
         assert region.neighbours[0].curve == told["neighbours"][0]["curve"]
+        assert [(cell.lower, cell.upper) for cell in region.cells] == [(c["lower"], c["upper"]) for c in told["cells"]]
 
 
 def test_places_broadcast(atlas):
@@ -222,6 +223,8 @@ def test_certificates_are_the_command_lines(body, command, tmp_path):
         low, high = map(Fraction, event.enclosure.l)
         assert low <= high and abs(Fraction(event.l) - low) <= Fraction(event.l_error) + (high - low)
     assert [region.id for region in proved.regions] == [region.id for region in body.atlas().regions]
+    for region, told in zip(proved.regions, proved.document["regions"], strict=True):
+        assert (region.sample.h, region.sample.l) == (told["sample"]["h"], told["sample"]["l"])
     proved.save(tmp_path / "atlas.json")
     assert bifdiag.verify(tmp_path / "atlas.json") == len(proved.regions)
     changed = proved.to_json().replace('"bounded": true', '"bounded": false', 1)

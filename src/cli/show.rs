@@ -242,8 +242,10 @@ fn show_curve(report: &mut Report, document: &AtlasDocument, curve: &CurveDocume
     report.line("");
     let parts = |region: &RegionDocument| region.neighbours.iter().any(|neighbour| neighbour.curve == curve.id);
     if !document.regions.iter().any(parts) {
-        let same =
-            curve.coincides_with.first().map_or_else(String::new, |id| format!("; show {id} says what it separates"));
+        let same = match &curve.coincides_with[..] {
+            [] => String::new(),
+            ids => format!("; show {} says what it separates", ids.join(" or ")),
+        };
         report.line(format!("no region is listed as ending on it{same}"));
         return;
     }

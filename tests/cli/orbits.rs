@@ -73,6 +73,15 @@ fn times_may_stand_in_a_file() {
     }
 }
 
+/// Released at rest 1e-9 from hanging the body swings about axis 1, as a pendulum with A = 2 and r = 1: γ₂ = 1e-9 cos(t/√2).
+#[test]
+fn a_start_next_to_hanging_at_rest_swings() {
+    let found = bifdiag("orbit --A 2,1.1,1 --r 0,0,1 --gamma 0,1e-9,1 --omega 0,0,0 --times 0:0.5:2 --json").succeeds();
+    let samples = &found.json()["samples"];
+    let end = samples[1]["gamma"][1].as_f64().unwrap();
+    assert!((end / 1e-9 - libm::cos(0.5 / std::f64::consts::SQRT_2)).abs() < 1e-9, "{samples}");
+}
+
 #[test]
 fn a_weightless_body_moves_too() {
     let line = "orbit --body euler --gamma 0,0,1 --omega 0.1,2,0.3 --json";

@@ -182,7 +182,7 @@ pub struct CurveDocument {
     pub branch: String,
     /// The branch in words: `from +r̂`, `between axis 1 and axis 2`, `pair over axis 2`, `circle over axes 1 and 2`, …
     pub branch_name: String,
-    /// Morse index; null for a pole line off the critical curves.
+    /// Morse index; null for a pole line.
     pub index: Option<u8>,
     /// 2 for a symmetric pair (a double curve), else 1.
     pub multiplicity: u32,

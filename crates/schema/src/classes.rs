@@ -80,7 +80,8 @@ pub struct ClassBorderDocument {
     /// How far the nearest body on it is that was found: √(|ΔA|² + ∠²), for A with the sum 2 and the angle between the
     /// two r.
     pub distance: f64,
-    /// That body, in the axes of A1 ≤ A2 ≤ A3 with the sum 2, and r of length 1.
+    /// That body, in the axes of A1 ≤ A2 ≤ A3 with the sum 2, and r of length 1; where moments are equal, the axes of these
+    /// are chosen so that r has fewest components, and may be turned from those of the distance.
     #[serde(rename = "A")]
     pub moments: [f64; 3],
     /// r1, r2, r3.

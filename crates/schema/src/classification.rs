@@ -28,7 +28,7 @@ pub struct ComponentDocument {
 pub struct MarginDocument {
     /// `|h − h_c|` to the nearest critical curve or pole line at this l.
     pub h: f64,
-    /// Id of that curve.
+    /// Id of that curve; `l=0` at rest without weight, where no curve of the atlas is nearest.
     pub nearest: String,
     /// Bound on the error of `h`.
     pub error_bound: f64,

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Accuracy, GivenBody, Head, Number};
 
-/// Values of a grid, both ends included.
+/// Values of a grid, both ends included; of one value the first end.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct GridAxisDocument {
     /// The first.

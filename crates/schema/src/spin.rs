@@ -94,12 +94,13 @@ pub struct IsolatedSpinDocument {
     pub why: Reason,
 }
 
-/// A range of spins in which a family has one linear type, to the start of the next one or to infinity.
+/// A range of spins in which a family has one linear type and one Morse index, to the start of the next one or to infinity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SteadyStretchDocument {
     /// Where it begins; `null`: at rest.
     pub from: Option<SteadyPlaceDocument>,
-    /// Which eigenvalues meet there; `null` where the family itself begins.
+    /// Which eigenvalues meet there; `null` where the family itself begins. `zero` also at the cusp of a circle, where only the
+    /// index changes, and of a permanent axis where a pair only touches 0.
     pub change: Option<StabilityChangeKind>,
     /// Linear type of the flow reduced by l.
     pub stability: Stability,
@@ -133,7 +134,7 @@ pub struct SteadyFamilyDocument {
 /// A permanent axis near the given one.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct NearestAxisDocument {
-    /// A unit vector in the frame of the question, at an acute angle to the axis of the question.
+    /// A unit vector in the frame of the question, at an acute or right angle to the axis of the question.
     pub axis: [f64; 3],
     /// The angle between the two, in degrees.
     pub angle_deg: f64,

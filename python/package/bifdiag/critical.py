@@ -49,8 +49,9 @@ class Equilibria(Table):
     stable : masked array (n,) of bool
         Stable at fixed l, up to rotation about the vertical; masked where that is open (pandas: NA; in a row: None).
     stable_by : array (n,) of str
-        Why: ``"energy"`` (a minimum), ``"integral"`` (a further integral), ``"arnold"`` (Arnold's theorem); where it is not
-        stable, ``"spectrum"`` (an eigenvalue), ``"resonance 1:1"``, …, ``"degenerate"``.
+        Why: ``"energy"`` (a minimum), ``"integral"`` (a further integral), ``"arnold"`` (Arnold's theorem), ``"spectrum"`` (an
+        eigenvalue with positive real part); ``"resonance 1:1"``, ``"resonance 1:2"``, ``"resonance 1:3"`` and
+        ``"degenerate"`` where none of these decides: ``stable`` may be True, False or masked there.
     verdict : array (n,) of str
         ``"stable"``, ``"unstable"`` or ``"open"``.
     survives_friction : array (n,) of bool
@@ -61,7 +62,8 @@ class Equilibria(Table):
     eigenvalue_error : array (n,)
         Bound on their error.
     branch : array (n,) of str
-        Id of the curve in the atlas; the page "Conventions" explains ids.
+        Id of the curve in the atlas, or ``"l=0"`` at rest without weight, which is on none; the page "Conventions" explains
+        ids.
     branch_name : array (n,) of str
         Where the branch begins, such as ``"from +r̂"``.
     meta : dict

@@ -32,7 +32,7 @@ class SpinRanges(Table):
     rpm_from, rpm_to : array (n,)
         From rest or a critical spin to the next one, or ``inf``.
     stability : array (n,) of str
-        The linear type.
+        The linear type, as in `Equilibria`; of a permanent axis with ``(local minimum)`` where U_l has one.
     stable : masked array (n,) of bool
         Stable at each of these spins but the isolated ones; masked where that is open.
     stable_by : array (n,) of str

@@ -27,7 +27,8 @@ class Section(StoredTable):
     Attributes
     ----------
     orbit, index : array (n,) of int
-        Number of the orbit, and of the crossing; `index` 0 is the start itself.
+        Number of the orbit, and of the crossing; `index` 0 is the start itself, where it lies on
+        this section, as it does on the paper's.
     time : array (n,)
         Time since the start.
     gamma, l : array (n, 3)

@@ -50,7 +50,16 @@ impl Glossary {
     /// as R5 or M7, the entry of its kind; and those whose name contains it, such as Krein.
     pub fn find(&self, word: &str) -> Vec<&Entry> {
         let lower = word.to_lowercase();
-        let endings = [("ies", "y"), ("es", ""), ("s", "")];
+        let endings = [
+            ("ies", "y"),
+            ("es", ""),
+            ("s", ""),
+            ("ices", "ex"),
+            ("ices", "ix"),
+            ("ae", "a"),
+            ("i", "us"),
+            ("ia", "ium"),
+        ];
         let singular = |(plural, one)| Some(format!("{}{one}", lower.strip_suffix(plural)?));
         let singulars: Vec<String> = endings.into_iter().filter_map(singular).filter(|one| one.len() > 1).collect();
         let is_kind = |entry: &Entry| kind(word).is_some_and(|term| entry.terms.contains(&term));

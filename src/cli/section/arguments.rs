@@ -25,7 +25,7 @@ Examples:
 
 --starts FILE.csv has the header theta,psi,sheet and one point of the PP-torus per line (other columns are ignored, \
 so that each crossing in a table written by --data starts an orbit); --data writes for each crossing orbit, index, \
-time, gamma, l, sheet, s_dot, theta, psi (index 0 is the start). Crossings go to FILE.partial as they are found, with \
+time, gamma, l, sheet, s_dot, theta, psi (index 0 is a start on this section). Crossings go to FILE.partial as they are found, with \
 --data FILE --no-plot alone in constant memory. The first Ctrl-C ends the run with exit status 1 and replaces no \
 file; the same command resumes from FILE.partial.";
 

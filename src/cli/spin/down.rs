@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use bifdiag_body::Number;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_documents::{DocumentOptions, Subject};
-use bifdiag_equilibria::curves::CurveName;
+use bifdiag_equilibria::curves::{CurveName, abscissa};
 use bifdiag_exact::Accuracy;
 use bifdiag_plot::{DiagramOptions, DiagramView, MarkedPoints, draw};
 use bifdiag_schema::{SlowdownDocument, SlowdownEvent, SpinDownDocument, WindowDocument};
@@ -94,6 +94,7 @@ pub fn run(arguments: &SpinDownArguments, timings: &Timings) -> Result<(), Failu
         let range = if upper == "inf" { format!("above {lower}") } else { format!("above {lower}, up to {upper}") };
         return Err(Failure::input(format!("--l {refused}: the curve {id} has l {range}")));
     }
+    abscissa(&set.frame, l).map_err(|error| Failure::input(format!("--l: {error}")))?;
     let command = subject.command("spin-down").option("from", &id).option("l", format!("{l:?}"));
     let document = bifdiag_documents::spin_down(&subject, command, &atlas, from, l);
     let written = match &arguments.out {

@@ -169,7 +169,8 @@ impl HeavyTop {
         self.units.restore(potential, Dimension::ENERGY)
     }
 
-    /// max |l| on the energy surface H = h: √(2 A_max (h + |r|)).
+    /// max |l| on the energy surface H = h: √(2 A_max (h + |r|)), with at least ε²|r| for a sum that rounding leaves 0, so that
+    /// steps next to the hanging equilibrium have a length.
     #[must_use]
     pub fn momentum_scale(&self, h: f64) -> f64 {
         if !self.units.are_one() {
@@ -177,7 +178,8 @@ impl HeavyTop {
             return self.units.restore(reduced, Dimension::MOMENTUM);
         }
         let largest = self.moments.iter().fold(0.0, |m: f64, &a| m.max(a));
-        (2.0 * largest * (h + self.center_norm()).max(0.0)).sqrt()
+        let weight = self.center_norm();
+        (2.0 * largest * (h + weight).max(f64::EPSILON * f64::EPSILON * weight)).sqrt()
     }
 }
 

@@ -82,6 +82,7 @@ impl AxisRotation {
         });
         // `verify` does not check what follows from the normal form.
         let proved = judged.nonlinear.proved && !by_normal_form;
+        let kind = self.own(kind);
         Some(SpinStretch { from, to, kind, verdict, proved, isolated, friction: judged.friction })
     }
 }

@@ -17,7 +17,7 @@ pub(crate) enum SpecialBody {
         /// The axes.
         axes: Vec<BodyAxis>,
         /// True if a pitchfork leaves to infinity: that of the pair over axis i, with r_i = 0 on the whole segment, where
-        /// s² = Σ r_k²/(A_k − A_i)² and r_k ≠ 0 for another of the axes.
+        /// s² = Σ r_k²/(A_k − A_i)² and r_k ≠ 0 for another of the axes, and no component of r vanishes there alone.
         pitchfork_leaves: bool,
     },
     /// These components of r are 0.
@@ -56,13 +56,25 @@ pub(crate) fn special(segment: &BodySegment, t: [f64; 2]) -> Option<(SpecialBody
             let is_passive =
                 |axis: &BodyAxis| [RBig::ZERO, RBig::ONE].iter().all(|end| component(*axis, end).is_zero());
             let is_active = |axis: &BodyAxis| !component(*axis, &t).is_zero();
-            let pitchfork_leaves = axes.iter().any(is_passive) && axes.iter().any(is_active);
+            // Where a symmetry is broken too, other pitchforks may open into cusps.
+            let alone = !leaves.contains(&Some(t.clone()));
+            let pitchfork_leaves = alone && axes.iter().any(is_passive) && axes.iter().any(is_active);
             return Some((SpecialBody::EqualMoments { axes, pitchfork_leaves }, root(&t)));
         }
     }
-    let t = leaves.iter().flatten().next()?;
-    let axes = BodyAxis::ALL.into_iter().zip(&leaves).filter(|(_, other)| other.as_ref() == Some(t));
-    Some((SpecialBody::Components(axes.map(|(axis, _)| axis).collect()), root(t)))
+    // Of two axes with equal moments r has one component, whose direction is a matter of the axes.
+    let is_own = |axis: &BodyAxis, t: &RBig| {
+        let is_twin = |other: &BodyAxis| {
+            other != axis && [RBig::ZERO, RBig::ONE].iter().all(|end| moment(*axis, end) == moment(*other, end))
+        };
+        BodyAxis::ALL.iter().filter(|other| is_twin(other)).all(|other| component(*other, t).is_zero())
+    };
+    let vanishing = BodyAxis::ALL.into_iter().zip(leaves);
+    let vanishing: Vec<(BodyAxis, RBig)> =
+        vanishing.filter_map(|(axis, t)| Some((axis, t?))).filter(|(axis, t)| is_own(axis, t)).collect();
+    let (_, t) = vanishing.first()?;
+    let axes = vanishing.iter().filter(|(_, other)| other == t).map(|(axis, _)| *axis).collect();
+    Some((SpecialBody::Components(axes), root(t)))
 }
 
 /// Where a linear function vanishes that is not the same everywhere.
@@ -120,6 +132,13 @@ mod tests {
         assert_eq!(between(generic, [a, [0.0, 1.0, 0.0]]), onto_an_axis);
         assert_eq!(between([a, [0.0; 3]], generic), Some((SpecialBody::NoWeight, 0.0, 0.0)));
         assert_eq!(between([a, r.map(|x| -x)], generic), Some((SpecialBody::NoWeight, 0.5, 0.0)));
+        // Axes 1 and 2 of a body with A1 = A2 may be turned: r1 = 0 alone is nothing special.
+        let turned = |r: [f64; 3], s: [f64; 3]| between([[1.0, 1.0, 0.5], r], [[1.0, 1.0, 0.5], s]);
+        assert_eq!(turned([0.0, 1.0, 1.0], [1.0, 1.0, 2.0]), None);
+        let on_axis_3 = Some((SpecialBody::Components(vec![first, second]), 0.0, 0.0));
+        assert_eq!(turned([0.0, 0.0, 1.0], [3.0, 1.0, 2.0]), on_axis_3);
+        let in_plane = Some((SpecialBody::Components(vec![third]), 0.0, 0.0));
+        assert_eq!(turned([0.0, 1.0, 0.0], [3.0, 1.0, 2.0]), in_plane);
         // The third of two equal moments passes them; a third of the way is no double.
         let ball = between([[1.0, 1.0, 0.5], r], [[1.0, 1.0, 2.0], r]);
         assert_eq!(ball, Some((equal(vec![first, second, third], false), 1.0 / 3.0, f64::EPSILON / 3.0)));
@@ -128,5 +147,6 @@ mod tests {
         assert_eq!(passing([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]), Some((equal(vec![first, second], true), 0.5, 0.0)));
         assert_eq!(passing([0.0, 0.0, 1.0], [0.0, 0.0, 1.0]), Some((equal(vec![first, second], false), 0.5, 0.0)));
         assert_eq!(passing([1.0, 0.0, 0.0], [1.0, 0.5, 0.0]), Some((equal(vec![first, second], false), 0.5, 0.0)));
+        assert_eq!(passing([1.0, 0.0, -0.5], [1.0, 0.0, 0.5]), Some((equal(vec![first, second], false), 0.5, 0.0)));
     }
 }
