@@ -112,7 +112,7 @@ fn depth(known: &Known) -> String {
     let middle = distances[distances.len() / 2];
     let thin = distances.iter().filter(|distance| **distance < 1e-8).count();
     format!(
-        "Distances from the borders range from {largest:.2} to {least:.0e}; half are below {middle:.0e}, {thin} below 1e-8."
+        "Distances from the borders range from {largest:.2} to {least:.0e}; their median is {middle:.0e}; {thin} are below 1e-8."
     )
 }
 

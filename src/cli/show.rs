@@ -246,7 +246,7 @@ fn show_curve(report: &mut Report, document: &AtlasDocument, curve: &CurveDocume
             [] => String::new(),
             ids => format!("; show {} says what it separates", ids.join(" or ")),
         };
-        report.line(format!("no region is listed as ending on it{same}"));
+        report.line(format!("no region is listed as a neighbour across it{same}"));
         return;
     }
     let mut changes: Vec<String> = Vec::new();

@@ -94,7 +94,7 @@ fn a_circle_that_leaves_a_curve_is_no_pair() {
 fn a_curve_at_which_nothing_is_said_to_change_leads_to_one() {
     let reply = bifdiag("show P+ --body kovalevskaya").succeeds().stdout();
     assert!(
-        reply.contains("no region is listed as ending on it; show ") && !reply.contains("with rising h"),
+        reply.contains("no region is listed as a neighbour across it; show ") && !reply.contains("with rising h"),
         "{reply}"
     );
 }

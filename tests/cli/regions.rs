@@ -184,3 +184,34 @@ fn another_section_condition_has_no_signature() {
     };
     assert!(text(line).contains("\nP = M2\n") && !text(&other).contains("\nP = "));
 }
+
+/// Off a permanent axis the pole enters at another energy than the extremum of U_l, though both begin at l = 0.
+#[test]
+fn a_point_at_rest_has_the_same_classes_with_and_without_regions() {
+    for (body, points) in [
+        ("--A 3,4,5 --r 3,0,4", &["--h 5", "--h=-5"][..]),
+        ("--A 3,4,5 --r 0,0,1", &["--h 1", "--h=-1"]),
+        ("--A 2,2,1 --r 1,1,1/2", &["--h 1.5", "--h=-1.5"]),
+        ("--A 3,2,1 --r 0,0,0", &["--h 0"]),
+        ("--A 2,1,1 --r 0,0,0", &["--h 0"]),
+        ("--A 2,2,1 --r 0,0,0", &["--h 0"]),
+        ("--A 1,1,1 --r 0,0,0", &["--h 0"]),
+    ] {
+        for point in points {
+            let classes = |flag: &str| {
+                let found = bifdiag(&format!("classify {body} {point} --l 0 --json {flag}")).succeeds().json();
+                let list = found["candidates"].as_array().unwrap().clone();
+                list.into_iter().map(|one| one["components"].clone()).collect::<Vec<_>>()
+            };
+            assert_eq!(classes(""), classes("--no-region"), "{body} {point}");
+        }
+    }
+}
+
+/// Where the regions of a body cannot be told apart in f64 and several curves are near, the candidates lacked the answer.
+#[test]
+fn fast_refuses_what_it_cannot_bracket() {
+    let line = "classify --A 18,10,9 --r 1,0,0 --h 2.0000000000000001 --l 6";
+    bifdiag(line).succeeds().printing("S2-2D2");
+    bifdiag(line).and("--accuracy").and("fast").fails().telling("cannot be told apart in f64");
+}

@@ -263,3 +263,12 @@ fn what_a_rotation_falls_to_is_the_same_up_to_a_pitchfork() {
         }
     }
 }
+
+/// Squares of l leave the range of doubles: NaN was printed.
+#[test]
+fn momenta_beyond_doubles_are_refused() {
+    for l in ["1e100", "1e-80"] {
+        let refused = bifdiag("spin-down --A 1,2,2.9 --r 0.3,0.1,0.5 --from G0.1 --l").and(l).refused();
+        refused.telling("leaves f64 for this body; |l| from");
+    }
+}

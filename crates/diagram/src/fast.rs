@@ -65,11 +65,11 @@ pub fn classify(body: &Body, h: &Number, l: &Number) -> Result<Classification, F
     }
     match atlas(body) {
         Ok(atlas) => classify_in(&atlas, h, l).map(|(found, _)| found),
-        // Without an atlas the classes on both sides of the near curves are those at this l.
-        Err(FastError::Unresolved { .. }) => {
+        // Without an atlas the classes on both sides of a near curve are those at this l, if no other curve is as near.
+        Err(error @ FastError::Unresolved { .. }) => {
             let set = CriticalSet::new(body.frame())?;
             let x = abscissa(&set.frame, l.to_f64())?;
-            Ok(AtMomentum::new(&set, h, x).open(body, h, l)?)
+            AtMomentum::new(&set, h, x).open(body, h, l)?.ok_or(error)
         }
         Err(error) => Err(error),
     }
@@ -192,10 +192,14 @@ impl<'a> AtMomentum<'a> {
         Some((Classification::decided(components, self.margin(Some(nearest))), named))
     }
 
-    /// The candidates too near to curves: one class for each cut among the curves within their error bounds.
-    fn open(&self, body: &Body, h: &Number, l: &Number) -> Result<Classification, MergeError> {
+    /// The candidates too near to a curve: the classes on both sides of it. `None` where several curves are too near, since
+    /// rounding may change their order, and where a curve ends.
+    fn open(&self, body: &Body, h: &Number, l: &Number) -> Result<Option<Classification>, MergeError> {
         let first = self.points.partition_point(|(_, p)| p.h() + self.error(p) < self.energy);
         let last = self.points.partition_point(|(_, p)| p.h() - self.error(p) <= self.energy);
+        if self.near_end || last > first + 1 {
+            return Ok(None);
+        }
         let mut candidates: Vec<Components> = Vec::new();
         for cut in first..=last {
             let components = self.components_above(cut)?;
@@ -204,7 +208,7 @@ impl<'a> AtMomentum<'a> {
             }
         }
         let margin = self.margin(self.nearest());
-        Ok(Classification::open(atlas::on_straight_curve(body, h, l), candidates, margin))
+        Ok(Some(Classification::open(atlas::on_straight_curve(body, h, l), candidates, margin)))
     }
 }
 
@@ -215,7 +219,8 @@ pub fn at_rest(body: &Body, h: &Number) -> Classification {
     let frame = body.frame();
     let stands = h.value() >= &RBig::ZERO;
     let euler = frame.is_euler();
-    let disc = || vec![Component { boundary_circles: 1, poles: Some(Poles { plus: true, minus: false }) }];
+    let with_poles = |plus, minus| vec![Component { boundary_circles: 1, poles: Some(Poles { plus, minus }) }];
+    let disc = || with_poles(true, false);
     let sphere = || vec![whole_sphere(!euler)];
     let place = atlas::compare_with_r(body, h);
     // The curve of relative equilibria that begins there; the pole line does, too.
@@ -237,8 +242,29 @@ pub fn at_rest(body: &Body, h: &Number) -> Classification {
         (Greater, false) => Classification::decided(Vec::new(), margin),
         (Greater, true) => Classification::decided(sphere(), margin),
         (Less, _) => Classification::decided(disc(), margin),
-        (Equal, _) if euler => Classification::open(true, vec![Vec::new(), sphere()], margin),
-        (Equal, false) => Classification::open(true, vec![Vec::new(), disc()], margin),
-        (Equal, true) => Classification::open(true, vec![disc(), sphere()], margin),
+        (Equal, _) if euler => Classification::open(true, beginning_without_weight(body), margin),
+        // Off a permanent axis the extremum of U_l and the pole part at l > 0.
+        (Equal, false) if body.flags().axis => Classification::open(true, vec![Vec::new(), disc()], margin),
+        (Equal, true) if body.flags().axis => Classification::open(true, vec![disc(), sphere()], margin),
+        (Equal, false) => Classification::open(true, vec![Vec::new(), with_poles(false, false), disc()], margin),
+        (Equal, true) => Classification::open(true, vec![disc(), with_poles(true, true), sphere()], margin),
     }
+}
+
+/// The classes that meet at h = l = 0 where r = 0: U_l = l²/(2⟨γ, Aγ⟩) has its minima over the largest moment, saddles over the
+/// middle one and maxima over the smallest.
+fn beginning_without_weight(body: &Body) -> Vec<Components> {
+    let component = |boundary_circles| Component { boundary_circles, poles: None };
+    let mut moments = body.moments().each_ref().map(|moment| moment.value().clone());
+    moments.sort();
+    let [smallest, middle, largest] = &moments;
+    let mut classes = vec![Vec::new()];
+    if middle < largest {
+        classes.push(vec![component(1); 2]);
+    }
+    if smallest < middle {
+        classes.push(vec![component(2)]);
+    }
+    classes.push(vec![whole_sphere(false)]);
+    classes
 }

@@ -72,6 +72,9 @@ pub enum PlaceError {
     /// There is no atlas.
     #[error("no atlas of this body was proved within the limits of precision and work")]
     NoAtlas,
+    /// With [`crate::Accuracy::Fast`] there is none.
+    #[error("f64 does not tell apart the regions of this body")]
+    NoFastAtlas,
     /// With [`crate::Accuracy::Fast`], and at l = 0, where no exact place is sought.
     #[error("f64 does not tell apart the regions of this type that are near the point")]
     Rounding,

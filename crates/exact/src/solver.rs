@@ -65,6 +65,12 @@ impl Solver {
         self.fast().or_else(|| self.proof()?.atlas.as_ref())
     }
 
+    /// What to say where there is [no atlas](Self::atlas).
+    #[must_use]
+    pub fn without_atlas(&self) -> PlaceError {
+        if self.accuracy == Accuracy::Fast { PlaceError::NoFastAtlas } else { PlaceError::NoAtlas }
+    }
+
     fn fast(&self) -> Option<&Atlas> {
         let is_answer = |atlas: &Atlas| self.accuracy == Accuracy::Fast || is_decided(atlas);
         self.fast.get_or_init(|| fast::atlas(&self.body).ok().filter(is_answer)).as_ref()
@@ -101,7 +107,8 @@ impl Solver {
     /// # Errors
     /// [`PlaceError`].
     pub fn places(&self, h: &Number, l: &Number, answer: &Answer) -> Result<Vec<Option<RegionId>>, PlaceError> {
-        let atlas = self.atlas().ok_or(PlaceError::NoAtlas)?;
+        let is_fast = self.accuracy == Accuracy::Fast;
+        let atlas = self.atlas().ok_or_else(|| self.without_atlas())?;
         let places = atlas.places(h, l, answer);
         let is_exact = match (self.accuracy, answer) {
             // Each class of a critical point is that of one region at least.
@@ -112,7 +119,7 @@ impl Solver {
         };
         match places {
             Some(places) if is_exact => Ok(places),
-            _ if self.accuracy == Accuracy::Fast || l.value().is_zero() => Err(PlaceError::Rounding),
+            _ if is_fast || l.value().is_zero() => Err(PlaceError::Rounding),
             // What does not fit the answer is no answer.
             _ => self.placed_exactly(atlas, h, l).and_then(|found| {
                 let fits = |&place: &Option<RegionId>| atlas.class(place).is_some_and(|class| answer.allows(class));

@@ -327,7 +327,7 @@ pub struct SummaryDocument {
     /// How many of the `regions` have each signature (for r = 0, each type of U).
     pub signatures: BTreeMap<String, usize>,
     /// The largest number of relative equilibria at one l, of the whole half-plane also where a window was searched; a critical
-    /// circle or sphere counts once.
+    /// circle or sphere counts once. With `fast` it may be too large where events are nearer than f64 resolves.
     pub critical_points_max: usize,
     /// What could not be decided.
     pub undecided: Vec<UndecidedDocument>,

@@ -51,7 +51,7 @@ pub struct ClassDocument {
     /// Its share of all physical bodies; if none of them has it, of all bodies with A > 0. Second moments of mass (or A
     /// itself) are uniform on a simplex, r̂ on the sphere. With a stratum: its share of the bodies of that stratum.
     pub measure: f64,
-    /// Standard error of `measure`; if no body of the sample has the class, the share of one body.
+    /// Standard error of `measure`; if none or all of the sampled bodies have the class, the share of one body.
     pub measure_error: f64,
     /// The classes beside it, by name and event; empty for all of `others`.
     pub neighbours: Vec<ClassNeighbourDocument>,

@@ -27,7 +27,7 @@ term! {
         /// A further integral, as at the sleeping top.
         Integral = "integral",
         /// Arnold's theorem: no resonance ω₁ = ω₂, 2ω₂ or 3ω₂, and D₄ is not 0; or D₄ = 0, no resonance k₁ω₁ = k₂ω₂ with
-        /// k₁ + k₂ ≤ 6, and D₆ is not 0.
+        /// k₁ + k₂ ≤ 6, and D₆ is not 0. Also at ω₁ = 2ω₂ where the resonant cubic term vanishes.
         Arnold = "arnold",
         /// An eigenvalue with positive real part.
         Spectrum = "spectrum",
@@ -42,7 +42,7 @@ term! {
     }
 }
 
-/// Distances to the resonances, from the coefficients of λ⁴ + bλ² + c; each is 0 exactly at its resonance.
+/// Distances to the resonances, from the coefficients of λ⁴ + bλ² + c; each vanishes at its resonance, to rounding.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ResonancesDocument {
     /// (b² − 4c)/b².

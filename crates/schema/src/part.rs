@@ -39,7 +39,7 @@ pub struct PartDocument {
     pub mass: String,
     /// The acceleration of gravity in m/s².
     pub g: String,
-    /// Units of mass, length and time, of the block and of every number of the document.
+    /// Units of mass, length and time, of the block and of h, l, A and r in the document; `g` is in m/s², spins in rpm and rad/s.
     pub units: String,
     /// About the fixed point: the axes in which A, r and γ of the document are.
     pub principal: PrincipalDocument,

@@ -106,11 +106,11 @@ pub struct SteadyStretchDocument {
     pub stability: Stability,
     /// What is known of its stability, except at the isolated spins.
     pub stable: Verdict,
-    /// The isolated spins inside at which Arnold's theorem does not apply; `null` where not all of them were found.
+    /// The isolated spins inside at which the usual conditions of Arnold's theorem fail; `null` where not all of them were found.
     pub isolated: Option<Vec<IsolatedSpinDocument>>,
 }
 
-/// Steady axes that move with the spin without meeting others, from one spin to infinity.
+/// Steady axes that continue each other over the spin, from one spin to infinity; others may leave them at forks.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SteadyFamilyDocument {
     /// Id of the branch of relative equilibria on which it lies; two families that begin in a fold share one.
@@ -202,7 +202,7 @@ pub struct SpinStretchDocument {
     pub stability: SpinType,
     /// The verdict, except at the isolated spins.
     pub nonlinear: NonlinearDocument,
-    /// The isolated spins inside at which Arnold's theorem does not apply; `null` where not all of them were found.
+    /// The isolated spins inside at which the usual conditions of Arnold's theorem fail; `null` where not all of them were found.
     pub isolated: Option<Vec<IsolatedSpinDocument>>,
     /// What friction leaves of it.
     pub friction: FrictionDocument,

@@ -47,7 +47,7 @@ class Equilibria(Table):
         eigenvalue 0). Across a circle of them there is one pair only: ``"elliptic"`` imaginary, ``"saddle"`` real,
         ``"zero"`` 0; along it the eigenvalues are 0.
     stable : masked array (n,) of bool
-        Stable at fixed l, up to rotation about the vertical; masked where that is open (pandas: NA; in a row: None).
+        Stable at fixed l, up to rotation about the vertical (of a circle or sphere of them, the whole of it); masked where that is open (pandas: NA; in a row: None).
     stable_by : array (n,) of str
         Why: ``"energy"`` (a minimum), ``"integral"`` (a further integral), ``"arnold"`` (Arnold's theorem), ``"spectrum"`` (an
         eigenvalue with positive real part); ``"resonance 1:1"``, ``"resonance 1:2"``, ``"resonance 1:3"`` and
@@ -146,7 +146,7 @@ class Equilibria(Table):
 
     @property
     def shape(self) -> tuple[int]:
-        """The number of rows."""
+        """The number of rows, as a tuple."""
         return (len(self),)
 
     @overload

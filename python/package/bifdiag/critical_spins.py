@@ -41,7 +41,8 @@ class SpinRanges(Table):
         It stays stable with a small friction that conserves l; masked where nothing is known of that, and of families,
         of which it is not told: there it survives where ``stable_by`` is ``"energy"``.
     isolated : array (n,) of int
-        Isolated spins inside at which Arnold's theorem does not apply, rows of `CriticalSpins`; −1 where not all are known.
+        Isolated spins inside at which the usual conditions of Arnold's theorem fail, rows of `CriticalSpins`; −1 where not all
+        are known.
     """
 
     up: Texts
@@ -127,7 +128,8 @@ class CriticalSpins(Table):
         Momentum and energy; NaN where ``kind`` is ``"isolated"``.
     kind : array (n,) of str
         What changes: ``"stability"``, ``"region"`` (of the diagram beside it), ``"stability-and-region"``; ``"start"``
-        where the rotation itself begins; ``"isolated"`` where Arnold's theorem does not apply at this spin alone.
+        where the rotation itself begins; ``"isolated"`` where at this spin alone the usual conditions of Arnold's theorem
+        fail.
     event : array (n,) of str
         What happens: ``"fork"``, ``"crossing"``, ``"cusp"``, ``"fold"`` of curves, ``"hamiltonian-hopf"``,
         ``"real-collision"``, ``"zero"`` of eigenvalues, ``"1:2"``, ``"D4"``, … of an isolated spin; ``""`` where only the

@@ -6,7 +6,7 @@ class BifdiagError(Exception):
 
 
 class InputError(BifdiagError, ValueError):
-    """Invalid input. The message names it and gives a valid alternative."""
+    """Invalid input. The message names it and, where it is not plain, says what is valid."""
 
 
 class BodyError(InputError):

@@ -142,7 +142,7 @@ class PeriodicFamily(_Orbits):
         """How it ends; ``meta["end"]`` has more.
 
         ``"equilibrium"``, ``"separatrix"``, ``"circle"`` (of equilibria), ``"joined"``, ``"members"`` (so many were asked
-        for), ``"lost"``; ``"resonant"`` or ``"not-isolated"`` (not begun).
+        for), ``"lost"`` (without rows where it was not begun); ``"resonant"`` or ``"not-isolated"`` (not begun).
         """
         end: str = self.meta["end"]["kind"]
         return end

@@ -59,7 +59,7 @@ class Margin:
     h : float
         ``|h − h_c|`` to the nearest critical curve or pole line at this l.
     nearest : str
-        Id of that curve.
+        Id of that curve; ``l=0`` at rest without weight, where no curve of the atlas is nearest.
     error_bound : float
         Bound on the error of ``h``.
     """
@@ -134,7 +134,7 @@ class Classification(behaviour.Classification):
     candidates : tuple[Candidate, ...]
         Each region that meets at a critical or undecided point, once; without an atlas, each class.
     note : str or None
-        Why something is None.
+        Why the region or the class of a point is not known.
     """
 
     h: str
@@ -443,9 +443,9 @@ class VerdictChange:
     why : str
         Why. ``"energy"``: A strict minimum of U_l (Lagrange–Dirichlet). ``"integral"``: A further integral, as at the
         sleeping top. ``"arnold"``: Arnold's theorem: no resonance ω₁ = ω₂, 2ω₂ or 3ω₂, and D₄ is not 0; or D₄ = 0, no
-        resonance k₁ω₁ = k₂ω₂ with k₁ + k₂ ≤ 6, and D₆ is not 0. ``"spectrum"``: An eigenvalue with positive real part.
-        ``"resonance 1:2"``: ω₁ = 2ω₂. ``"resonance 1:3"``: ω₁ = 3ω₂. ``"resonance 1:1"``: ω₁ = ω₂. ``"degenerate"``: An
-        eigenvalue zero, or D₄ = 0 where D₆ does not decide.
+        resonance k₁ω₁ = k₂ω₂ with k₁ + k₂ ≤ 6, and D₆ is not 0. Also at ω₁ = 2ω₂ where the resonant cubic term vanishes.
+        ``"spectrum"``: An eigenvalue with positive real part. ``"resonance 1:2"``: ω₁ = 2ω₂. ``"resonance 1:3"``: ω₁ = 3ω₂.
+        ``"resonance 1:1"``: ω₁ = ω₂. ``"degenerate"``: An eigenvalue zero, or D₄ = 0 where D₆ does not decide.
     changes : bool
         The verdicts before and after differ.
     error_bound : float
@@ -481,7 +481,7 @@ class VerdictChange:
 
 @dataclass(frozen=True, slots=True)
 class Resonances:
-    """Distances to the resonances, from the coefficients of λ⁴ + bλ² + c; each is 0 exactly at its resonance.
+    """Distances to the resonances, from the coefficients of λ⁴ + bλ² + c; each vanishes at its resonance, to rounding.
 
     Attributes
     ----------
@@ -518,9 +518,9 @@ class Nonlinear:
     why : str
         Why. ``"energy"``: A strict minimum of U_l (Lagrange–Dirichlet). ``"integral"``: A further integral, as at the
         sleeping top. ``"arnold"``: Arnold's theorem: no resonance ω₁ = ω₂, 2ω₂ or 3ω₂, and D₄ is not 0; or D₄ = 0, no
-        resonance k₁ω₁ = k₂ω₂ with k₁ + k₂ ≤ 6, and D₆ is not 0. ``"spectrum"``: An eigenvalue with positive real part.
-        ``"resonance 1:2"``: ω₁ = 2ω₂. ``"resonance 1:3"``: ω₁ = 3ω₂. ``"resonance 1:1"``: ω₁ = ω₂. ``"degenerate"``: An
-        eigenvalue zero, or D₄ = 0 where D₆ does not decide.
+        resonance k₁ω₁ = k₂ω₂ with k₁ + k₂ ≤ 6, and D₆ is not 0. Also at ω₁ = 2ω₂ where the resonant cubic term vanishes.
+        ``"spectrum"``: An eigenvalue with positive real part. ``"resonance 1:2"``: ω₁ = 2ω₂. ``"resonance 1:3"``: ω₁ = 3ω₂.
+        ``"resonance 1:1"``: ω₁ = ω₂. ``"degenerate"``: An eigenvalue zero, or D₄ = 0 where D₆ does not decide.
     D4_over_s : float or None
         Arnold's determinant D₄ = K₁₁ω₂² + K₁₂ω₁ω₂ + K₂₂ω₁² over Ω², where H = ω₁I₁ − ω₂I₂ + K₁₁I₁² + K₁₂I₁I₂ + K₂₂I₂² + …
         with the pair of positive Krein sign first; None except at index 2 with two distinct imaginary pairs, and there too
@@ -663,7 +663,7 @@ class Curve(behaviour.Curve):
         The branch in words: ``from +r̂``, ``between axis 1 and axis 2``, ``pair over axis 2``, ``circle over axes 1 and
         2``, …
     index : int or None
-        Morse index; None for a pole line off the critical curves.
+        Morse index; None for a pole line.
     multiplicity : int
         2 for a symmetric pair (a double curve), else 1.
     coincides_with : tuple[str, ...]

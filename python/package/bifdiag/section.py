@@ -34,8 +34,8 @@ class Section(StoredTable):
     gamma, l : array (n, 3)
         The downward vertical γ and the angular momentum, in the body's axes.
     sheet : array (n,) of int
-        +1 on the half T⁺ of the PP-torus, where Δ = ⟨ω × γ, A⁻¹(γ × r)⟩ > 0, −1 on T⁻, where Δ < 0. Over each γ of U lie
-        two states of the section, one on each sheet.
+        +1 on the half T⁺ of the PP-torus, where Δ = ⟨ω × γ, A⁻¹(γ × r)⟩ > 0, −1 on T⁻, where Δ < 0. Over each γ
+        inside U but ±r̂ lie two states of the section, one on each sheet.
     s_dot : array (n,)
         dS/dt: negative where the crossing is incoming (centre of mass lowest), positive where outgoing. With
         ``condition="angular-momentum"`` S is ⟨l, γ × r⟩, which vanishes where ``|l|`` is extremal.

@@ -114,7 +114,7 @@ def starts(known: Iterable[Range]) -> Iterator[Document]:
 
 
 def isolated(known: Iterable[Range]) -> Iterator[Document]:
-    """Spins at which alone Arnold's theorem does not apply."""
+    """Spins at which alone the usual conditions of Arnold's theorem fail."""
     nan = float("nan")
     for one in known:
         # Where the axis does not move, its end is that of every spin.

@@ -28,7 +28,8 @@ Examples:
 
 Two bodies belong to the same class when their diagrams agree up to deformation: lengths, stability and the order of \
 unrelated events may differ. With --at: the class of a body and its distances to the borders of that class. A distance is \
-√(|ΔA|² + ∠²), with A scaled to the sum 2 and ∠ the angle between the two r.";
+√(|ΔA|² + ∠²), with A scaled to the sum 2 and ∠ the angle between the two r, turned first \
+among axes of equal moments.";
 
 /// `bifdiag classes`.
 #[derive(Debug, Args)]

@@ -8,7 +8,7 @@ use bifdiag_diagram::atlas::{Region, Spot};
 use bifdiag_diagram::fast::FastError;
 use bifdiag_diagram::topology::Classification;
 use bifdiag_documents::{GridAxis, Subject};
-use bifdiag_exact::{AnswerError, PlaceError, Solver, classify};
+use bifdiag_exact::{AnswerError, Solver, classify};
 use bifdiag_numbers::table::Id;
 use bifdiag_schema::Accuracy;
 use rayon::prelude::*;
@@ -52,7 +52,7 @@ pub fn grid(
 ) -> Result<(), Failure> {
     let prepared = Solver::new(subject.body.clone(), accuracy);
     let [h, l] = [&asked.h, &asked.l].map(GridAxis::values);
-    let atlas = prepared.atlas().ok_or_else(|| Failure::work(format!("--grid: {}", PlaceError::NoAtlas)))?;
+    let atlas = prepared.atlas().ok_or_else(|| Failure::work(format!("--grid: {}", prepared.without_atlas())))?;
     let rows: Result<Vec<Vec<Spot>>, AnswerError> =
         timings.stage("rows", || l.par_iter().map(|&l| prepared.row(l, &h).unwrap_or(Ok(Vec::new()))).collect());
     let codes: Vec<i32> = rows

@@ -58,7 +58,7 @@ pub struct PartArguments {
     /// Mass
     #[arg(long, value_name = "m", allow_hyphen_values = true, value_parser = values::mass)]
     pub mass: Option<Quantity>,
-    /// Units of mass, length and time, for the part and all results (default: kg,m,s)
+    /// Units of mass, length and time, for the part and for results other than spins and frequencies (default: kg,m,s)
     #[arg(long, value_name = "kg,mm,s", value_parser = values::units, hide_short_help = true)]
     pub units: Option<Units>,
     /// Acceleration of gravity, always in m/s² (default: 9.80665)

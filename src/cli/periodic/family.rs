@@ -25,8 +25,9 @@ Examples:
   bifdiag periodic family --body paper --from G2.1 --l 1.5 --branches --json
   bifdiag periodic family --body paper --from G2.1 --h 1 --out families
 
-From each imaginary pair of eigenvalues of a relative equilibrium a family of periodic orbits begins (Lyapunov's centre theorem). It \
-is followed at fixed l or fixed h; folds, doublings, triplings and crossings with other families are located on the way.";
+From each imaginary pair of eigenvalues of an isolated relative equilibrium a family of periodic orbits begins, if no other pair \
+is a multiple of it (Lyapunov's centre theorem). It is followed at fixed l or fixed h; folds, doublings, triplings and crossings \
+with other families are located on the way.";
 
 /// `bifdiag periodic family`.
 #[derive(Debug, Args)]

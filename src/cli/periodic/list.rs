@@ -27,8 +27,9 @@ Examples:
   bifdiag periodic list --body paper --l 1.5 --stable --period 2:5
   bifdiag periodic list --body paper --l 0.5:1.5:3 --family G2.1/1 --data orbits.csv
 
-A family begins at every imaginary pair of every relative equilibrium (Lyapunov's centre theorem). Without --l and --h families are \
-followed at l = 0 and at one momentum of each kind: between any two at which equilibria appear, vanish or change their linear type. \
+A family begins at every imaginary pair of every isolated relative equilibrium (Lyapunov's centre theorem), but for resonant \
+ones. Without --l and --h families are followed at l = 0 and at one momentum of each kind: between any two at which equilibria \
+appear, vanish or change their linear type. \
 With --data, an interrupted list resumes when the same command is run again.";
 
 /// `bifdiag periodic list`.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use bifdiag_body::Number;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_documents::{DocumentOptions, Subject};
-use bifdiag_equilibria::curves::{CurveName, abscissa};
+use bifdiag_equilibria::curves::{CurveName, MomentumError, abscissa};
 use bifdiag_exact::Accuracy;
 use bifdiag_plot::{DiagramOptions, DiagramView, MarkedPoints, draw};
 use bifdiag_schema::{SlowdownDocument, SlowdownEvent, SpinDownDocument, WindowDocument};
@@ -35,7 +35,7 @@ pub struct SpinDownArguments {
     #[arg(long, value_name = "CURVE", help_heading = "Rotation")]
     pub from: String,
     /// Initial vertical angular momentum; its sign does not matter (default: the largest l of the curve, or twice the l
-    /// of the last event if the curve is unbounded)
+    /// of the last event if the curve is unbounded, without events twice the unit of the diagram)
     #[arg(long = "l", value_name = "l", allow_hyphen_values = true, value_parser = values::number, help_heading = "Rotation")]
     pub momentum: Option<Number>,
     /// Draw the path over the diagram, to DIR/spin-down.svg
@@ -94,7 +94,11 @@ pub fn run(arguments: &SpinDownArguments, timings: &Timings) -> Result<(), Failu
         let range = if upper == "inf" { format!("above {lower}") } else { format!("above {lower}, up to {upper}") };
         return Err(Failure::input(format!("--l {refused}: the curve {id} has l {range}")));
     }
-    abscissa(&set.frame, l).map_err(|error| Failure::input(format!("--l: {error}")))?;
+    abscissa(&set.frame, l).map_err(|MomentumError { smallest, largest, .. }| {
+        Failure::input(format!(
+            "--l {l:e} leaves f64 for this body; |l| from {smallest:.1e} to {largest:.1e} is possible"
+        ))
+    })?;
     let command = subject.command("spin-down").option("from", &id).option("l", format!("{l:?}"));
     let document = bifdiag_documents::spin_down(&subject, command, &atlas, from, l);
     let written = match &arguments.out {

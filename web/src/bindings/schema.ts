@@ -84,7 +84,7 @@ export interface Part {
   mass: string;
   /** The acceleration of gravity in m/s². */
   g: string;
-  /** Units of mass, length and time, of the block and of every number of the document. */
+  /** Units of mass, length and time, of the block and of h, l, A and r in the document; `g` is in m/s², spins in rpm and rad/s. */
   units: string;
   /** About the fixed point: the axes in which A, r and γ of the document are. */
   principal: Principal;
@@ -126,7 +126,7 @@ export interface Curve {
   branch: string;
   /** The branch in words: `from +r̂`, `between axis 1 and axis 2`, `pair over axis 2`, `circle over axes 1 and 2`, … */
   branch_name: string;
-  /** Morse index; null for a pole line off the critical curves. */
+  /** Morse index; null for a pole line. */
   index: number | null;
   /** 2 for a symmetric pair (a double curve), else 1. */
   multiplicity: number;
@@ -184,7 +184,7 @@ export type NonlinearVerdict = "stable" | "unstable" | "open";
 /** Why a relative equilibrium has its verdict. */
 export type Reason = "energy" | "integral" | "arnold" | "spectrum" | "resonance 1:2" | "resonance 1:3" | "resonance 1:1" | "degenerate";
 
-/** Distances to the resonances, from the coefficients of λ⁴ + bλ² + c; each is 0 exactly at its resonance. */
+/** Distances to the resonances, from the coefficients of λ⁴ + bλ² + c; each vanishes at its resonance, to rounding. */
 export interface Resonances {
   /** (b² − 4c)/b². */
   "1:1": number;
@@ -330,7 +330,7 @@ export interface Sample {
 export interface Margin {
   /** `|h − h_c|` to the nearest critical curve or pole line at this l. */
   h: number;
-  /** Id of that curve. */
+  /** Id of that curve; `l=0` at rest without weight, where no curve of the atlas is nearest. */
   nearest: string;
   /** Bound on the error of `h`. */
   error_bound: number;
@@ -378,7 +378,7 @@ export interface Summary {
   events: number;
   /** How many of the `regions` have each signature (for r = 0, each type of U). */
   signatures: Record<string, number>;
-  /** The largest number of relative equilibria at one l, of the whole half-plane also where a window was searched; a critical circle or sphere counts once. */
+  /** The largest number of relative equilibria at one l, of the whole half-plane also where a window was searched; a critical circle or sphere counts once. With `fast` it may be too large where events are nearer than f64 resolves. */
   critical_points_max: number;
   /** What could not be decided. */
   undecided: Undecided[];
@@ -592,7 +592,7 @@ export interface Classification {
   signature: string | null;
   /** Each region that meets at a critical or undecided point, once; without an atlas, each class. */
   candidates?: Candidate[];
-  /** Why something is null. */
+  /** Why the region or the class of a point is not known. */
   note?: string;
   /** The part from which A and r were computed, when one was given. */
   part?: Part;

@@ -127,8 +127,6 @@ impl BorderSearch {
     /// The borders of a special body at which the moment of an axis with r_k = 0 passes that of one with r_i ≠ 0, and a pitchfork goes
     /// through infinity: the bodies with A_k = A_i that are nearest to it.
     fn passing(&self, body: &ReducedBody) -> Vec<NearestBorder> {
-        /// Moments of the sum 2 that differ by less are equal.
-        const EQUAL: f64 = 1e-12;
         let Surroundings { basis, set } = &self.around;
         let ReducedBody { a, r } = body;
         let pairs = (0..3).flat_map(|k| (0..3).map(move |i| (k, i))).filter(|&(k, i)| r[k] == 0.0 && r[i] > 0.0);
@@ -148,10 +146,7 @@ impl BorderSearch {
             if matches!(border.event, BorderEventKind::PitchforkAtInfinity { .. }) {
                 return border;
             }
-            let a = border.body.a;
-            let is_equal = |k: &BodyAxis| (0..3).any(|i| i != k.index() && (a[k.index()] - a[i]).abs() < EQUAL);
-            let axes = BodyAxis::ALL.into_iter().filter(is_equal).collect();
-            NearestBorder { event: BorderEventKind::MomentsEqual { axes }, ..border }
+            NearestBorder { event: BorderEventKind::MomentsEqual { axes: equal_moments(&border.body) }, ..border }
         };
         places.flat_map(|place| self.at(&place)).map(named).collect()
     }
@@ -250,7 +245,19 @@ impl BorderSearch {
 }
 
 fn border_at(line: &BodyLine, s: f64, class: Class, event: BorderEventKind, direction: Vec<f64>) -> NearestBorder {
-    NearestBorder { class, event, distance: line.distance(s), body: ReducedBody::of(line.at(s)), direction }
+    let body = ReducedBody::of(line.at(s));
+    let axes = equal_moments(&body);
+    // More than one pitchfork goes to infinity there.
+    let event = if axes.len() == 3 { BorderEventKind::MomentsEqual { axes } } else { event };
+    NearestBorder { class, event, distance: line.distance(s), body, direction }
+}
+
+/// The axes whose moment is that of another one, too.
+fn equal_moments(body: &ReducedBody) -> Vec<BodyAxis> {
+    /// Moments of the sum 2 that differ by less are equal.
+    const EQUAL: f64 = 1e-12;
+    let is_equal = |k: &BodyAxis| (0..3).any(|i| i != k.index() && (body.a[k.index()] - body.a[i]).abs() < EQUAL);
+    BodyAxis::ALL.into_iter().filter(is_equal).collect()
 }
 
 /// The body at a place of a line.
