@@ -105,9 +105,9 @@ class Curve(Drawn):
         """Points [h, l] by rising l, dense enough for a picture of the diagram.
 
         No chord between them leaves the curve by more than 1/800 of the size of the whole diagram, whose l reaches up to
-        l₁, the largest of 1.6 times the l of the last event and 3√(A|r|) with the largest A (|r| read as 1 where r = 0), and
-        its h up to l₁²/(2A) + 2|r|. An unbounded curve goes on beyond the last one. `Atlas.polyline` gives finer ones. Of a
-        file without a drawing there are none.
+        l₁, the largest of 1.6 times the l of the last event and 3√(A|r|) with the largest A, and its h up to l₁²/(2A) +
+        2|r|, where without weight 1 stands for the length of r. An unbounded curve goes on beyond the last one.
+        `Atlas.polyline` gives finer ones. Of a file without a drawing there are none.
         """
         drawn = getattr(self, "_drawn", None)
         return np.array(drawn["polyline"] if drawn else [], dtype=float).reshape(-1, 2)

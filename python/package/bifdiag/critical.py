@@ -47,10 +47,11 @@ class Equilibria(Table):
         eigenvalue 0). Across a circle of them there is one pair only: ``"elliptic"`` imaginary, ``"saddle"`` real,
         ``"zero"`` 0; along it the eigenvalues are 0.
     stable : masked array (n,) of bool
-        Stable at fixed l, up to rotation about the vertical (of a circle or sphere of them, the whole of it); masked where that is open (pandas: NA; in a row: None).
+        Stable at fixed l, up to rotation about the vertical (of a circle or sphere of them, the whole of it); masked where
+        that is open (pandas: NA; in a row: None).
     stable_by : array (n,) of str
-        Why: ``"energy"`` (a minimum), ``"integral"`` (a further integral), ``"arnold"`` (Arnold's theorem), ``"spectrum"`` (an
-        eigenvalue with positive real part); ``"resonance 1:1"``, ``"resonance 1:2"``, ``"resonance 1:3"`` and
+        Why: ``"energy"`` (a minimum), ``"integral"`` (a further integral), ``"arnold"`` (Arnold's theorem), ``"spectrum"``
+        (an eigenvalue with positive real part); ``"resonance 1:1"``, ``"resonance 1:2"``, ``"resonance 1:3"`` and
         ``"degenerate"`` where none of these decides: ``stable`` may be True, False or masked there.
     verdict : array (n,) of str
         ``"stable"``, ``"unstable"`` or ``"open"``.

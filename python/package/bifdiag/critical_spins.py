@@ -41,8 +41,8 @@ class SpinRanges(Table):
         It stays stable with a small friction that conserves l; masked where nothing is known of that, and of families,
         of which it is not told: there it survives where ``stable_by`` is ``"energy"``.
     isolated : array (n,) of int
-        Isolated spins inside at which the usual conditions of Arnold's theorem fail, rows of `CriticalSpins`; −1 where not all
-        are known.
+        Isolated spins inside at which the usual conditions of Arnold's theorem fail, rows of `CriticalSpins`; −1 where not
+        all are known.
     """
 
     up: Texts
