@@ -265,3 +265,20 @@ fn the_proof_has_as_many_digits_as_are_asked() {
     bifdiag(&format!("{line} --bound 0")).refused().telling("from 1e-140 to 1");
     bifdiag("orbit --body paper --gamma 0,0,1 --omega 1,0,0 --digits 30").refused().telling("--proved");
 }
+
+/// Angles become doubles, from which the motion is proved: the same start written out encloses another motion.
+#[test]
+fn a_proof_from_angles_prints_its_start() {
+    let line = "orbit --body paper --omega 1,0.3,1 --times 0:1:2 --proved";
+    let angles = bifdiag(&format!("{line} --euler pi/3,pi/2,0")).succeeds();
+    angles.printing("proved from the start rounded to doubles: gamma = (0.866025403784438");
+    let text = bifdiag(&format!("{line} --gamma 0.6,0,0.8")).succeeds().stdout();
+    assert!(!text.contains("rounded to doubles"), "{text}");
+}
+
+/// A = (4, 4, 1) turns steadily about the axis of r with l = 4: the integral, which the case keeps at l = 0 alone, is constant.
+#[test]
+fn an_integral_that_a_case_does_not_keep_may_be_constant() {
+    let line = "orbit --A 4,4,1 --r 1,0,0 --gamma 1,0,0 --omega 1,0,0 --times 0:2:2";
+    bifdiag(line).succeeds().printing("constant where l = 0 only, and on steady rotations: largest deviation 0");
+}

@@ -134,3 +134,15 @@ fn a_narrow_range_is_printed_as_narrow_as_it_is() {
     let line = "critical-spin --inertia 4,3,2,0,0,0 --axis z --g 10 --com";
     bifdiag(line).and("0,0,0.1±1e-9").and("--mass").and("1").succeeds().printing("9.549296533 .. 9.549296638");
 }
+
+/// The nearest rotation is one of a circle, which parts with other moments lack: the bounds were those of the axis of symmetry.
+#[test]
+fn no_bounds_are_given_of_a_circle_of_rotations() {
+    for line in [
+        "--A 2,2,1 --r 0,0,1 --axis 1,1,1 --tolerance 1%",
+        "--inertia-com 2,2,1,0,0,0±0.01 --products tensor --com 0,0,0.1 --mass 1 --axis 1,1,1",
+    ] {
+        let text = bifdiag(&format!("critical-spin {line}")).succeeds().stdout();
+        assert!(text.contains("no bounds: the steady axis") && !text.contains("outside these ranges"), "{text}");
+    }
+}

@@ -274,3 +274,22 @@ fn arnolds_determinant_is_in_the_units_of_the_body() {
         }
     }
 }
+
+/// At the cusp of a circle U_l has an inflection across it and falls on one side. The third component of ω keeps the
+/// motion without friction; with it the body falls, as `spin-down` says.
+#[test]
+fn the_cusp_of_a_circle_is_no_minimum() {
+    for line in [
+        "critical --A 3,3,7 --r 0,0,2 --l 4",
+        "critical --A 27,27,52 --r 0,0,15 --l 36",
+        "critical --A 27,27,52 --r 0,0,15 --spin 1rad/s",
+    ] {
+        let text = bifdiag(line).succeeds().stdout();
+        assert!(text.contains("S12.1  elliptic  stable (integral)"), "{line}: {text}");
+        assert!(text.contains("stable on L+.1\n"), "{line}: {text}");
+    }
+    bifdiag("state --A 27,27,52 --r 0,0,15 --omega .8,0,.6 --vertical .8,0,.6")
+        .succeeds()
+        .printing("stable (a further integral)")
+        .printing("with friction that conserves l: unstable");
+}

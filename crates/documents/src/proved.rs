@@ -69,9 +69,16 @@ pub fn proved_motion(
         bits: motion.bits,
         steps: motion.steps,
         complete: motion.samples.len() == times.len(),
-        notes: motion.end.map(|end| ending(asked, motion, end)).into_iter().collect(),
+        notes: motion.end.map(|end| ending(asked, motion, end)).into_iter().chain(rounded(subject)).collect(),
         part: subject.part.clone(),
     }
+}
+
+/// What is enclosed where the body itself was rounded.
+fn rounded(subject: &Subject) -> Option<String> {
+    let is_rounded = subject.part.as_ref().is_some_and(|part| !part.exact);
+    is_rounded
+        .then(|| "A and r of this part are rounded to at least 130 digits; the motion is that of these".to_owned())
 }
 
 /// Where the proof ended and what goes further.

@@ -118,7 +118,7 @@ fn note(subject: &Subject, tolerances: Tolerances<'_>, found: &AxisSpins) -> Opt
     if found.ends.is_some() {
         return (!found.has_regions).then(|| NO_REGIONS.to_owned());
     }
-    if let (Tolerances::Shares(shares), Some(_)) = (tolerances, found.nearest())
+    if let (Tolerances::Shares(shares), Some(_)) = (tolerances, found.nearest_isolated())
         && Tolerances::share_of_all(shares).is_none()
     {
         let right = "give one share for all, such as 1%";
@@ -133,6 +133,13 @@ fn note(subject: &Subject, tolerances: Tolerances<'_>, found: &AxisSpins) -> Opt
             Tolerances::Shares(_) | Tolerances::Measured(..) => "; for bounds give another axis",
         };
         return Some(format!("{NONE_NEAREST}{bounds}"));
+    }
+    if !matches!(tolerances, Tolerances::Exact) && found.nearest().is_some() && found.nearest_isolated().is_none() {
+        let axes = fast_axes(subject, plus);
+        return Some(format!(
+            "no bounds: the steady axis {axes} that is nearest to it at fast spins is one of a circle or sphere of them, which \
+            bodies with other moments do not have"
+        ));
     }
     (plus.len() > 1).then(|| {
         let listed = match tolerances {

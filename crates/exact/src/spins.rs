@@ -97,6 +97,12 @@ impl AxisSpins {
         Some([plus, minus])
     }
 
+    /// These where bodies with other moments have them too: no circle or sphere of axes remains when its moments become different.
+    #[must_use]
+    pub fn nearest_isolated(&self) -> Option<[&SteadyFamily; 2]> {
+        self.nearest().filter(|both| both.iter().all(|family| matches!(family.axes, Multiplicity::Points(_))))
+    }
+
     /// The families beside the axis, each once: of a circle of axes the other end is shown by the same.
     pub fn families(&self) -> impl Iterator<Item = &SteadyFamily> {
         let [plus, minus] = self.beside.as_ref().map_or([&[][..]; 2], |both| both.each_ref().map(Vec::as_slice));

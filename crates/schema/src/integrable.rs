@@ -36,7 +36,8 @@ pub struct FurtherIntegralDocument {
     /// Of which case.
     #[serde(flatten)]
     pub of: IntegrableDocument,
-    /// True if it is constant along these motions, within rounding of their starts.
+    /// True if the case keeps it along these motions, within rounding of their starts; on a steady rotation it is constant
+    /// in any case.
     pub kept: bool,
     /// Its value at the start; of several motions the largest in magnitude.
     pub at_start: f64,

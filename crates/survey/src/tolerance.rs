@@ -45,7 +45,8 @@ impl Tolerances<'_> {
 
 impl Tolerated {
     /// Of rotation about an axis, which is `up` in the frame of the part. `None` for exact numbers, where several steady
-    /// rotations are equally near to the axis, and for shares that differ where the axis is not permanent.
+    /// rotations are equally near to the axis or the nearest one is one of a circle, and for shares that differ where the
+    /// axis is not permanent.
     #[must_use]
     pub fn new(body: &Body, spins: &AxisSpins, tolerances: Tolerances<'_>, up: [f64; 3]) -> Option<Self> {
         match tolerances {
@@ -66,7 +67,7 @@ impl Tolerated {
                 classes: classes_of(sampled_bodies(&ends[0].rotation, &shares)),
             });
         }
-        let [plus, minus] = spins.nearest()?;
+        let [plus, minus] = spins.nearest_isolated()?;
         let share = Tolerances::share_of_all(shares)?.value();
         let settled = |up, slowest| settled_types_of_shares(body, share, up, slowest);
         Some(Self {
@@ -79,7 +80,7 @@ impl Tolerated {
     fn of_part(spins: &AxisSpins, part: &Part, measured: &MeasuredPart, up: [f64; 3]) -> Option<Self> {
         let near = match (&spins.ends, spins.kind) {
             (Some(ends), AxisKind::Permanent { .. }) => ends.each_ref().map(|end| Near::Axis(&end.rotation)),
-            _ => spins.nearest()?.map(|family| Near::NominalRotation { slowest: family.slowest() }),
+            _ => spins.nearest_isolated()?.map(|family| Near::NominalRotation { slowest: family.slowest() }),
         };
         let settled = |up, near| settled_types_of_part(part, measured, up, near);
         Some(Self {

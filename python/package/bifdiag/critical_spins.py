@@ -181,8 +181,8 @@ class CriticalSpins(Table):
     def bounds(self) -> SpinBounds | None:
         """Bounds on the critical spins of every part within the tolerance.
 
-        None where no number has one that the spins depend on, and where several steady rotations are equally near to the
-        axis.
+        None where no number has one that the spins depend on, where several steady rotations are equally near to the axis,
+        and where the nearest one is one of a circle of them.
         """
         told = self.meta.get("tolerance")
         if told is None:

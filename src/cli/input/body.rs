@@ -194,7 +194,7 @@ pub fn add_integrals(report: &mut Report, integrals: &[FurtherIntegralDocument])
             let growing = if of.holds == "where it is 0" { "; errors off 0 may grow exponentially" } else { "" };
             format!("  {value}; largest deviation {drift}{growing}")
         } else {
-            format!("  {value}; it changes: it is constant {} only (by {drift} here)", of.holds)
+            format!("  {value}; constant {} only, and on steady rotations: largest deviation {drift}", of.holds)
         });
     }
 }

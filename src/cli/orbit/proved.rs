@@ -162,6 +162,16 @@ fn text(problem: &Problem<'_>, document: &ProvedMotionDocument, motion: &ProvedM
         ));
         report.line("The ends of each interval are in --json and --data; the table shows middles.");
     }
+    let arguments = problem.arguments;
+    if arguments.euler.is_some() || arguments.theta.is_some() || arguments.start_phi() != 0.0 {
+        let start = &document.start;
+        report.line(format!(
+            "proved from the start rounded to doubles: gamma = ({}), omega = ({}), phi = {}",
+            start.gamma.join(", "),
+            start.omega.join(", "),
+            start.phi
+        ));
+    }
     for note in &document.notes {
         report.line(note);
     }

@@ -27,7 +27,7 @@ impl Friction {
     /// At a relative equilibrium whose type is known.
     #[must_use]
     pub fn new<E: Enclosure>(reduced: &Reduced<E>, kind: LinearType, setting: Setting, is_set: bool) -> Self {
-        let is_degenerate = matches!(kind, LinearType::Zero | LinearType::ZeroReal);
+        let is_degenerate = matches!(kind, LinearType::Zero | LinearType::ZeroReal) || setting.minimum == Some(false);
         let survives = match setting.index {
             0 if is_degenerate => match setting.verdict(kind) {
                 Some((NonlinearVerdict::Stable, Reason::Energy)) => Some(true),

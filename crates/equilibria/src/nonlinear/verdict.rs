@@ -31,7 +31,8 @@ impl Setting {
             LinearType::Zero if self.minimum == Some(true) => (NonlinearVerdict::Stable, Reason::Energy),
             LinearType::Zero if self.integral => (NonlinearVerdict::Stable, Reason::Integral),
             LinearType::Zero => (NonlinearVerdict::Open, Reason::Degenerate),
-            _ if self.index == 0 => (NonlinearVerdict::Stable, Reason::Energy),
+            // No eigenvalue vanishes at the cusp of a circle, where U_l has no minimum across it.
+            _ if self.index == 0 && self.minimum != Some(false) => (NonlinearVerdict::Stable, Reason::Energy),
             _ if self.integral => (NonlinearVerdict::Stable, Reason::Integral),
             _ => return None,
         })
