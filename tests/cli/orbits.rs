@@ -282,3 +282,24 @@ fn an_integral_that_a_case_does_not_keep_may_be_constant() {
     let line = "orbit --A 4,4,1 --r 1,0,0 --gamma 1,0,0 --omega 1,0,0 --times 0:2:2";
     bifdiag(line).succeeds().printing("constant where l = 0 only, and on steady rotations: largest deviation 0");
 }
+
+/// Twenty factors of the angular velocity leave the range of doubles; in another unit of time the motion is the same.
+#[test]
+fn spins_of_any_size_are_followed() {
+    let turned = |size: &str, time: &str, weight: &str| {
+        let line =
+            format!("orbit --A 3,2,1.5 --r {weight} --gamma 1,1,1 --omega {size},0,{size} --times 0:{time}:2 --json");
+        let samples = bifdiag(&line).succeeds().json()["samples"].clone();
+        samples[1]["gamma"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect::<Vec<_>>()
+    };
+    let one = turned("1", "1", "0,0,0");
+    for (size, time, weight) in [
+        ("1e15", "1e-15", "0,0,0"),
+        ("1e60", "1e-60", "0,0,0"),
+        ("1e-40", "1e40", "0,0,0"),
+        ("1e20", "1e-20", "0.2,-0.3,1"),
+    ] {
+        let other = turned(size, time, weight);
+        assert!(one.iter().zip(&other).all(|(p, q)| (p - q).abs() < 1e-14), "{size}: {one:?} {other:?}");
+    }
+}

@@ -272,12 +272,8 @@ pub fn proof_digits(text: &str) -> Result<u32, Failure> {
 
 /// The widest enclosure wanted.
 pub fn proof_bound(text: &str) -> Result<f64, Failure> {
-    let bound = float(text)?;
-    if (1e-140..=1.0).contains(&bound) {
-        Ok(bound)
-    } else {
-        Err(Failure::input("the widest interval wanted is from 1e-140 to 1, such as 1e-12"))
-    }
+    let bound = float(text).ok().filter(|bound| (1e-140..=1.0).contains(bound));
+    bound.ok_or_else(|| Failure::input("the widest interval wanted is from 1e-140 to 1, such as 1e-12"))
 }
 
 pub fn orbits(text: &str) -> Result<NonZeroU32, Failure> {

@@ -46,7 +46,7 @@ impl Times {
         let end = |name: &str, text: &str| {
             values::float(text).map_err(|_not_a_number| {
                 let shape = "a range of times is written t0:t1:n, such as 0:10:101";
-                Failure::input(format!("{name} = `{text}` is not a number; {shape}"))
+                Failure::input(format!("{name} = `{text}` is not a number {RANGE}; {shape}"))
             })
         };
         let (from, to) = (end("t0", from)?, end("t1", to)?);
@@ -74,6 +74,9 @@ impl Times {
     }
 }
 
+/// What is read as a time.
+const RANGE: &str = "(0, or between 1e-150 and 1e150 in magnitude)";
+
 /// Empty lines, lines that start with # and a header are skipped; the first of several columns is used.
 fn of_file(path: &Path) -> Result<Vec<f64>, Failure> {
     let wrong = |what: String| Failure::input(format!("--times {}{what}", path.display()));
@@ -92,7 +95,10 @@ fn of_file(path: &Path) -> Result<Vec<f64>, Failure> {
             continue;
         }
         let Ok(time) = values::float(cell) else {
-            return Err(wrong(format!(", line {}: `{cell}` is not a number; write one time on each line", i + 1)));
+            return Err(wrong(format!(
+                ", line {}: `{cell}` is not a number {RANGE}; write one time on each line",
+                i + 1
+            )));
         };
         if let Some(&before) = times.last().filter(|&&before| before > time) {
             let line = i + 1;

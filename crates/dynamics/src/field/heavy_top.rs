@@ -68,6 +68,15 @@ impl HeavyTop {
         Self { moments, inverse: moments.map(|a| 1.0 / a), center, units: TopUnits::ONE }
     }
 
+    /// The same top and a state of it, in units in which the angular velocity of the state is of moderate size too, and these.
+    pub(crate) fn reduced_beside(&self, state: &State) -> (Self, State, TopUnits) {
+        let (top, state) = (self.reduced(), state.reduced(self.units));
+        let frequency = top.angular_velocity(state.l).iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let time = TopUnits::of_frequency(frequency, top.center == [0.0; 3]);
+        let center = top.center.map(|x| time.reduce(x, Dimension::ENERGY));
+        (Self { center, ..top }, state.reduced(time), self.units.with_time_in(time))
+    }
+
     /// A1, A2, A3.
     #[must_use]
     pub fn moments(&self) -> [f64; 3] {

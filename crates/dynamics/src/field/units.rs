@@ -67,6 +67,19 @@ impl TopUnits {
         }
     }
 
+    /// A unit of time in which a frequency is of moderate size; without weight a slow one too, since no pendulum sets the time.
+    pub(super) fn of_frequency(frequency: f64, is_weightless: bool) -> Self {
+        let is_usable = frequency > 0.0 && frequency.is_finite();
+        let exponent = if is_usable { libm::ilogb(frequency) } else { 0 };
+        let exponent = if is_weightless { exponent } else { exponent.max(0) };
+        Self { inertia: 0, time: -nearest_multiple(exponent, 2 * TIME_STEP) }
+    }
+
+    /// These units, with another one of time that is given in them.
+    pub(super) fn with_time_in(self, other: Self) -> Self {
+        Self { inertia: self.inertia, time: self.time + other.time }
+    }
+
     /// True for the units in which numbers are given.
     #[must_use]
     #[inline]

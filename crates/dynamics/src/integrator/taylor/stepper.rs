@@ -40,8 +40,7 @@ impl Taylor {
     /// [`ToleranceError`] for a tolerance out of range.
     pub fn new(top: &HeavyTop, start: &State, tolerance: f64) -> Result<Self, ToleranceError> {
         check_tolerance(tolerance)?;
-        let units = top.units();
-        let (top, start) = (top.reduced(), start.reduced(units));
+        let (top, start, units) = top.reduced_beside(start);
         let mut lanes = Box::new(Lanes::new(Scalar::new(), &top, tolerance));
         lanes.load(0, &start, top.momentum_scale(top.energy(&start)));
         Ok(Self { lanes, units })
