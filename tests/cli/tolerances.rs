@@ -146,3 +146,16 @@ fn no_bounds_are_given_of_a_circle_of_rotations() {
         assert!(text.contains("no bounds: the steady axis") && !text.contains("outside these ranges"), "{text}");
     }
 }
+
+/// With two equal moments the nearest rotation tends to an axis in their plane, not to the principal axis of most of the axis that was
+/// given: the bounds were those of the latter.
+#[test]
+fn bounds_are_those_of_the_rotation_that_is_listed() {
+    for body in ["--A 2,2,1 --r 0.3,0.3,1", "--A 2,2,1 --r 0.3,0.3,0", "--A 2,2,1 --r 0,0,0"] {
+        let line = format!("critical-spin {body} --axis 1,1,1.2 --tolerance 1%");
+        let text = bifdiag(&line).succeeds().stdout();
+        assert!(!text.contains("linearly unstable from"), "{line}: {text}");
+    }
+    let moving = bifdiag("critical-spin --A 2,2,1 --r 0.3,0.3,1 --axis 0.1,0,1 --tolerance 1%").succeeds();
+    moving.printing("of that of the nominal part at this spin");
+}

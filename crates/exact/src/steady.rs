@@ -188,5 +188,7 @@ fn beside(solver: &Solver, [h, l]: [&Number; 2], size: f64, is_exact: bool) -> O
         // Where curves meet at an irrational l, which of them is the nearest depends on the last digit that is kept.
         of_its_curve.or_else(|| steps().rev().find_map(|step| near(step, None)))
     };
-    Some([region(-1.0)?, region(1.0)?])
+    let both = [region(-1.0)?, region(1.0)?];
+    // Across one curve the topology changes: these are beyond another curve, nearer than the rounding of the point.
+    (both[0] != both[1] || is_on_curve).then_some(both)
 }

@@ -4,9 +4,10 @@
 use bifdiag_body::part::{MeasuredPart, Part};
 use bifdiag_body::{Body, Number};
 use bifdiag_diagram::class::ClassName;
+use bifdiag_equilibria::critical::SteadyFamily;
 use bifdiag_equilibria::permanent::{
-    AxisKind, Near, SettledTypes, sampled_bodies, sampled_parts, sampled_shares, settled_types_of_part,
-    settled_types_of_shares, spin_ranges,
+    AxisKind, Near, NominalRotation, SettledTypes, sampled_bodies, sampled_parts, sampled_shares,
+    settled_types_of_part, settled_types_of_shares, spin_ranges,
 };
 use bifdiag_exact::AxisSpins;
 
@@ -69,9 +70,12 @@ impl Tolerated {
         }
         let [plus, minus] = spins.nearest_isolated()?;
         let share = Tolerances::share_of_all(shares)?.value();
-        let settled = |up, slowest| settled_types_of_shares(body, share, up, slowest);
+        let settled = |up, family: &SteadyFamily| {
+            let rotation = NominalRotation { fast: family.fast, slowest: family.slowest() };
+            settled_types_of_shares(body, share, up, &rotation)
+        };
         Some(Self {
-            ends: [settled(spins.up, plus.slowest()), settled(spins.up.map(|x| -x), minus.slowest())],
+            ends: [settled(spins.up, plus), settled(spins.up.map(|x| -x), minus)],
             is_moving: true,
             classes: classes_of(sampled_shares(body, share)),
         })
@@ -80,12 +84,18 @@ impl Tolerated {
     fn of_part(spins: &AxisSpins, part: &Part, measured: &MeasuredPart, up: [f64; 3]) -> Option<Self> {
         let near = match (&spins.ends, spins.kind) {
             (Some(ends), AxisKind::Permanent { .. }) => ends.each_ref().map(|end| Near::Axis(&end.rotation)),
-            _ => spins.nearest_isolated()?.map(|family| Near::NominalRotation { slowest: family.slowest() }),
+            _ => {
+                let axes = part.principal().ok()?.axes;
+                let in_part = |v: [f64; 3]| std::array::from_fn(|i| (0..3).map(|k| axes[k][i] * v[k]).sum());
+                let rotation =
+                    |family: &SteadyFamily| NominalRotation { fast: in_part(family.fast), slowest: family.slowest() };
+                spins.nearest_isolated()?.map(|family| Near::Rotation(rotation(family)))
+            }
         };
         let settled = |up, near| settled_types_of_part(part, measured, up, near);
         Some(Self {
             ends: [settled(up, near[0]), settled(up.map(|x| -x), near[1])],
-            is_moving: matches!(near[0], Near::NominalRotation { .. }),
+            is_moving: matches!(near[0], Near::Rotation(_)),
             classes: classes_of(sampled_parts(part, measured)),
         })
     }

@@ -35,11 +35,17 @@ pub struct SettledTypes {
 pub enum Near<'a> {
     /// The axis itself, which is permanent for the nominal part: its rotation with that end up.
     Axis(&'a AxisRotation),
-    /// The nominal part's steady rotation that tends to the principal axis nearest to the given one at fast spins.
-    NominalRotation {
-        /// The spin at which it begins.
-        slowest: f64,
-    },
+    /// The nominal part's steady rotation.
+    Rotation(NominalRotation),
+}
+
+/// A steady rotation of a nominal body that moves with the spin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NominalRotation {
+    /// The axis that it tends to at fast spins, with either end first, in the frame of the body.
+    pub fast: [f64; 3],
+    /// The spin at which it begins.
+    pub slowest: f64,
 }
 
 /// Pieces of the parameter are not halved beyond this, relative to the parameter …
@@ -74,7 +80,7 @@ pub fn settled_types_of_part(part: &Part, measured: &MeasuredPart, up: [f64; 3],
             Permanence::EitherSide => SettledTypes { tilt: None, ..settled_types(&boxed(measured), up) },
             Permanence::Unknown => settled_types(&boxed(measured), up),
         },
-        Near::NominalRotation { slowest } => settled_types_beside(&boxed(measured), nominal, up, slowest),
+        Near::Rotation(rotation) => settled_types_beside(&boxed(measured), nominal, up, &rotation),
     };
     let mut found = settled(measured);
     let alone: Vec<(usize, SettledTypes)> = measured.uncertain().map(|k| (k, settled(&measured.only(k)))).collect();
@@ -116,9 +122,9 @@ fn deviations(number: u64) -> [RBig; INPUTS] {
 }
 
 /// The same of all bodies whose principal moments and components of r differ by a factor from 1 − `share` to 1 + `share`,
-/// with the principal axes of the nominal one: beside its steady rotation, which begins at the spin `slowest`.
+/// with the principal axes of the nominal one: beside one of its steady rotations.
 #[must_use]
-pub fn settled_types_of_shares(body: &Body, share: &RBig, up: [f64; 3], slowest: f64) -> SettledTypes {
+pub fn settled_types_of_shares(body: &Body, share: &RBig, up: [f64; 3], rotation: &NominalRotation) -> SettledTypes {
     let around = |value: &RBig| {
         let end = |factor: RBig| Interval::rational(&(value * factor), ());
         end(RBig::ONE - share).hull(&end(RBig::ONE + share))
@@ -129,7 +135,7 @@ pub fn settled_types_of_shares(body: &Body, share: &RBig, up: [f64; 3], slowest:
     let boxed = BoxedBody { tensor, center };
     let (a, center) = (body.moments_f64(), body.center_f64());
     let tensor = [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { a[i] } else { 0.0 }));
-    settled_types_beside(&boxed, NominalBody { tensor, center }, up, slowest)
+    settled_types_beside(&boxed, NominalBody { tensor, center }, up, rotation)
 }
 
 /// Bodies within a share of a nominal one; `None` for one that is no body.
@@ -146,9 +152,14 @@ pub fn sampled_shares<'a>(body: &'a Body, share: &'a RBig) -> impl Iterator<Item
     })
 }
 
-/// The types of the steady rotations near the nominal one that tends to the principal axis nearest to `up`.
-fn settled_types_beside(body: &BoxedBody, nominal: NominalBody, up: [f64; 3], slowest: f64) -> SettledTypes {
-    let Some(path) = Path::new(nominal, body.unit(), up, slowest) else {
+/// The types of the steady rotations near a nominal one, with the end of its axis up that is nearer to `up`.
+fn settled_types_beside(
+    body: &BoxedBody,
+    nominal: NominalBody,
+    up: [f64; 3],
+    rotation: &NominalRotation,
+) -> SettledTypes {
+    let Some(path) = Path::new(nominal, body.unit(), up, rotation) else {
         let omega = [0.0, f64::INFINITY];
         let whole = SpinRange { from: None, to: None, omega, between: Vec::new(), most: None };
         return SettledTypes { ranges: vec![whole], tilt: Some(0.0) };

@@ -4,6 +4,8 @@
 use bifdiag_numbers::vector::{cross, dot, norm, normalised};
 use nalgebra::Matrix3;
 
+use super::near::NominalRotation;
+
 /// A nominal body in any frame: its tensor, and r.
 #[derive(Clone, Copy, Debug)]
 pub struct NominalBody {
@@ -27,14 +29,15 @@ const STEPS: [f64; 2] = [1.0 / 256.0, 1e-7];
 const TURN: f64 = 0.02;
 
 impl Path {
-    /// Follows the rotation that tends to the principal axis nearest to `up` at fast spins, down to the spin at which it begins.
+    /// Follows a rotation from fast spins, with the end of its axis up that is nearer to `up`, down to the spin at which it begins;
+    /// `None` where it tends to an axis in a plane of equal moments, at which Newton's method cannot begin.
     /// s = θ·unit up to θ = 1; beyond it r is scaled by 2 − θ at s = unit.
     #[must_use]
-    pub fn new(body: NominalBody, unit: f64, up: [f64; 3], slowest: f64) -> Option<Self> {
-        let s = slowest * slowest;
+    pub fn new(body: NominalBody, unit: f64, up: [f64; 3], rotation: &NominalRotation) -> Option<Self> {
+        let s = rotation.slowest * rotation.slowest;
         let least = if s <= unit { s / unit } else { 2.0 - unit / s };
         let mut path = Self { body, unit, nodes: Vec::new() };
-        path.nodes.push((2.0, path.refined(2.0, path.principal(up)?)?));
+        path.nodes.push((2.0, path.refined(2.0, path.principal(up, rotation.fast)?)?));
         let mut step = STEPS[0];
         while step >= STEPS[1] {
             let &(theta, axis) = path.nodes.last()?;
@@ -64,12 +67,15 @@ impl Path {
         self.refined(theta, before).filter(|found| angle(*found, before) <= TURN)
     }
 
-    /// The unit eigenvector of A nearest to a direction.
-    fn principal(&self, up: [f64; 3]) -> Option<[f64; 3]> {
+    /// The unit eigenvector of A along an axis, with the end first that is nearer to `up`.
+    fn principal(&self, up: [f64; 3], fast: [f64; 3]) -> Option<[f64; 3]> {
+        /// Farther apart, in radians, they are not one: any axis in a plane of equal moments is an eigenvector.
+        const SAME: f64 = 1e-6;
         let eigen = Matrix3::from_fn(|i, j| self.body.tensor[i][j]).symmetric_eigen();
         let axes = (0..3).map(|k| [0, 1, 2].map(|i| eigen.eigenvectors[(i, k)]));
-        let nearest = axes.max_by(|p, q| dot(*p, up).abs().total_cmp(&dot(*q, up).abs()))?;
-        Some(if dot(nearest, up) < 0.0 { nearest.map(|x| 0.0 - x) } else { nearest })
+        let nearest = axes.max_by(|p, q| dot(*p, fast).abs().total_cmp(&dot(*q, fast).abs()))?;
+        let is_along = norm(cross(nearest, fast)) <= SAME * norm(fast);
+        is_along.then(|| if dot(nearest, up) < 0.0 { nearest.map(|x| 0.0 - x) } else { nearest })
     }
 
     fn turned(&self, v: [f64; 3]) -> [f64; 3] {
@@ -120,7 +126,7 @@ mod tests {
     fn rotations_are_followed_to_rest_or_to_their_fold() {
         let tensor = [[2.0, 0.0, 0.0], [0.0, 1.1, 0.0], [0.0, 0.0, 1.0]];
         let body = NominalBody { tensor, center: [0.94868, 0.0, 0.61623] };
-        let path = |up| Path::new(body, 0.5, up, 0.0).unwrap();
+        let path = |up| Path::new(body, 0.5, up, &NominalRotation { fast: up, slowest: 0.0 }).unwrap();
         let hanging = path([-1.0, 0.0, 0.0]);
         let at_rest = hanging.at(0.0).unwrap();
         let size = norm(body.center);

@@ -16,7 +16,7 @@ pub(crate) enum SpecialBody {
     EqualMoments {
         /// The axes.
         axes: Vec<BodyAxis>,
-        /// True if a pitchfork leaves to infinity: that of the pair over axis i, with r_i = 0 on the whole segment, where
+        /// True if one pitchfork leaves to infinity: that of the pair over axis i, with r_i = 0 on the whole segment, where
         /// s² = Σ r_k²/(A_k − A_i)² and r_k ≠ 0 for another of the axes, and no component of r vanishes there alone.
         pitchfork_leaves: bool,
     },
@@ -58,7 +58,8 @@ pub(crate) fn special(segment: &BodySegment, t: [f64; 2]) -> Option<(SpecialBody
             let is_active = |axis: &BodyAxis| !component(*axis, &t).is_zero();
             // Where a symmetry is broken too, other pitchforks may open into cusps.
             let alone = !leaves.contains(&Some(t.clone()));
-            let pitchfork_leaves = alone && axes.iter().any(is_passive) && axes.iter().any(is_active);
+            let are_two = axes.len() == 2;
+            let pitchfork_leaves = alone && are_two && axes.iter().any(is_passive) && axes.iter().any(is_active);
             return Some((SpecialBody::EqualMoments { axes, pitchfork_leaves }, root(&t)));
         }
     }

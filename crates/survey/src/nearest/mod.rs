@@ -125,11 +125,13 @@ impl BorderSearch {
     }
 
     /// The borders of a special body at which the moment of an axis with r_k = 0 passes that of one with r_i ≠ 0, and a pitchfork goes
-    /// through infinity: the bodies with A_k = A_i that are nearest to it.
+    /// through infinity, or without weight any moment another: the bodies with A_k = A_i that are nearest to it.
     fn passing(&self, body: &ReducedBody) -> Vec<NearestBorder> {
         let Surroundings { basis, set } = &self.around;
         let ReducedBody { a, r } = body;
-        let pairs = (0..3).flat_map(|k| (0..3).map(move |i| (k, i))).filter(|&(k, i)| r[k] == 0.0 && r[i] > 0.0);
+        let is_free = r.iter().all(|x| *x == 0.0);
+        let pass = |k: usize, i: usize| if is_free { a[k] > a[i] } else { r[k] == 0.0 && r[i] > 0.0 };
+        let pairs = (0..3).flat_map(|k| (0..3).map(move |i| (k, i))).filter(|&(k, i)| pass(k, i));
         let places = pairs.filter_map(|(k, i)| {
             let mut apart = [0.0; 3];
             (apart[k], apart[i]) = (1.0, -1.0);
