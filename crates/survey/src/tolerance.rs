@@ -82,15 +82,14 @@ impl Tolerated {
     }
 
     fn of_part(spins: &AxisSpins, part: &Part, measured: &MeasuredPart, up: [f64; 3]) -> Option<Self> {
-        let near = match (&spins.ends, spins.kind) {
-            (Some(ends), AxisKind::Permanent { .. }) => ends.each_ref().map(|end| Near::Axis(&end.rotation)),
-            _ => {
-                let axes = part.principal().ok()?.axes;
-                let in_part = |v: [f64; 3]| std::array::from_fn(|i| (0..3).map(|k| axes[k][i] * v[k]).sum());
-                let rotation =
-                    |family: &SteadyFamily| NominalRotation { fast: in_part(family.fast), slowest: family.slowest() };
-                spins.nearest_isolated()?.map(|family| Near::Rotation(rotation(family)))
-            }
+        let near = if let (Some(ends), AxisKind::Permanent { .. }) = (&spins.ends, spins.kind) {
+            ends.each_ref().map(|end| Near::Axis(&end.rotation))
+        } else {
+            let axes = part.principal().ok()?.axes;
+            let in_part = |v: [f64; 3]| std::array::from_fn(|i| (0..3).map(|k| axes[k][i] * v[k]).sum());
+            spins
+                .nearest_isolated()?
+                .map(|family| Near::Rotation(NominalRotation { fast: in_part(family.fast), slowest: family.slowest() }))
         };
         let settled = |up, near| settled_types_of_part(part, measured, up, near);
         Some(Self {
