@@ -81,6 +81,7 @@ fn find(name: &str) -> Result<ClassDocument, Failure> {
             digits"
             )))
         }
+        (None, _) if name.is_empty() => Err(Failure::input("NAME is empty; `bifdiag classes` lists the names")),
         (None, _) => Err(Failure::input(format!(
             "NAME {name}: no built-in class begins with it{}; a name is computed from the structure of a diagram and \
             cannot be turned back into a body: `bifdiag classes --at --body …` (or --A … --r …) gives the class of a \

@@ -1,7 +1,7 @@
 //! The part below the views: the legend, and the table of the relative equilibria with the position and stability of
 //! each and the rate of the motions near it.
 
-use bifdiag_schema::{ComponentDocument, Multiplicity, RelativeEquilibriumDocument, small_motions};
+use bifdiag_schema::{ComponentDocument, Multiplicity, Reason, RelativeEquilibriumDocument, small_motions};
 use plotters::style::RGBColor;
 
 use super::marks::{self, SphereMark};
@@ -133,9 +133,10 @@ fn columns(scene: &SphereScene<'_>, room: f64, count: usize) -> Table {
 fn kind(point: &RelativeEquilibriumDocument) -> &'static str {
     match (point.multiplicity, point.index) {
         (Multiplicity::Sphere, _) => "constant",
-        (Multiplicity::Circle, 0) => "circle of minima",
+        (Multiplicity::Circle, 0) if point.nonlinear.why == Reason::Energy => "circle of minima",
+        // A circle at its cusp.
+        (Multiplicity::Circle, 0) | (Multiplicity::Points(2..), _) => "degenerate",
         (Multiplicity::Circle, _) => "circle of maxima",
-        (Multiplicity::Points(2..), _) => "degenerate",
         (Multiplicity::Points(_), 0) => "minimum",
         (Multiplicity::Points(_), 1) => "saddle",
         (Multiplicity::Points(_), _) => "maximum",
