@@ -286,7 +286,7 @@ fn the_cusp_of_a_circle_is_no_minimum() {
     ] {
         let text = bifdiag(line).succeeds().stdout();
         assert!(text.contains("S12.1  elliptic  stable (integral)"), "{line}: {text}");
-        assert!(text.contains("stable on L+.1\n"), "{line}: {text}");
+        assert!(text.contains("\n  unstable on S12.1\n"), "{line}: {text}");
     }
     bifdiag("state --A 27,27,52 --r 0,0,15 --omega .8,0,.6 --vertical .8,0,.6")
         .succeeds()

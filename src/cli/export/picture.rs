@@ -178,7 +178,8 @@ fn width(text: &str) -> Result<Width, Failure> {
         ))
     };
     let unit = UNITS.into_iter().find_map(|(unit, size)| Some((text.trim().strip_suffix(unit)?, size)));
-    let (number, size) = unit.ok_or_else(|| wrong("none of its units"))?;
+    let (number, size) =
+        unit.ok_or_else(|| wrong(if float(text).is_ok() { "no unit" } else { "no length in one of its units" }))?;
     let length = float(number.trim()).map_err(|_| wrong("not a number with a unit"))?;
     let millimetres = (length * size * 1e3).round() / 1e3;
     Width::new(millimetres).ok_or_else(|| wrong(&format!("{millimetres} mm")))

@@ -30,10 +30,10 @@ pub use cone::{NearestAxis, PermanentAxis, angle_between, equally_near, nearest_
 pub use fast::fastest_along;
 pub use judged::Judged;
 pub use near::{
-    Near, NominalRotation, SettledTypes, sampled_parts, sampled_shares, settled_types, settled_types_of_part,
-    settled_types_of_shares,
+    Near, SettledTypes, sampled_parts, sampled_shares, settled_types, settled_types_of_part, settled_types_of_shares,
 };
 pub use one_spin::OneSpin;
+pub use path::NominalRotation;
 pub use rotation::{AxisRotation, SpinChange};
 pub use square::{BoxedBody, Vector};
 pub use steady::{SteadyRotation, nearest_steady};

@@ -15,7 +15,7 @@ use bifdiag_schema::SpinType;
 use dashu_ratio::RBig;
 
 use super::certain::{self, Permanence};
-use super::path::{NominalBody, Path};
+use super::path::{NominalBody, NominalRotation, Path};
 use super::rotation::AxisRotation;
 use super::square::{BoxedBody, basis, kind_of_all};
 use super::tolerance::{SpinRange, ranges_over};
@@ -37,15 +37,6 @@ pub enum Near<'a> {
     Axis(&'a AxisRotation),
     /// The nominal part's steady rotation.
     Rotation(NominalRotation),
-}
-
-/// A steady rotation of a nominal body that moves with the spin.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NominalRotation {
-    /// The axis that it tends to at fast spins, with either end first, in the frame of the body.
-    pub fast: [f64; 3],
-    /// The spin at which it begins.
-    pub slowest: f64,
 }
 
 /// Pieces of the parameter are not halved beyond this, relative to the parameter …

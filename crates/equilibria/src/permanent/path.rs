@@ -4,8 +4,6 @@
 use bifdiag_numbers::vector::{cross, dot, norm, normalised};
 use nalgebra::Matrix3;
 
-use super::near::NominalRotation;
-
 /// A nominal body in any frame: its tensor, and r.
 #[derive(Clone, Copy, Debug)]
 pub struct NominalBody {
@@ -13,6 +11,15 @@ pub struct NominalBody {
     pub tensor: [[f64; 3]; 3],
     /// r.
     pub center: [f64; 3],
+}
+
+/// A steady rotation of a nominal body that moves with the spin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NominalRotation {
+    /// The axis that it tends to at fast spins, with either end first, in the frame of the body.
+    pub fast: [f64; 3],
+    /// The spin at which it begins.
+    pub slowest: f64,
 }
 
 /// Axes that point up, by falling parameter from 2 (infinite spin) on, as long as the rotation can be followed.
