@@ -59,8 +59,7 @@ fn a_free_body_rests_in_every_orientation() {
     at_rest.printing("at rest every orientation is an equilibrium");
     // About the middle axis it is unstable as soon as it turns.
     let middle = bifdiag("state --A 5,3,4 --r 0,0,0 --axis z --spin").and("0 rpm").succeeds();
-    let middle =
-        middle.printing("once the body turns about this axis, however slowly, the rotation is judged by itself");
+    let middle = middle.printing("this verdict is that of rest; rotation about this axis, however slow, has its own");
     assert!(!middle.stdout().contains("no change at any"), "{}", middle.stdout());
     bifdiag("critical --A 1,2,3 --r 0,0,0 --l 0").succeeds().printing("at rest every orientation is an equilibrium");
     bifdiag("critical --A 2,2,2 --r 0,0,0 --l 1").succeeds().printing("rotation about every axis is a relative equil");

@@ -32,7 +32,8 @@ class SpinRanges(Table):
     rpm_from, rpm_to : array (n,)
         From rest or a critical spin to the next one, or ``inf``.
     stability : array (n,) of str
-        The linear type, as in `Equilibria`; of a permanent axis with ``(local minimum)`` where U_l has one.
+        The linear type, as in `Equilibria`; where the question is about an axis that is permanent, with ``(local minimum)``
+        where U_l has one.
     stable : masked array (n,) of bool
         Stable at each of these spins but the isolated ones; masked where that is open.
     stable_by : array (n,) of str
@@ -136,7 +137,7 @@ class CriticalSpins(Table):
         type of rotation about a permanent axis changes, unless the question was about an axis that is not permanent.
     below, above : array (n,) of str
         The linear types of rotation below and above, as in `Equilibria`, for an axis that is permanent with ``(local
-        minimum)`` where U_l has one; ``""`` where there is none.
+        minimum)`` where U_l has one, unless another axis was asked for; ``""`` where there is none.
     stable_below, stable_above : masked array (n,) of bool
         Whether it is stable there; masked where that is open, or where there is none.
     verdict : array (n,) of str

@@ -160,7 +160,7 @@ impl DiagramArguments {
 /// For what width a picture is laid out.
 #[derive(Clone, Debug, Args)]
 pub struct WidthArgument {
-    /// Printed width of the picture, in mm, cm, in or TeX's pt; its letters have at least 6 pt
+    /// Printed width of the picture, in mm, cm, in or TeX's pt; sections and spheres may be some per cent narrower; its letters have at least 6 pt
     #[arg(long, value_parser = width, default_value = "178mm", help_heading = "Output")]
     #[arg(value_name = "LENGTH", allow_hyphen_values = true, hide_short_help = true)]
     pub width: Width,

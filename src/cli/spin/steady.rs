@@ -54,7 +54,7 @@ fn frequencies(steady: &SteadyDocument) -> Option<String> {
 /// atlas those of stability.
 pub fn changes(report: &mut Report, steady: &SteadyDocument, atlas: bool) {
     if steady.one_of == Some(Multiplicity::Sphere) && steady.l == 0.0 {
-        report.line("once the body turns about this axis, however slowly, the rotation is judged by itself");
+        report.line("this verdict is that of rest; rotation about this axis, however slow, has its own");
         return;
     }
     let of_regions = |change: &SpinChangeDocument| change.kind == "region";
