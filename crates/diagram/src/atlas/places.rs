@@ -81,11 +81,9 @@ impl Atlas {
             Place::Undecided(places) => places,
         };
         let fits = |&place: &Option<RegionId>| self.class(place).is_some_and(|class| answer.allows(class));
-        let there: Vec<_> = near.iter().copied().filter(fits).collect();
+        let there: Vec<_> = near.into_iter().filter(fits).collect();
         match answer {
             Answer::Regular(_) | Answer::Forbidden => (there.len() == 1).then_some(there),
-            // At l = 0 regions end that no class of l = 0 itself shows.
-            Answer::Critical(_) | Answer::Undecided(_) if at_rest => Some(near),
             Answer::Critical(classes) | Answer::Undecided(classes) => {
                 let found = |class: &Vec<Component>| there.iter().any(|&place| self.class(place) == Some(class));
                 classes.iter().all(found).then_some(there)

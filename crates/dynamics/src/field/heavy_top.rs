@@ -179,7 +179,7 @@ impl HeavyTop {
     }
 
     /// max |l| on the energy surface H = h: √(2 A_max (h + |r|)), with at least ε²|r| for a sum that rounding leaves 0, so that
-    /// steps next to the hanging equilibrium have a length.
+    /// steps next to the hanging equilibrium have a length. Never 0, also at rest without weight.
     #[must_use]
     pub fn momentum_scale(&self, h: f64) -> f64 {
         if !self.units.are_one() {
@@ -188,7 +188,8 @@ impl HeavyTop {
         }
         let largest = self.moments.iter().fold(0.0, |m: f64, &a| m.max(a));
         let weight = self.center_norm();
-        (2.0 * largest * (h + weight).max(f64::EPSILON * f64::EPSILON * weight)).sqrt()
+        let squared = 2.0 * largest * (h + weight).max(f64::EPSILON * f64::EPSILON * weight);
+        squared.max(f64::MIN_POSITIVE).sqrt()
     }
 }
 

@@ -80,7 +80,7 @@ impl OrbitFollower {
         let on_section = value.abs() <= FLAT * scale;
         let mut follower = Self {
             start: *start,
-            momentum_scale: top.momentum_scale(integrals.energy).max(f64::MIN_POSITIVE.sqrt()),
+            momentum_scale: top.momentum_scale(integrals.energy),
             end: (options.crossings == 0).then_some(OrbitEnd::Crossings),
             orbit,
             start_value: if on_section { f64::NAN } else { value },

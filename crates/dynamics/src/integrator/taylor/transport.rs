@@ -82,7 +82,7 @@ impl<const N: usize> Task<'_, N> {
             let (start, directions) = &starts[lane.min(starts.len() - 1)];
             // For a body nearly at rest the orbit has hardly any momentum, but its neighbours have.
             let energy = self.top.energy(start).abs().max(self.top.center_norm());
-            let scale = self.top.momentum_scale(energy).max(f64::MIN_POSITIVE.sqrt());
+            let scale = self.top.momentum_scale(energy);
             lanes.load(lane, start, scale);
             for (tangent, direction) in tangents.iter_mut().zip(directions) {
                 tangent.load(lane, direction, scale);

@@ -157,7 +157,7 @@ impl WithSimd for GrowthWorker<'_> {
 /// Puts an orbit into a lane.
 #[inline(always)]
 pub(super) fn load_orbit<S: Simd>(lanes: &mut Lanes<S>, top: &HeavyTop, lane: usize, start: &State) {
-    lanes.load(lane, start, top.momentum_scale(top.energy(start)).max(f64::MIN_POSITIVE.sqrt()));
+    lanes.load(lane, start, top.momentum_scale(top.energy(start)));
 }
 
 /// Puts its first tangent vector into a lane.
@@ -169,7 +169,7 @@ pub(super) fn load_tangent<S: Simd>(tangent: &mut TangentLanes<S>, top: &HeavyTo
 
 /// √(2 A_max (h + 2|r|)): the unit of δl. (Unlike the largest |l| it does not vanish where the top is at rest.)
 pub(super) fn momentum_unit(top: &HeavyTop, state: &State) -> f64 {
-    top.momentum_scale(top.energy(state) + top.center_norm()).max(f64::MIN_POSITIVE.sqrt())
+    top.momentum_scale(top.energy(state) + top.center_norm())
 }
 
 /// A vector of length 1 tangent to the surface of constant H, ⟨γ,γ⟩ and ⟨γ,l⟩, with l in units of `momentum_unit`.

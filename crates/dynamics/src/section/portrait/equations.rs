@@ -32,7 +32,7 @@ pub(super) struct SectionEquations {
 
 impl SectionEquations {
     pub fn new(top: HeavyTop, condition: SectionCondition, h: f64, l: f64) -> Self {
-        Self { top, condition, h, l, lambda: top.momentum_scale(h).max(f64::MIN_POSITIVE.sqrt()) }
+        Self { top, condition, h, l, lambda: top.momentum_scale(h) }
     }
 
     pub fn vector(&self, state: &State) -> PhaseVector {
