@@ -15,7 +15,7 @@ use clap::Args;
 use super::export::answer;
 use super::failure::{Failure, failed};
 use super::input::read;
-use super::terminal::{Report, Table, Timings, significant};
+use super::terminal::{Report, Table, Timings, significant, telling_digits};
 
 pub const COMPARE_EXAMPLES: &str = "\
 Examples:
@@ -25,7 +25,7 @@ Examples:
 
 A body is a name (`bifdiag bodies` lists them), A=A1,A2,A3;r=r1,r2,r3 (& may replace ;), or an atlas.json (-: stdin). \
 Branches are named in axes by rising moments, so that those of the two bodies can be compared. The path is straight \
-in A and r, with A1 ≤ A2 ≤ A3, the sum of A = 2, r_i ≥ 0 and the largest r_i = 1; where moments are equal, r is \
+in A and r, with A1 ≤ A2 ≤ A3, the sum of A = 2, r_i ≥ 0 and the largest r_i = 1 unless r = 0; where moments are equal, r is \
 turned among their axes to be as close to that of the other body as exchanging the axes allows, and for a ball into \
 the direction of the other r.";
 
@@ -222,12 +222,14 @@ fn add_path(report: &mut Report, document: &ComparisonDocument) {
     }
     report.line("borders on the straight path from 1 (at 0) to 2 (at 1):");
     let mut table = Table::new(&["at", "class beyond", "what happens on the border"]);
+    let places: Vec<f64> = path.borders.iter().map(|border| border.at).collect();
+    let digits = telling_digits(&places, 6);
     for border in &path.borders {
-        table.row([significant(border.at, 6), border.classes[1].clone(), border.event.text.clone()]);
+        table.row([significant(border.at, digits), border.classes[1].clone(), border.event.text.clone()]);
     }
     report.line(table.text());
     report.line(if path.complete {
-        "a class that the path enters and leaves between two of them may be missing"
+        "a class that the path enters and leaves again may be missing"
     } else {
         "the path continues beyond the last of them: further borders were not found"
     });

@@ -42,7 +42,7 @@ pub struct FindArguments {
     /// Find a region with these sections
     #[arg(long, value_name = "S2+T2", help_heading = "Target", conflicts_with = "critical_points")]
     pub signature: Option<String>,
-    /// Find at least N relative equilibria at one l
+    /// Find at least N isolated relative equilibria at one l
     #[arg(long, value_name = "N", help_heading = "Target")]
     pub critical_points: Option<u32>,
     /// Only physical bodies: A_i + A_j > A_k, or equality and r_k = 0
@@ -194,14 +194,17 @@ fn report(document: &FindDocument) -> String {
         ));
     }
     if let Some(count) = witness.critical_points {
-        report.line(format!("  {} at this l", counted(count, "relative equilibrium", "relative equilibria")));
+        report.line(format!(
+            "  {} at this l",
+            counted(count, "isolated relative equilibrium", "isolated relative equilibria")
+        ));
     }
     report.line(format!(
         "distance in h to the nearest curve ({}): {}",
         witness.margin.nearest,
         significant(witness.margin.h, 6)
     ));
-    report.line(format!("confirmed by the {}", document.verified_by.join(" and the ")));
+    report.line(format!("components of U confirmed by the {}", document.verified_by.join(" and the ")));
     report.line(tried(document));
     report.text()
 }
@@ -225,13 +228,16 @@ fn tried(document: &FindDocument) -> String {
     let bodies = counted(drawn, "body", "bodies");
     let show = if showing == 1 { "shows" } else { "show" };
     match tried {
+        0 if drawn == 1 => {
+            format!("{bodies} drawn, but it was not within the limits or not decided, so it was not tried")
+        }
         0 => format!("{bodies} drawn, but none of them was within the limits and decided, so none was tried"),
         1 if drawn == 1 => {
             format!("one body tried, {}", if showing == 1 { "which shows it" } else { "which does not show it" })
         }
         _ if tried == drawn => format!("{bodies} tried, {showing} of them {show} it"),
         _ => format!(
-            "{bodies} drawn, {tried} of them tried (the others are outside the limits or undecided), {showing} {show} it"
+            "{bodies} drawn, {tried} of them tried (the rest is outside the limits or undecided), {showing} {show} it"
         ),
     }
 }

@@ -1,6 +1,7 @@
 //! `bifdiag show`: a region, a curve or an event of a body in words.
 
 use bifdiag_diagram::arrangement::RegionId;
+use bifdiag_diagram::atlas::Atlas;
 use bifdiag_documents::{DocumentOptions, Drawn, Subject, words};
 use bifdiag_exact::Accuracy;
 use bifdiag_schema::{
@@ -8,11 +9,11 @@ use bifdiag_schema::{
 };
 use clap::Args;
 
-use super::atlas::{STRAY, inner_sample, strays};
+use super::atlas::{STRAY, inner_sample, strays, width_error};
 use super::explain::explanation;
 use super::failure::{Failure, failed};
 use super::input::{BodyArguments, head, values};
-use super::terminal::{Report, bound, print, significant};
+use super::terminal::{Report, bound, print, significant, told_apart};
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -38,8 +39,6 @@ pub struct ShowArguments {
 
 /// Significant digits.
 const DIGITS: usize = 6;
-/// Events at places that differ by less, relative to numbers above 1, are at one point.
-const SAME: f64 = 1e-12;
 
 pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
     let Some(subject) = arguments.body.optional_subject()? else {
@@ -58,15 +57,14 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
     let branch = |curve: &&CurveDocument| curve.id.rsplit_once('.').is_some_and(|(branch, _)| branch == id);
     let event = id.strip_prefix('E').and_then(|number| number.parse::<usize>().ok()?.checked_sub(1));
     if let Some(region) = document.regions.iter().find(|region| region.id == id) {
-        let width = region.id.parse().ok().and_then(|id: RegionId| atlas.h_widths()[id]);
         let is_stray = strays(&subject, &document).contains(&region.id);
-        show_region(&mut report, &subject, &document, (region, is_stray), width);
+        show_region(&mut report, &subject, &atlas, &document, (region, is_stray));
         if is_stray {
             report.line("");
             report.line(STRAY);
         }
     } else if let Some(curve) = document.curves.iter().find(|curve| curve.id == id) {
-        show_curve(&mut report, &document, curve);
+        show_curve(&mut report, &atlas, &document, curve);
     } else if let Some(event) = event.and_then(|place| document.events.get(place)) {
         show_event(&mut report, &document, event);
     } else if document.curves.iter().any(|curve| branch(&curve)) {
@@ -74,13 +72,12 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
             if place > 0 {
                 report.line("");
             }
-            show_curve(&mut report, &document, curve);
+            show_curve(&mut report, &atlas, &document, curve);
         }
         // S2 is the name of a branch and of a surface.
-        let found = if is_surface(&id) { regions_with(&document, &id) } else { Vec::new() };
-        if !found.is_empty() {
+        if is_surface(&id) && !regions_with(&document, &id).is_empty() {
             report.line("");
-            show_surface(&mut report, &subject, &found, &id);
+            show_surface(&mut report, &subject, &document, &id);
         }
     } else if id == "L=0" && subject.body.is_euler() {
         // Without weight every curve begins at h = l = 0.
@@ -88,7 +85,7 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
         report.line("l=0: at rest every orientation is an equilibrium, and h = 0");
         report.line(format!("at h = l = 0 the forbidden region and {} meet", regions.join(", ")));
     } else if is_surface(&id) {
-        show_surface(&mut report, &subject, &regions_with(&document, &id), &id);
+        show_surface(&mut report, &subject, &document, &id);
     } else {
         return Err(unknown(&arguments.id, &document));
     }
@@ -117,8 +114,24 @@ fn is_surface(id: &str) -> bool {
     one(&upper) || upper.split('+').all(one)
 }
 
+/// The name that the program prints for a surface or for sections, whatever was typed.
+fn printed_name(typed: &str) -> String {
+    let one = |name: &str| match &*name.to_ascii_uppercase() {
+        _ if is_type(name) => name.to_ascii_lowercase(),
+        "M0" | "S2-0D2" => "S2".to_owned(),
+        "M1" => "T2".to_owned(),
+        "S2-1D2" => "D2".to_owned(),
+        "#0(S1XS2)" => "S3".to_owned(),
+        "#1(S1XS2)" => "S1xS2".to_owned(),
+        "#2(S1XS2)" => "(S1xS2)#(S1xS2)".to_owned(),
+        other => other.replace('X', "x"),
+    };
+    typed.split('+').map(one).collect::<Vec<_>>().join("+")
+}
+
 /// The regions that have a component or a signature of this name.
 fn regions_with<'a>(document: &'a AtlasDocument, name: &str) -> Vec<&'a RegionDocument> {
+    let name = &printed_name(name);
     let is = |text: &str| text.eq_ignore_ascii_case(name);
     let sorted = |text: &str| {
         let mut parts: Vec<String> = text.split('+').map(str::to_ascii_uppercase).collect();
@@ -133,15 +146,18 @@ fn regions_with<'a>(document: &'a AtlasDocument, name: &str) -> Vec<&'a RegionDo
             let section = component.section.as_deref().is_some_and(is);
             is(&component.accessible_region) || is(&component.energy_surface) || is(&kind) || section
         };
-        sorted(&region.shown()) == sorted(name) || region.components.iter().any(component)
+        let sum =
+            |part: fn(&ComponentDocument) -> &str| region.components.iter().map(part).collect::<Vec<_>>().join("+");
+        let sums = [sum(|of| &of.accessible_region), sum(|of| &of.energy_surface), region.shown()];
+        sums.iter().any(|sum| sorted(sum) == sorted(name)) || region.components.iter().any(component)
     };
     document.regions.iter().filter(has).collect()
 }
 
 /// These regions in words.
-fn show_surface(report: &mut Report, subject: &Subject, found: &[&RegionDocument], name: &str) {
-    // As the program writes it, whatever was typed.
-    let name = if is_type(name) { name.to_ascii_lowercase() } else { name.to_ascii_uppercase().replace('X', "x") };
+fn show_surface(report: &mut Report, subject: &Subject, document: &AtlasDocument, name: &str) {
+    let found = regions_with(document, name);
+    let name = printed_name(name);
     report.line(match found.len() {
         0 => format!("no region of this body has {name}"),
         1 => format!("{name} occurs in the region {}", found[0].id),
@@ -150,15 +166,21 @@ fn show_surface(report: &mut Report, subject: &Subject, found: &[&RegionDocument
             format!("{name} occurs in the regions {}", ids.join(", "))
         }
     });
-    for region in found {
+    let strays = strays(subject, document);
+    for region in &found {
         report.line("");
         let what = if region.signature.is_some() { "sections" } else { "U =" };
         report.line(format!("region {}, {what} {}", region.id, region.shown()));
         let [h, l] = inner_sample(subject, &region.sample, DIGITS);
-        report.line(format!("  sample: h = {h}, l = {l}"));
+        let mark = if strays.contains(&region.id) { "~" } else { "" };
+        report.line(format!("  sample: {mark}h = {h}, l = {l}"));
         for line in region.components.iter().flat_map(words::component) {
             report.line(line);
         }
+    }
+    if found.iter().any(|region| strays.contains(&region.id)) {
+        report.line("");
+        report.line(STRAY);
     }
 }
 
@@ -171,34 +193,46 @@ fn unknown(id: &str, document: &AtlasDocument) -> Failure {
         _ => format!("the {what}s {letter}1 to {letter}{count}"),
     };
     let regions = up_to("region", "R", document.regions.len());
-    let (curves, events) = (curves.join(", "), up_to("event", "E", document.events.len()));
+    let curves = format!("the curve{} {}", if curves.len() == 1 { "" } else { "s" }, curves.join(", "));
+    let events = up_to("event", "E", document.events.len());
     let one = if id.contains([',', ' ']) { "give one ID" } else { "this body has nothing of that name" };
-    Failure::input(format!("ID {id}: {one}; it has {regions}, the curves {curves} and {events}"))
+    Failure::input(format!("ID {id}: {one}; it has {regions}, {curves} and {events}"))
 }
 
 fn range([from, to]: [Option<f64>; 2]) -> String {
-    let from = significant(from.unwrap_or(0.0), DIGITS);
-    to.map_or_else(|| format!("l > {from}"), |to| format!("{from} < l < {}", significant(to, DIGITS)))
+    let from = from.unwrap_or(0.0);
+    let Some(to) = to else { return format!("l > {}", significant(from, DIGITS)) };
+    if from >= to {
+        return format!("l = {from} alone, as far as doubles tell");
+    }
+    let [from, to] = told_apart([from, to], DIGITS);
+    format!("{from} < l < {to}")
 }
 
 fn show_region(
     report: &mut Report,
     subject: &Subject,
+    atlas: &Atlas,
     document: &AtlasDocument,
     (region, is_stray): (&RegionDocument, bool),
-    width: Option<f64>,
 ) {
     let signature = region.signature.as_ref().map_or_else(String::new, |signature| format!(", sections {signature}"));
     report.line(format!("region {}{signature}", region.id));
+    let width = region.id.parse().ok().and_then(|id: RegionId| atlas.h_widths()[id]);
     let width = width.map_or_else(
         || "unbounded in h".to_owned(),
-        |width| format!("at most {} wide in h", significant(width, DIGITS)),
+        |width| format!("at most {} wide in h", bound(width + width_error(subject, width), DIGITS - 1)),
     );
     report.line(format!("  {}, {width}", range(region.l_range)));
     let margin = &region.sample.margin;
     let [h, l] = inner_sample(subject, &region.sample, DIGITS);
     let mark = if is_stray { "~" } else { "" };
-    report.line(format!("  sample: {mark}h = {h}, l = {l} ({} in h to {})", significant(margin.h, 3), margin.nearest));
+    let distance = if margin.h > margin.error_bound {
+        significant(margin.h, 3)
+    } else {
+        format!("at most {}", bound(margin.h + margin.error_bound, 1))
+    };
+    report.line(format!("  sample: {mark}h = {h}, l = {l} ({distance} in h to {})", margin.nearest));
     report.line("");
     for component in &region.components {
         for line in words::component(component) {
@@ -211,7 +245,7 @@ fn show_region(
         let curve = document.curves.iter().find(|curve| curve.id == neighbour.curve);
         let other = document.regions.iter().find(|other| Some(&other.id) == neighbour.region.as_ref());
         let Some(curve) = curve else { continue };
-        let upwards = other.is_some_and(|other| words::lies_below(region, other, &curve.id));
+        let upwards = other.is_some_and(|other| words::lies_below(atlas, region, other, &curve.id));
         let (name, h) = match (other, upwards) {
             (Some(other), true) => (other.id.as_str(), "rising"),
             (Some(other), false) => (other.id.as_str(), "falling"),
@@ -223,7 +257,7 @@ fn show_region(
     }
 }
 
-fn show_curve(report: &mut Report, document: &AtlasDocument, curve: &CurveDocument) {
+fn show_curve(report: &mut Report, atlas: &Atlas, document: &AtlasDocument, curve: &CurveDocument) {
     report.line(format!("curve {}: {}", curve.id, words::motion(curve)));
     report.line(format!("  {}", range(curve.l_range)));
     if !curve.coincides_with.is_empty() {
@@ -254,7 +288,7 @@ fn show_curve(report: &mut Report, document: &AtlasDocument, curve: &CurveDocume
         for neighbour in below.neighbours.iter().filter(|neighbour| neighbour.curve == curve.id) {
             let above = document.regions.iter().find(|other| Some(&other.id) == neighbour.region.as_ref());
             let (from, from_components, above) = match above {
-                Some(above) if words::lies_below(below, above, &curve.id) => {
+                Some(above) if words::lies_below(atlas, below, above, &curve.id) => {
                     (below.id.as_str(), &below.components[..], above)
                 }
                 // Below lies the forbidden region.
@@ -264,10 +298,6 @@ fn show_curve(report: &mut Report, document: &AtlasDocument, curve: &CurveDocume
             let change = words::crossing(curve, from_components, &above.components, true);
             changes.push(format!("  from {from} to {}: {change}", above.id));
         }
-    }
-    if changes.is_empty() {
-        report.line("the regions beside it meet on a range of l that is too short for doubles to resolve");
-        return;
     }
     report.line("with rising h:");
     for change in changes {
@@ -302,23 +332,39 @@ fn show_event(report: &mut Report, document: &AtlasDocument, event: &EventDocume
         (EventKind::Crossing, _) => "crossing: two curves have the same energy at different points of the sphere",
     };
     report.line(what);
-    let value = |x: f64, error: f64| format!("{} (± {})", significant(x, 12), bound(error, 1));
+    // The rounding of the text is part of its error.
+    let value = |x: f64, error: f64| {
+        let text = significant(x, 16);
+        let rounding = text.parse::<f64>().map_or(0.0, |written| (written - x).abs());
+        format!("{text} (± {})", bound(error + rounding, 1))
+    };
     report.line(format!("  h = {}, l = {}", value(event.h, event.h_error), value(event.l, event.l_error)));
     for curve in curves() {
         report.line(format!("  {}: {}", curve.id, words::motion(curve)));
     }
-    // Where several events fall on one point, the curves of all of them do.
-    let is_here = |other: &&EventDocument| {
-        let same = |x: f64, y: f64| (x - y).abs() <= SAME * x.abs().max(1.0);
-        same(event.h, other.h) && same(event.l, other.l)
-    };
-    let all = document.events.iter().filter(is_here).flat_map(|other| other.curves.clone()).collect();
-    let here = EventDocument { curves: all, ..event.clone() };
-    let near: Vec<&str> = document
+    let here = whole_point(document, event);
+    let mut near: Vec<&str> = document
         .regions
         .iter()
         .filter(|region| words::touches(region, &here))
         .map(|region| region.id.as_str())
         .collect();
+    if words::touches_forbidden(&document.regions, &here) {
+        near.insert(0, "the forbidden region");
+    }
     report.line(format!("  regions that meet there: {}", near.join(", ")));
+}
+
+/// Where several events fall on one point, as far as their errors tell, the curves of all of them do: the event with all
+/// curves, and with an error of l that covers them.
+fn whole_point(document: &AtlasDocument, event: &EventDocument) -> EventDocument {
+    let mut whole = EventDocument { curves: Vec::new(), ..event.clone() };
+    for other in &document.events {
+        let l_error = event.l_error + other.l_error;
+        if (event.h - other.h).abs() <= event.h_error + other.h_error && (event.l - other.l).abs() <= l_error {
+            whole.curves.extend(other.curves.iter().cloned());
+            whole.l_error = whole.l_error.max(l_error);
+        }
+    }
+    whole
 }

@@ -72,8 +72,9 @@ impl Site {
             let ids = || atlas.regions().ids();
             let Some(region) = ids().find(|region| region.to_string() == *id) else {
                 let known: Vec<String> = ids().map(|id| id.to_string()).collect();
+                let regions = if known.len() == 1 { "only the region" } else { "the regions" };
                 let known = known.join(", ");
-                return Err(Failure::input(format!("--region {id}: the atlas of this body has the regions {known}")));
+                return Err(Failure::input(format!("--region {id}: the atlas of this body has {regions} {known}")));
             };
             let sample = atlas.sample(region);
             if Solver::of(atlas, Accuracy::Exact).is_outside(region, [sample.h, sample.l]) {

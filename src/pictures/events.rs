@@ -1,7 +1,7 @@
 //! The picture of the events along a way through the bodies: their momenta over the parameter, above the classes.
 
 use bifdiag_body::Body;
-use bifdiag_numbers::decimal::significant;
+use bifdiag_numbers::decimal::{significant, telling_digits};
 use bifdiag_plot::{Map, MapAxis, MapLine, MapNote};
 use bifdiag_schema::BodyParameter;
 use bifdiag_survey::border::{BodySegment, EventLabel};
@@ -91,12 +91,22 @@ impl EventScene<'_> {
     /// A and r, with the name of the parameter in its place.
     fn bodies(&self) -> String {
         let body = self.segment.body(0.0);
-        let number = |place: usize, value: f64| {
-            if place == self.parameter.place() { self.parameter.name().to_owned() } else { significant(value, DIGITS) }
+        let triple = |name: &str, first: usize, values: [f64; 3]| {
+            let is_rounded = |(place, value): (usize, f64)| {
+                place != self.parameter.place() && significant(value, DIGITS).parse() != Ok(value)
+            };
+            let number = |(place, value): (usize, f64)| {
+                if place == self.parameter.place() {
+                    self.parameter.name().to_owned()
+                } else {
+                    significant(value, DIGITS)
+                }
+            };
+            let numbered = || (first..).zip(values);
+            let sign = if numbered().any(is_rounded) { "≈" } else { "=" };
+            format!("{name} {sign} ({})", numbered().map(number).collect::<Vec<_>>().join(", "))
         };
-        let values = [body.moments_f64(), body.center_f64()].as_flattened().to_vec();
-        let text: Vec<String> = values.into_iter().enumerate().map(|(place, value)| number(place, value)).collect();
-        format!("A = ({}), r = ({})", text[..3].join(", "), text[3..].join(", "))
+        format!("{}, {}", triple("A", 0, body.moments_f64()), triple("r", 3, body.center_f64()))
     }
 
     fn existence(&self) -> Existence {
@@ -137,9 +147,11 @@ impl EventScene<'_> {
     fn add_borders(&self, map: &mut Map) {
         let [from, to] = map.y.range;
         let mut last = f64::NEG_INFINITY;
+        let places: Vec<f64> = self.tracks.borders.iter().map(|border| self.value(border.t)).collect();
+        let digits = telling_digits(&places, DIGITS);
         for (number, border) in (1..).zip(&self.tracks.borders) {
             let at = self.value(border.t);
-            let text = format!("{number}: {} = {}: {}", self.parameter, significant(at, DIGITS), border.event.kind);
+            let text = format!("{number}: {} = {}: {}", self.parameter, significant(at, digits), border.event.kind);
             map.lines.push(MapLine {
                 points: vec![[at, from], [at, to]],
                 dashed: true,

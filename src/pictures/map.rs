@@ -59,7 +59,7 @@ pub fn map(bodies: &[Seen], axes: [BodyParameter; 2], show: Shown) -> Map {
     let what = match show {
         Shown::Class => counted(order.len(), "class", "classes"),
         Shown::Regions => "number of regions".to_owned(),
-        Shown::CriticalPoints => "relative equilibria at one l, at most".to_owned(),
+        Shown::CriticalPoints => "relative equilibria at one l, at most, circles counted once".to_owned(),
     };
     let shown = match show {
         Shown::Class => "Classes of bifurcation diagrams",
@@ -132,7 +132,10 @@ fn area(corners: &[[f64; 2]]) -> f64 {
 /// The parameters that are the same for all bodies, in words; empty if there are none.
 fn fixed(bodies: &[Seen], axes: [BodyParameter; 2]) -> String {
     let shown = BodyParameter::ALL.into_iter().filter(|parameter| !axes.contains(parameter)).filter_map(|parameter| {
-        shared(bodies, parameter).map(|value| format!("{} = {}", parameter.name(), significant(value, 6)))
+        shared(bodies, parameter).map(|value| {
+            let text = significant(value, 6);
+            format!("{} {} {text}", parameter.name(), if text.parse() == Ok(value) { "=" } else { "≈" })
+        })
     });
     let shown: Vec<String> = shown.collect();
     if shown.is_empty() { String::new() } else { format!("; {}", shown.join(", ")) }

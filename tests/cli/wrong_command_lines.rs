@@ -118,7 +118,7 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("--body paper --certificate --window 0:4,0:3", &["--certificate covers the whole plane", "--window"]),
     ("--body paper --certificate --accuracy fast", &["--certificate needs exact answers", "--accuracy fast"]),
     ("--body paper --format gif", &["'gif' for '--format <FORMAT>'", "svg, png, "]),
-    ("--body paper --out -", &["--out -", "a directory is needed", "--json"]),
+    ("--body paper --out -", &["--out -", "a directory is needed, such as --out pictures"]),
     ("--body paper --out", &["a value is required for '--out <DIR>'"]),
     ("--body paper --threads 0", &["'0' for '--threads <N>'", "from 1 to 1024"]),
     ("--body paper --threads -3", &["'-3' for '--threads <N>'", "whole number"]),

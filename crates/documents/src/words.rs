@@ -6,17 +6,19 @@ use bifdiag_equilibria::curves::CurveName;
 pub use bifdiag_numbers::decimal::counted;
 use bifdiag_numbers::table::Id;
 use bifdiag_schema::{
-    AtlasDocument, ComponentDocument, CurveDocument, CurveKind, Damped, EventDocument, Failing, FrictionDocument,
-    NonlinearDocument, NonlinearVerdict, Reason, RegionDocument,
+    AtlasDocument, CellDocument, ComponentDocument, CurveDocument, CurveKind, Damped, EventDocument, Failing,
+    FrictionDocument, NonlinearDocument, NonlinearVerdict, Reason, RegionDocument,
 };
 
 /// How many relative equilibria there are at most at one l.
 #[must_use]
 pub fn most_equilibria(document: &AtlasDocument) -> String {
     let is_set = |curve: &CurveDocument| matches!(curve.kind, CurveKind::Circle | CurveKind::Sphere);
+    // At rest without weight all of S² is critical.
+    let at = if document.body.flags.euler { "one l > 0" } else { "one l" };
     let once = if document.curves.iter().any(is_set) { " (a circle or sphere of them counted once)" } else { "" };
     let most = counted(document.summary.critical_points_max, "relative equilibrium", "relative equilibria");
-    format!("at most {most} at one l{once}")
+    format!("at most {most} at {at}{once}")
 }
 
 /// What lies over one component of U.
@@ -121,28 +123,39 @@ pub fn with_friction(found: &FrictionDocument) -> String {
     }
 }
 
-/// True if the regions meet along a curve with `below` on the side of lower h.
+/// True if the regions meet along the curve of this id with `below` on the side of lower h.
 #[must_use]
-pub fn lies_below(below: &RegionDocument, above: &RegionDocument, curve: &str) -> bool {
-    let end = |end: Option<f64>| end.unwrap_or(f64::INFINITY);
-    below.cells.iter().filter(|cell| cell.upper.as_deref() == Some(curve)).any(|lower| {
-        above
-            .cells
-            .iter()
-            .filter(|cell| cell.lower == curve)
-            .any(|upper| end(lower.l_range[0]) < end(upper.l_range[1]) && end(upper.l_range[0]) < end(lower.l_range[1]))
-    })
+pub fn lies_below(atlas: &Atlas, below: &RegionDocument, above: &RegionDocument, curve: &str) -> bool {
+    let number = |region: &RegionDocument| region.id.parse::<RegionId>().ok();
+    let (Some(below), Some(above)) = (number(below), number(above)) else { return false };
+    let set = &atlas.arrangement().set;
+    let is_it = |(floor, beyond)| beyond == Some(below) && CurveName::of(set, floor).to_string() == curve;
+    atlas.floors(above).any(is_it)
 }
 
-/// True when the region reaches an event.
+/// True if a region reaches the place of an event: a cell of it ends at its l, between curves of which one takes part.
 #[must_use]
 pub fn touches(region: &RegionDocument, event: &EventDocument) -> bool {
-    region.cells.iter().any(|cell| {
-        let ends = cell.l_range.map(|l| l.unwrap_or(f64::INFINITY));
-        let at_end = ends.iter().any(|l| (l - event.l).abs() <= 1e-12 * event.l);
-        let on = |curve: Option<&String>| curve.is_some_and(|curve| event.curves.contains(curve));
-        at_end && (on(Some(&cell.lower)) || on(cell.upper.as_ref()))
-    })
+    let takes_part = |curve: &String| event.curves.contains(curve);
+    let reaches = |cell: &&CellDocument| takes_part(&cell.lower) || cell.upper.as_ref().is_some_and(takes_part);
+    cells_at(region, event).any(|cell| reaches(&cell))
+}
+
+/// The same for the forbidden region, which lies below cells without a cell below them.
+#[must_use]
+pub fn touches_forbidden(regions: &[RegionDocument], event: &EventDocument) -> bool {
+    let cells: Vec<&CellDocument> = regions.iter().flat_map(|region| cells_at(region, event)).collect();
+    let overlap = |p: &CellDocument, q: &CellDocument| p.l_range == q.l_range;
+    let is_lowest = |cell: &CellDocument| {
+        !cells.iter().any(|other| overlap(other, cell) && other.upper.as_ref() == Some(&cell.lower))
+    };
+    cells.iter().any(|cell| event.curves.contains(&cell.lower) && is_lowest(cell))
+}
+
+/// The cells of a region that end at the l of an event.
+fn cells_at<'a>(region: &'a RegionDocument, event: &'a EventDocument) -> impl Iterator<Item = &'a CellDocument> {
+    let near = event.l_error + 4.0 * f64::EPSILON * event.l;
+    region.cells.iter().filter(move |cell| cell.l_range.iter().flatten().any(|l| (l - event.l).abs() <= near))
 }
 
 /// What happens to U, E and P on the way from one side of a curve to the other.
@@ -212,7 +225,7 @@ pub fn passage(atlas: &Atlas, document: &AtlasDocument, passage: &Passage) -> St
     match alone.filter(|(curve, _)| adjacent(&curve.id)) {
         Some((curve, pole)) => {
             let upwards = match (from, to) {
-                (Some(from), Some(to)) => lies_below(from, to, &curve.id),
+                (Some(from), Some(to)) => lies_below(atlas, from, to, &curve.id),
                 (from, _) => from.is_none(),
             };
             let pole = pole.map_or_else(String::new, |pole| format!(", at the pole {}", pole_name(pole)));

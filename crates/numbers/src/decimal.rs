@@ -139,6 +139,17 @@ pub fn told_apart(ends: [f64; 2], digits: usize) -> [String; 2] {
     (digits..=17).map(written).find(|[from, to]| from != to).unwrap_or_else(|| written(digits))
 }
 
+/// The fewest significant digits, `least` or more, with which numbers that differ are written differently.
+#[must_use]
+pub fn telling_digits(values: &[f64], least: usize) -> usize {
+    let mut rising = values.to_vec();
+    rising.sort_by(f64::total_cmp);
+    rising.dedup();
+    let are_apart =
+        |digits: &usize| rising.windows(2).all(|pair| significant(pair[0], *digits) != significant(pair[1], *digits));
+    (least..17).find(are_apart).unwrap_or(17)
+}
+
 /// A number with the word for one of them or for several.
 pub fn counted<N: Copy + Display + PartialEq + From<u8>>(number: N, one: &str, several: &str) -> String {
     let word = if number == N::from(1) { one } else { several };

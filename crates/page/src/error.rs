@@ -14,9 +14,11 @@ pub enum PlotError {
     /// The atlas has no drawing.
     #[error("the atlas has no drawing, and no window was given")]
     NoDrawing,
-    /// The document does not say which curves lie above each other, or covers only a part of the plane.
+    /// The document does not say which curves lie above each other, or covers only a part of the plane; or doubles do not tell
+    /// the curves apart.
     #[error(
-        "the straightened plane needs all regions of the whole plane: without them --view plane draws what there is"
+        "the straightened plane needs all regions of the whole plane, with curves that doubles tell apart: --view plane \
+         draws what there is"
     )]
     NotStraight,
     /// A curve has neither a polyline nor a source of one.

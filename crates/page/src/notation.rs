@@ -47,15 +47,15 @@ pub fn number(x: impl Display) -> String {
 pub fn body_line(moments: &[impl Display; 3], center: &[impl Display; 3], width: f64, size: f64) -> String {
     /// Significant digits, best first.
     const DIGITS: [usize; 6] = [6, 5, 4, 3, 2, 1];
-    let line = |print: &dyn Fn(String) -> String| {
-        let [a1, a2, a3] = moments.each_ref().map(|x| print(x.to_string()));
-        let [r1, r2, r3] = center.each_ref().map(|x| print(x.to_string()));
-        format!("A = ({a1}, {a2}, {a3}),  r = ({r1}, {r2}, {r3})")
+    let triple = |name: &str, texts: [String; 3], digits: usize| {
+        let sign = if texts.iter().all(|text| is_exact(text, digits)) { "=" } else { "≈" };
+        format!("{name} {sign} ({})", texts.each_ref().map(|text| shortened(text, digits)).join(", "))
     };
-    let full = line(&|text| number(text));
     let rounded = |digits: usize| {
-        let line = line(&|text| shortened(&text, digits));
-        if line == full { line } else { line.replace(" = ", " ≈ ") }
+        let [moments, center] =
+            [("A", moments.each_ref().map(ToString::to_string)), ("r", center.each_ref().map(ToString::to_string))]
+                .map(|(name, texts)| triple(name, texts, digits));
+        format!("{moments},  {center}")
     };
     let fits = |line: &String| text_width(line, size) <= width;
     DIGITS.into_iter().map(rounded).find(fits).unwrap_or_else(|| rounded(1))
@@ -65,8 +65,15 @@ pub fn body_line(moments: &[impl Display; 3], center: &[impl Display; 3], width:
 /// ≈.
 #[must_use]
 pub fn value_text(name: &str, text: &str, digits: usize) -> String {
-    let value = shortened(text, digits);
-    format!("{name} {} {value}", if value == number(text) { "=" } else { "≈" })
+    format!("{name} {} {}", if is_exact(text, digits) { "=" } else { "≈" }, shortened(text, digits))
+}
+
+/// True where that many digits are all that a number has.
+fn is_exact(text: &str, digits: usize) -> bool {
+    let is_plain = text.contains('.') && !text.contains(['e', 'E', '/']);
+    let least = if is_plain { text.trim_end_matches('0').trim_end_matches('.') } else { text };
+    let shown = shortened(text, digits);
+    shown == number(text) || shown == number(least)
 }
 
 /// The text of a number if it is short, else rounded to this many significant digits.

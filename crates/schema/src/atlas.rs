@@ -97,7 +97,7 @@ term! {
         HamiltonianHopf = "hamiltonian-hopf",
         /// Two real pairs meet and become a complex quadruple.
         RealCollision = "real-collision",
-        /// A pair of eigenvalues goes through zero, at a cusp or pitchfork.
+        /// A pair of eigenvalues goes through zero, or two pairs where moments are equal, at a cusp or pitchfork.
         Zero = "zero",
     }
 }
@@ -206,7 +206,7 @@ pub struct CurveDocument {
 pub enum EventKind {
     /// Two curves meet and vanish.
     Cusp,
-    /// A symmetric pair leaves a curve; `curves` holds the curve before, the curve after, and the pair.
+    /// A symmetric pair or a circle leaves a curve; `curves` holds the curve before, the curve after, and the pair or circle.
     Pitchfork,
     /// Two curves cross.
     Crossing,
@@ -282,9 +282,9 @@ pub struct RegionDocument {
     pub id: String,
     /// A well-placed point inside.
     pub sample: SampleDocument,
-    /// The components of U_hl.
+    /// The components of U_hl; none where they are not decided (`fast`).
     pub components: Vec<ComponentDocument>,
-    /// The sections' names joined by `+`; null when r = 0.
+    /// The sections' names joined by `+`; null when r = 0, and where they are not decided (`fast`).
     pub signature: Option<String>,
     /// True when the region is bounded in the (h, l) plane.
     pub bounded: bool,
@@ -324,7 +324,7 @@ pub struct SummaryDocument {
     pub regions: usize,
     /// Number of the `events`.
     pub events: usize,
-    /// How many of the `regions` have each signature (for r = 0, each type of U).
+    /// How many of the `regions` have each signature (for r = 0, each type of U); without a name, those that are not decided.
     pub signatures: BTreeMap<String, usize>,
     /// The largest number of relative equilibria at one l, of the whole half-plane also where a window was searched; a critical
     /// circle or sphere counts once. With `fast` it may be too large where events are nearer than f64 resolves.

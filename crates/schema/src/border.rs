@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{BodyParameter, Head, RangeDocument};
 
-/// Kinds of borders, all of codimension one.
+/// Kinds of borders, in general of codimension one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum BorderEventName {
@@ -51,9 +51,10 @@ pub struct BorderEventDocument {
     pub l: Option<f64>,
     /// Estimate of the error of both.
     pub error_bound: Option<f64>,
-    /// Events that only the body with the first of `classes` has.
+    /// Events that only the body with the first of `classes` has, by the names of their branches: where the border is the
+    /// body's own, as with equal moments, one event may have two names.
     pub vanish: Vec<String>,
-    /// Events that only the body with the second has.
+    /// Events that only the body with the second has, likewise.
     pub appear: Vec<String>,
 }
 
@@ -124,8 +125,8 @@ pub struct EventTracksDocument {
     pub vary: RangeDocument,
     /// Bodies in equal steps, as many as were asked for.
     pub bodies: u32,
-    /// Those that were left out: special bodies, those on a border, and undecided ones; neighbouring bodies were
-    /// examined instead.
+    /// Those that were left out: special bodies, those on a border, undecided ones, and those of another class than their
+    /// stretch; neighbouring bodies were examined instead.
     pub passed: u32,
     /// The class before the first border, between any two, and behind the last; null where it is not known.
     pub classes: Vec<Option<String>>,

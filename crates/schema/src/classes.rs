@@ -94,7 +94,7 @@ pub struct ClassBorderDocument {
 pub struct ClassBesideDocument {
     /// Its name.
     pub class: String,
-    /// The share of random bodies at a distance of 1e-6 that have this class.
+    /// The share of random bodies within a distance of 1e-6 that have this class.
     pub share: f64,
 }
 

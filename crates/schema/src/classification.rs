@@ -90,7 +90,7 @@ pub struct ClassificationDocument {
     /// Each region that meets at a critical or undecided point, once; without an atlas, each class.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub candidates: Vec<CandidateDocument>,
-    /// Why the region or the class of a point is not known.
+    /// What of a point is not known or not defined, and why.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
     /// The part from which A and r were computed, when one was given.

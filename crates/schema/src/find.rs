@@ -8,7 +8,7 @@ use super::{ComponentDocument, GivenBody, Head, MarginDocument, Number};
 /// A body and a point that show what was sought.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct WitnessDocument {
-    /// What it shows: `k3n1`, `M4`, a signature, a number of relative equilibria.
+    /// What it shows: `k3n1`, `M4`, a signature, a number of isolated relative equilibria.
     #[serde(rename = "type")]
     pub kind: String,
     /// The body.
@@ -24,7 +24,7 @@ pub struct WitnessDocument {
     pub components: Vec<ComponentDocument>,
     /// Distance in h to the nearest curve.
     pub margin: MarginDocument,
-    /// Relative equilibria at this l, where their number was sought.
+    /// Isolated relative equilibria at this l, where their number was sought.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub critical_points: Option<usize>,
 }
@@ -43,7 +43,7 @@ pub struct NearestDocument {
     /// Vertical angular momentum.
     pub l: Option<f64>,
     /// What is missing: the distance in h by which a pole would have to enter or leave, divided by |r|; or the number of
-    /// relative equilibria.
+    /// isolated relative equilibria.
     pub missing: f64,
 }
 
@@ -66,7 +66,7 @@ pub struct FindDocument {
     /// The witness.
     #[serde(flatten)]
     pub witness: Option<WitnessDocument>,
-    /// The methods that confirm it.
+    /// The methods that confirm its components.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub verified_by: Vec<String>,
     /// Bodies that were drawn while sampling.

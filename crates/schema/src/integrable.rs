@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 pub enum IntegrableCaseName {
     /// r = 0.
     Euler,
-    /// Two equal moments and r on the third axis, or three equal moments.
+    /// Two equal moments and r ≠ 0 on the third axis, or three equal moments and r ≠ 0.
     Lagrange,
     /// A = (2, 2, 1) up to scale with r in the plane of the equal moments.
     Kovalevskaya,

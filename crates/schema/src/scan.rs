@@ -173,7 +173,7 @@ pub struct RowDocument {
     pub crossings: Option<u32>,
     /// The largest number of relative equilibria at one l; a circle counts once.
     pub critical_points: Option<u32>,
-    /// How many regions have each signature: `S2:2 S2+T2:1`.
+    /// How many regions have each signature (for r = 0, each type of U): `S2:2 S2+T2:1`.
     pub signatures: Option<String>,
     /// How many regions show a component with k boundary circles and n poles: `k0n2:1 k1n1:4`.
     pub types: Option<String>,
@@ -235,7 +235,7 @@ pub struct ClassRecordDocument {
     pub text: Vec<String>,
 }
 
-/// Something that bodies show: how many do, and where it is seen best.
+/// Something that bodies show: how many do, and the first of them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct RecordDocument {
     /// Number of bodies.
@@ -279,7 +279,7 @@ pub struct ScanSummaryDocument {
     pub regions: BTreeMap<u32, RecordDocument>,
     /// For each type of component (boundary circles and poles): the bodies that show it.
     pub types: BTreeMap<String, RecordDocument>,
-    /// For each signature: the bodies that show it.
+    /// For each signature (for r = 0, each type of U): the bodies that show it.
     pub signatures: BTreeMap<String, RecordDocument>,
     /// Every class, the most frequent first.
     pub classes: Vec<ClassRecordDocument>,

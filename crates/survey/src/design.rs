@@ -87,7 +87,7 @@ pub enum DesignError {
     #[error("the family chooses every parameter itself; to vary some of them give a body or the family katok")]
     NothingToVary,
     /// A body, and nothing that varies.
-    #[error("nothing varies; give ranges such as A2=0.5:2:200")]
+    #[error("nothing varies; give ranges such as A2=0.5:2:200, or A2=0.5:2 with a number of samples")]
     NothingVaries,
     /// A parameter twice.
     #[error("{parameter} is given twice")]

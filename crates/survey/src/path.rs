@@ -5,7 +5,7 @@ use dashu_ratio::RBig;
 
 use crate::border::{BodySegment, Border, BorderOptions, all};
 
-/// A body in axes with A1 ≤ A2 ≤ A3 and r_i ≥ 0, and in units with A1 + A2 + A3 = 2 and the largest r_i = 1, exactly.
+/// A body in axes with A1 ≤ A2 ≤ A3 and r_i ≥ 0, and in units with A1 + A2 + A3 = 2 and the largest r_i = 1, exactly; r may be 0.
 /// Its diagram is the same up to scale. Axes of equal moments are ordered by rising r_i.
 #[must_use]
 pub fn in_standard_axes(body: &Body) -> Body {

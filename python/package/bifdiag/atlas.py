@@ -4,7 +4,7 @@ from typing import Any
 
 from .atlas_document import Source
 from .atlas_drawing import AtlasDrawing
-from .behaviour import sections
+from .behaviour import counted, sections
 from .point_answers import PointAnswers
 
 
@@ -40,7 +40,8 @@ class Atlas(PointAnswers, AtlasDrawing):
         return _of, (self._source,)
 
     def __repr__(self) -> str:
-        lines = [f"Atlas of {self.body}: {len(self.regions)} regions, {len(self.events)} events"]
+        found = f"{counted(len(self.regions), 'region')}, {counted(len(self.events), 'event')}"
+        lines = [f"Atlas of {self.body}: {found}"]
         lines += [f"  {region.id}: {region.signature or sections(region.components)}" for region in self.regions]
         lists = "regions, events, curves, stability_changes, verdict_changes"
         lines.append(f"  [{lists}; region(h, l), classify(h, l), plot(), to_json()]")

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from . import _core, exact, pictures
 from .atlas_document import AtlasDocument, Span
-from .behaviour import Document
+from .behaviour import Document, counted
 from .errors import InputError, RangeError
 from .exact import Number
 from .explorer import Explorer
@@ -180,5 +180,5 @@ class AtlasDrawing(AtlasDocument):
         return self.svg()
 
     def _repr_html_(self) -> str:
-        regions = f"<details><summary>{len(self.regions)} regions</summary>{self.regions._repr_html_()}</details>"
+        regions = f"<details><summary>{counted(len(self.regions), 'region')}</summary>{self.regions._repr_html_()}</details>"
         return f"<div>{self.svg()}{regions}</div>"

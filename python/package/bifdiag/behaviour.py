@@ -92,7 +92,7 @@ class Region(Drawn):
 
     def _repr_html_(self: Any) -> str:
         at = f"({self.sample.h:.6g}, {self.sample.l:.6g})"
-        return table([("region", self.id), ("sections", sections(self.components)), ("a point (h, l) inside", at)])
+        return table([("region", self.id), ("sections", sections(self.components)), ("sample (h, l), rounded", at)])
 
 
 class Curve(Drawn):
@@ -143,6 +143,11 @@ def span(ends: list[float | None]) -> tuple[float, float]:
 def maybe(make: Callable[[Any], Made], value: Any) -> Made | None:
     """What a function makes of a value; None of None."""
     return None if value is None else make(value)
+
+
+def counted(count: int, one: str, several: str | None = None) -> str:
+    """A number with the word for one of them or for several."""
+    return f"{count} {one if count == 1 else several or one + 's'}"
 
 
 def table(rows: list[tuple[str, str]]) -> str:

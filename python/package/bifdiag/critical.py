@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from . import _core, arrays, exact
 from .arrays import Labels
+from .behaviour import counted
 from .tables import Table, frame_of
 from .verdicts import LATER, VERDICTS, Columns, deferred, place, worded
 
@@ -66,7 +67,7 @@ class Equilibria(Table):
         Id of the curve in the atlas, or ``"l=0"`` at rest without weight, which is on none; the page "Conventions" explains
         ids.
     branch_name : array (n,) of str
-        Where the branch begins, such as ``"from +r̂"``.
+        The branch in words, such as ``"from +r̂"`` or ``"pair over axis 2"``.
     meta : dict
         ``A``, ``r``, ``version``; ``error_bound`` of every h; ``complete``: False where it could not be decided whether
         there are more; ``invalid``: the places of an l without rows, since it is missing, infinite or out of range.
@@ -212,7 +213,7 @@ class Equilibria(Table):
         heads = "".join(f"<th>{name}</th>" for name in shown)
         few = self[:20]
         rows = "".join("<tr>" + "".join(f"<td>{_cell(row[name])}</td>" for name in shown) + "</tr>" for row in few)
-        more = f"<p>and {len(self) - len(few)} more rows</p>" if len(self) > len(few) else ""
+        more = f"<p>and {counted(len(self) - len(few), "more row")}</p>" if len(self) > len(few) else ""
         return f"<table><tr>{heads}</tr>{rows}</table>{more}"
 
     def __repr__(self) -> str:
@@ -222,7 +223,7 @@ class Equilibria(Table):
             why = f"{stable} ({row['stable_by']})"
             lines.append(f"  l = {row['l']:.6g}, h = {row['h']:.6g}: {row['branch']}, index {row['index']}, {why}")
         without = self.meta["invalid"]
-        told = [f"  without rows, since l is no finite number there: l_index {', '.join(map(str, without[:8]))}"]
+        told = [f"  without rows, since l is missing, infinite or out of range there: l_index {', '.join(map(str, without[:8]))}"]
         told[0] += ", …" if len(without) > 8 else ""
         return "\n".join([*lines, *(["  …"] if len(self) > 12 else []), *(told if without else [])])
 

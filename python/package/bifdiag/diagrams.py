@@ -66,7 +66,7 @@ class Diagrams(Given):
         ----------
         l : number, or array of them
             Vertical angular momentum. At −l the same equilibria rotate in the opposite direction; at l = 0 the body is
-            at rest, hanging or standing.
+            at rest: hanging or standing, or without weight in any orientation.
         threads : int, optional
             As of all questions: `Body`.
         invalid : {"mark", "raise"}

@@ -93,7 +93,7 @@ class Given(metaclass=Concise):
     def com(self) -> npt.NDArray[np.float64]:
         """The centre of mass from the fixed point in principal axes, as floats: r/`weight`.
 
-        Of a part in its unit of length; of any other body r itself.
+        Of a part in its unit of length, and 0 if g is 0 (`part` has its place then); of any other body r itself.
         """
         return _floats(self.r) / self.weight if self.weight else _floats(self.r)
 

@@ -47,7 +47,8 @@ class PointAnswers(AtlasDocument):
             None: one; 0: one per core. The result does not depend on it.
         invalid : {"mark", "raise"}
             What becomes of a point with a float that is NaN, masked, infinite, or beyond 1e±150: its code is −4, or an
-            error names it. A text, Decimal, Fraction or int that is no number in range is always an error.
+            error names it. A text, Decimal, Fraction or int that is no number in range is always an error, and so is a
+            float beyond 1e±150 in an array of such objects.
 
         Returns
         -------

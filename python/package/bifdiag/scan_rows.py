@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 import numpy.typing as npt
 
+from .behaviour import counted
 from .errors import InputError
 from .tables import Table
 
@@ -75,7 +76,7 @@ class Scan(Table):
         return Scan, (self._columns, self._meta, self._labels)
 
     def __repr__(self) -> str:
-        return f"Scan of {len(self)} bodies [{', '.join(self.columns)}, meta]"
+        return f"Scan of {counted(len(self), "body", "bodies")} [{', '.join(self.columns)}, meta]"
 
 
 def column(values: tuple[str, ...]) -> npt.NDArray[Any]:

@@ -18,7 +18,7 @@ use super::input::{BodyArguments, accuracy, values};
 use super::terminal::Timings;
 use crate::Curves;
 
-pub use report::{STRAY, inner_sample, stray_sample, strays};
+pub use report::{STRAY, inner_sample, stray_sample, strays, width_error};
 
 pub const EXAMPLES: &str = "\
 Examples:

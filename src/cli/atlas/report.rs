@@ -12,7 +12,7 @@ use bifdiag_schema::{
 
 use crate::cli::failure::Failure;
 use crate::cli::input::{head, integrable};
-use crate::cli::terminal::{Report, Table, significant};
+use crate::cli::terminal::{Report, Table, bound, significant, told_apart};
 
 /// Significant digits of a place in the plane.
 const DIGITS: usize = 8;
@@ -54,7 +54,7 @@ pub fn text(subject: &Subject, atlas: &Atlas, document: &AtlasDocument, written:
     integrable(&subject.body, &mut report);
     report.line("");
     if document.regions.is_empty() && document.summary.undecided.is_empty() {
-        report.line("no point of the window is accessible: all of it lies below the lowest curve; there is no picture");
+        report.line("no region reaches into the window: all points inside it are forbidden; there is no picture");
     } else {
         let strays = strays(subject, document);
         report.line(region_table(subject, document, &strays));
@@ -82,7 +82,7 @@ pub fn text(subject: &Subject, atlas: &Atlas, document: &AtlasDocument, written:
     match (summary.complete, document.window) {
         (true, _) => {}
         (false, Some(_)) => report.line("only what lies in the window is listed, not the whole half-plane l > 0"),
-        (false, None) => report.line("the half-plane l > 0 is not covered completely"),
+        (false, None) => report.line("the half-plane l > 0 is not completely known"),
     }
     if let Some(certificate) = &document.certificate {
         let topology = if summary.undecided.is_empty() { " and the topology of each" } else { "" };
@@ -108,9 +108,19 @@ pub fn text(subject: &Subject, atlas: &Atlas, document: &AtlasDocument, written:
     report.text()
 }
 
+/// A bound on the error of the width of a region in h.
+pub fn width_error(subject: &Subject, width: f64) -> f64 {
+    let [x, y, z] = subject.body.center_f64();
+    1e-6 * width + 4e-9 * (x * x + y * y + z * z).sqrt()
+}
+
 /// The table of regions, with as many digits as fit.
 fn region_table(subject: &Subject, document: &AtlasDocument, strays: &[String]) -> String {
-    let width = |region: &RegionDocument| document.h_width(&region.id);
+    let width = |region: &RegionDocument, digits| {
+        let Some(width) = document.h_width(&region.id) else { return "inf".to_owned() };
+        let error = width_error(subject, width);
+        if width > error { significant(width, digits) } else { format!("<{}", bound(width + error, 1)) }
+    };
     let sample = |region: &RegionDocument, digits| {
         let [h, l] = inner_sample(subject, &region.sample, digits);
         let sample = format!("({h}, {l})");
@@ -122,7 +132,7 @@ fn region_table(subject: &Subject, document: &AtlasDocument, strays: &[String]) 
 fn table_of(
     regions: &[RegionDocument],
     sample: &dyn Fn(&RegionDocument, usize) -> String,
-    width: &dyn Fn(&RegionDocument) -> Option<f64>,
+    width: &dyn Fn(&RegionDocument, usize) -> String,
 ) -> String {
     let with = |digits, sample: &dyn Fn(&RegionDocument, usize) -> String| region_rows(regions, width, sample, digits);
     let short = |region: &RegionDocument, digits| short_sample(&region.sample, digits);
@@ -137,7 +147,7 @@ fn short_sample(SampleDocument { h, l, .. }: &SampleDocument, digits: usize) -> 
 }
 
 /// h and l of a sample with this many digits, or with as many as leave it in its region: the slope of curves is
-/// l/J ≤ l/min A.
+/// l/J ≤ l/min A. Where none is seen to do so, the decimals that the doubles denote, as those of [`strays`].
 pub fn inner_sample(subject: &Subject, SampleDocument { h, l, margin }: &SampleDocument, digits: usize) -> [String; 2] {
     let least_moment = subject.body.moments_f64().into_iter().fold(f64::INFINITY, f64::min);
     let written = |digits: usize| [h, l].map(|x| significant(*x, digits));
@@ -146,12 +156,18 @@ pub fn inner_sample(subject: &Subject, SampleDocument { h, l, margin }: &SampleD
             .map(|(x, k)| written(*digits)[k].parse::<f64>().map_or(f64::INFINITY, |rounded| (rounded - x).abs()));
         h_error + l_error * (l.abs() + l_error) / least_moment < margin.h
     };
-    written((digits..17).find(is_inside).unwrap_or(17))
+    (digits..17).find(is_inside).map_or_else(|| [*h, *l].map(shortest), written)
+}
+
+/// The shortest decimal of a double.
+fn shortest(x: f64) -> String {
+    let written = |digits| significant(x, digits);
+    (1..17).map(written).find(|text| text.parse() == Ok(x)).unwrap_or_else(|| written(17))
 }
 
 fn region_rows(
     regions: &[RegionDocument],
-    width: &dyn Fn(&RegionDocument) -> Option<f64>,
+    width: &dyn Fn(&RegionDocument, usize) -> String,
     sample: &dyn Fn(&RegionDocument, usize) -> String,
     digits: usize,
 ) -> Table {
@@ -170,8 +186,11 @@ fn region_rows(
             column(&|component| component.section.clone().unwrap_or_else(|| "-".to_owned())),
             column(&|component| component.genus.map_or_else(|| "-".to_owned(), |genus| genus.to_string())),
             sample(region, digits),
-            number(width(region), "inf"),
-            format!("{}..{}", number(from, "?"), number(to, "inf")),
+            width(region, digits),
+            match [from, to] {
+                [Some(from), Some(to)] => told_apart([from, to], digits).join(".."),
+                _ => format!("{}..{}", number(from, "?"), number(to, "inf")),
+            },
         ]);
     }
     table
@@ -197,6 +216,7 @@ fn event_table(events: &[EventDocument], all: &[EventDocument]) -> Option<String
         let is_it = |other: &EventDocument| (other.l, other.h, &other.curves) == (event.l, event.h, &event.curves);
         all.iter().position(is_it).map_or_else(String::new, |place| format!("E{}", place + 1))
     };
+    let digits = event_digits(events);
     for event in events {
         let kind = match event.kind {
             EventKind::Cusp => "cusp",
@@ -206,12 +226,22 @@ fn event_table(events: &[EventDocument], all: &[EventDocument]) -> Option<String
         table.row([
             id(event),
             kind.to_owned(),
-            significant(event.l, DIGITS),
-            significant(event.h, DIGITS),
+            significant(event.l, digits),
+            significant(event.h, digits),
             event.curves.join(", "),
         ]);
     }
     (!events.is_empty()).then(|| table.text())
+}
+
+/// As many digits as tell neighbouring events apart, by l or by h.
+fn event_digits(events: &[EventDocument]) -> usize {
+    let written = |event: &EventDocument, digits| [event.l, event.h].map(|x| significant(x, digits));
+    let are_apart = |digits: &usize| {
+        let mut pairs = events.windows(2).filter(|pair| (pair[0].l, pair[0].h) != (pair[1].l, pair[1].h));
+        pairs.all(|pair| written(&pair[0], *digits) != written(&pair[1], *digits))
+    };
+    (DIGITS..17).find(are_apart).unwrap_or(17)
 }
 
 /// Where the linear type changes along a branch; `None` without changes.
@@ -265,7 +295,7 @@ mod tests {
             region("R4", &[component(2, None)], [1.0, 2.0]),
         ];
         let sample = |region: &RegionDocument, digits| short_sample(&region.sample, digits);
-        let text = table_of(&regions, &sample, &|region| Some(region.sample.h / 7.0));
+        let text = table_of(&regions, &sample, &|region, digits| significant(region.sample.h / 7.0, digits));
         assert!(text.lines().all(|line| line.chars().count() <= TABLE_WIDTH), "{text}");
         for name in ["S2+S2+S2+S2+", "(S1xS2)#(S1xS2)", "M3", "RP3"] {
             assert!(text.contains(name), "{name} is missing in\n{text}");

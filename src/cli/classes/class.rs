@@ -76,9 +76,9 @@ fn find(name: &str) -> Result<ClassDocument, Failure> {
         (Some(only), 0) => Ok(only.clone()),
         (Some(first), more) => {
             let (count, first) = (more + 1, &first.name);
+            let others = counted(more, "other", "others");
             Err(Failure::input(format!(
-                "NAME {name}: {count} classes begin with it, {first} and others; give more \
-            digits"
+                "NAME {name}: {count} classes begin with it, {first} and {others}; give more digits"
             )))
         }
         (None, _) if name.is_empty() => Err(Failure::input("NAME is empty; `bifdiag classes` lists the names")),
@@ -157,10 +157,9 @@ fn report(class: &ClassDocument, document: &AtlasDocument, written: &[PathBuf]) 
     let (moments, center) = (class.witness.body.moments.join(","), class.witness.body.center.join(","));
     report.line(format!("  bifdiag --A {moments} --r {center}"));
     if class.distance > 0.0 {
-        // Rounded down.
-        let distance = significant(class.distance * (1.0 - 5e-3), 3);
+        let distance = significant(class.distance, 3);
         report.line(format!(
-            "  the survey found no body of another class nearer than {distance}, special bodies included"
+            "  the nearest body of another class that the survey found, special bodies included, is {distance} away"
         ));
     }
     report.line("");

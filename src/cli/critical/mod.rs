@@ -33,8 +33,8 @@ Examples:
   bifdiag critical --batch momenta.jsonl > equilibria.jsonl
 
 Each line of a batch is {\"A\": [2, 1.1, 1], \"r\": [0.94868, 0, 0.61623], \"l\": 3.25}, with numbers or strings; a \
-line without A and r uses the body of the command line; other keys are ignored with a warning. Each line is answered \
-by one line, in the same order; an invalid line gives {\"error\": …, \"line\": n}.";
+line without A and r uses the body of the command line; other keys are ignored with a warning, but spin is an error. \
+Each line is answered by one line, in the same order; an invalid line gives {\"error\": …, \"line\": n}.";
 
 /// How relative equilibria are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]

@@ -77,7 +77,7 @@ pub fn steady_axes(subject: &Subject, document: &SteadyAxesDocument) -> String {
     report.line(format!("axis: the end that points up, {frame}; gamma in the JSON points down, in principal axes"));
     for axis in document.axes.iter().filter(|axis| axis.fold) {
         report.line(format!(
-            "at this spin steady axes of {} meet; at slightly slower spins they do not exist",
+            "on {}: two steady axes meet at this spin; at slightly slower spins they do not exist",
             axis.equilibrium.branch
         ));
     }

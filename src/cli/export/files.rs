@@ -225,6 +225,6 @@ fn create_directories(directory: &Path) -> Result<(), Failure> {
     unfinished().splice(0..0, missing.map(Path::to_owned));
     fs::create_dir_all(directory).map_err(|error| {
         let path = directory.display();
-        Failure::work(format!("cannot create the directory {path}: {error}; choose another with --out")).because(error)
+        Failure::work(format!("cannot create the directory {path}: {error}; choose another place")).because(error)
     })
 }

@@ -19,9 +19,9 @@ const DEFAULT_DIRECTORY: &str = "bifdiag-out";
 /// The directory of `--out`, if files are wanted at all; without that option, the usual one if `wanted` is set.
 pub fn directory(out: Option<&Path>, wanted: bool) -> Result<Option<PathBuf>, Failure> {
     match out {
-        Some(directory) if directory == Path::new("-") => Err(Failure::input(
-            "--out -: a directory is needed; leave out --out and use --json to write the atlas to stdout",
-        )),
+        Some(directory) if directory == Path::new("-") => {
+            Err(Failure::input("--out -: a directory is needed, such as --out pictures"))
+        }
         Some(directory) => Ok(Some(directory.to_owned())),
         None => Ok(wanted.then(|| PathBuf::from(DEFAULT_DIRECTORY))),
     }

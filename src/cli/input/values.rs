@@ -185,11 +185,14 @@ fn interval(text: &str, [low, high]: [&str; 2], right: &str) -> Result<([f64; 2]
     let (from, to) = (entry(low, from)?, entry(high, to)?);
     let ends = [from.to_f64(), to.to_f64()];
     if ends[0] < ends[1] {
-        Ok((ends, from))
-    } else {
-        let (from, to) = (from.text(), to.text());
-        Err(Failure::input(format!("{low} = {from} is not below {high} = {to}; write the lower end first")))
+        return Ok((ends, from));
     }
+    let why = if from.value() < to.value() {
+        format!("is the same double as {high} = {}; write ends that are further apart", to.text())
+    } else {
+        format!("is not below {high} = {}; write the lower end first", to.text())
+    };
+    Err(Failure::input(format!("{low} = {} {why}", from.text())))
 }
 
 /// The energies and the momenta of a grid.

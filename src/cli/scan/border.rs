@@ -1,7 +1,7 @@
 //! `bifdiag scan border`: where the class changes between two bodies.
 
 use bifdiag_body::Number;
-use bifdiag_schema::{BorderDocument, FoundBorderDocument};
+use bifdiag_schema::{BorderDocument, BorderEventName, FoundBorderDocument};
 use bifdiag_survey::border::{self, BodySegment, BorderOptions};
 use bifdiag_survey::{ParameterRange, with_values};
 
@@ -76,9 +76,10 @@ fn add_border(report: &mut Report, border: &FoundBorderDocument, vary: &[Paramet
         let [h, l] = [h, l].map(|x| significant(x, DIGITS));
         report.line(format!("  at h = {h}, l = {l}, of the curves {}", event.curves.join(", ")));
     }
+    let named = if is_of_the_body(event.kind) { "by the names of their branches " } else { "" };
     for (class, labels) in border.classes.iter().zip([&event.vanish, &event.appear]) {
         if !labels.is_empty() {
-            report.line(format!("  only in {class}: {}", each_once(labels).join("; ")));
+            report.line(format!("  {named}only in {class}: {}", each_once(labels).join("; ")));
         }
     }
     report.line("one border between the two ends; others were not searched for");
@@ -87,6 +88,12 @@ fn add_border(report: &mut Report, border: &FoundBorderDocument, vary: &[Paramet
 /// All digits, with a power of ten where many zeros would lead.
 fn shortest(x: f64) -> String {
     if x != 0.0 && x.abs() < 1e-4 { format!("{x:e}") } else { x.to_string() }
+}
+
+/// True where branches are named anew beyond the border, so that one event may have two names.
+fn is_of_the_body(kind: BorderEventName) -> bool {
+    use BorderEventName::{MomentsEqual, PitchforkAtInfinity, SymmetryBroken, WeightVanishes};
+    matches!(kind, MomentsEqual | PitchforkAtInfinity | SymmetryBroken | WeightVanishes)
 }
 
 /// Equal labels, which follow one another, as one.

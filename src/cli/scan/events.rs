@@ -11,7 +11,7 @@ use bifdiag_survey::with_values;
 use super::arguments::EventsArguments;
 use crate::cli::export::{Columns, DataFormat, DataTarget, FileSet, Values, answer, directory};
 use crate::cli::failure::Failure;
-use crate::cli::terminal::{Report, Table, Timings, print, significant};
+use crate::cli::terminal::{Report, Table, Timings, bound, print, significant, telling_digits};
 use crate::pictures::{EventScene, events, momenta};
 
 /// Bodies if no number is given.
@@ -103,7 +103,7 @@ fn add(report: &mut Report, document: &EventTracksDocument) {
     ));
     if document.passed > 0 {
         let left_out = counted(document.passed as usize, "of them is left out", "of them are left out");
-        report.line(format!("{left_out}: special, on a border or undecided; neighbouring bodies are examined instead"));
+        report.line(format!("{left_out}: special, on a border, undecided or of another class than their neighbours, which are examined instead"));
     }
     report.line("");
     if document.events.is_empty() {
@@ -113,21 +113,29 @@ fn add(report: &mut Report, document: &EventTracksDocument) {
     }
     report
         .line("borders are sought between neighbouring bodies of different classes; two within one step may be missed");
+    let digits = border_digits(document);
     for border in &document.borders {
         let Some(at) = border.at.first() else { continue };
-        let error = if border.reached { String::new() } else { format!(" ± {}", significant(at.error, 1)) };
-        report.line(format!("{parameter} = {}{error}: {}", significant(at.value, DIGITS), border.event.text));
+        let error = if border.reached { String::new() } else { format!(" ± {}", bound(at.error, 1)) };
+        report.line(format!("{parameter} = {}{error}: {}", significant(at.value, digits), border.event.text));
     }
+}
+
+/// Digits that tell the borders apart from one another and from the ends of the range.
+fn border_digits(document: &EventTracksDocument) -> usize {
+    let ends = [&document.vary.from, &document.vary.to].into_iter().filter_map(|text| text.parse().ok());
+    let borders = document.borders.iter().filter_map(|border| border.at.first()).map(|at| at.value);
+    telling_digits(&ends.chain(borders).collect::<Vec<f64>>(), DIGITS)
 }
 
 /// The table of events.
 fn add_events(report: &mut Report, document: &EventTracksDocument) {
-    let parameter = document.vary.parameter;
+    let (parameter, digits) = (document.vary.parameter, border_digits(document));
     let border = |number: u32| document.borders.get(number as usize).and_then(|border| border.at.first());
     let mut table = Table::new(&["event", "from", "to", "l"]);
     for event in &document.events {
         let end = |side: usize| match event.between[side].and_then(border) {
-            Some(value) => significant(value.value, DIGITS),
+            Some(value) => significant(value.value, digits),
             None => [&document.vary.from, &document.vary.to][side].clone(),
         };
         let least = event.l.iter().copied().fold(f64::INFINITY, f64::min);

@@ -10,6 +10,7 @@ use super::output;
 use super::table::Format;
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
+use crate::cli::terminal::counted;
 
 /// A shard that is what its summary says.
 struct Part {
@@ -106,11 +107,11 @@ fn check_cover(parts: &[Part]) -> Result<(), Failure> {
 }
 
 fn missing([from, to]: [u64; 2], count: u64, place: &str) -> Failure {
-    let to = to - 1;
-    Failure::input(format!(
-        "bodies {from} to {to} of {count} are missing ({place}); compute that shard too and name \
-    it"
-    ))
+    let what = match to - 1 {
+        last if last == from => format!("body {from} of {count}, numbered from 0, is"),
+        last => format!("bodies {from} to {last} of {count}, numbered from 0, are"),
+    };
+    Failure::input(format!("{what} missing ({place}); compute that shard too and name it"))
 }
 
 /// Passes the rows of a shard on, each in its place.
@@ -135,5 +136,6 @@ fn pass_rows(part: &Part, take: &mut dyn FnMut(RowDocument) -> Result<(), Failur
     if found == wanted {
         return Ok(());
     }
-    Err(Failure::input(format!("{path} has {found} rows where its summary says {wanted}; compute this shard again")))
+    let rows = counted(found, "row", "rows");
+    Err(Failure::input(format!("{path} has {rows} where its summary says {wanted}; compute this shard again")))
 }

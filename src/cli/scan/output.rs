@@ -168,12 +168,13 @@ pub fn report(document: &ScanSummaryDocument, out: &Path) -> String {
     report.line(match (document.classes.len(), single) {
         (0, _) => "no class was found".to_owned(),
         (1, 1) => format!("{classes}, met once"),
+        (1, _) => format!("{classes}, met {} times", document.classified),
         (all, single) if all == single => format!("{classes}, each met once"),
         _ => format!("{classes}, {single} of them met once"),
     });
     if let Some((most, record)) = document.critical_points.last_key_value() {
         report.line(format!(
-            "at most {} at one l (body {})",
+            "at most {} at one l (body {}; a circle or sphere of them counted once)",
             counted(*most, "relative equilibrium", "relative equilibria"),
             record.first.index
         ));

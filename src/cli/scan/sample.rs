@@ -147,12 +147,12 @@ fn listed(path: &Path) -> Result<Design, Failure> {
             .ok_or_else(|| wrong(format!("it has no column {name}; the columns are {}", COLUMNS.join(", "))))?;
     }
     let (mut bodies, mut digest) = (Vec::new(), Sha256::new());
-    for (line, record) in (2..).zip(reader.records()) {
+    for (body, record) in reader.records().enumerate() {
         let record = record.map_err(unread)?;
         let mut values = [0.0; 6];
         for (value, (place, name)) in values.iter_mut().zip(places.iter().zip(COLUMNS)) {
-            let number =
-                values::float(&record[*place]).map_err(|error| wrong(format!("line {line}: {name}: {error}")))?;
+            let number = values::float(&record[*place])
+                .map_err(|error| wrong(format!("body {body}, numbered from 0: {name}: {error}")))?;
             // Without the sign of 0.
             *value = number + 0.0;
             digest.update(value.to_le_bytes());

@@ -23,6 +23,14 @@ impl Atlas {
         edges
     }
 
+    /// The curves below the cells of a region, each with the region below it (`None` below all curves).
+    pub fn floors(&self, region: RegionId) -> impl Iterator<Item = (CurveId, Option<RegionId>)> {
+        self.regions()[region].cells.iter().map(|&Cell { slab, position }| {
+            let strip = &self.arrangement().slabs[slab];
+            (strip.order[position], position.checked_sub(1).map(|below| strip.region_above[below]))
+        })
+    }
+
     /// The range of x = l²/2 of a region.
     #[must_use]
     pub fn range(&self, region: RegionId) -> [f64; 2] {

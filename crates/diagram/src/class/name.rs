@@ -57,11 +57,19 @@ impl FromStr for ClassName {
     }
 }
 
+/// So many things, in words.
+fn in_arrangement(count: usize) -> String {
+    match count {
+        1 => "one thing about the arrangement is".to_owned(),
+        _ => format!("{count} things about the arrangement are"),
+    }
+}
+
 /// Why an atlas has no class.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Unclassified {
     /// Something in the arrangement is undecided: the diagram is one of several.
-    #[error("{count} things about the arrangement are undecided at this accuracy, so its class is open")]
+    #[error("{} undecided at this accuracy, so its class is open", in_arrangement(*count))]
     Undecided {
         /// How many.
         count: usize,

@@ -38,6 +38,11 @@ pub enum Near {
     },
 }
 
+/// What is said of a lowest energy that, rounded, is not above h.
+fn rounding(h: &str, lowest: f64) -> &'static str {
+    if h.parse::<f64>().is_ok_and(|h| h < lowest) { "" } else { ", rounded" }
+}
+
 /// Why there is no section at a point, or why it could not be computed.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum PoincareError {
@@ -49,7 +54,8 @@ pub enum PoincareError {
     WeightlessBody,
     /// h is below the minimum of the effective potential.
     #[error(
-        "(h, l) = ({h}, {l}) is forbidden: the lowest energy at l = {l} is {lowest} (curve {branch}); choose h above it"
+        "(h, l) = ({h}, {l}) is forbidden: the lowest energy at l = {l} is {lowest}{} (curve {branch}); choose h above it",
+        rounding(h, *lowest)
     )]
     Forbidden {
         /// h as given.

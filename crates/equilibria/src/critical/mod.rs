@@ -241,7 +241,8 @@ impl<'a> RelativeEquilibria<'a> {
         }
         let mut found = self.everywhere(Fixed::Spin(spin));
         for equilibrium in &mut found.list {
-            let least = f64::MIN_POSITIVE * self.set.frame.momentum_unit;
+            // No l of a spin is 0, though in doubles it may be.
+            let least = f64::MIN_POSITIVE * self.set.frame.momentum_unit.max(1.0);
             abscissa(&self.set.frame, equilibrium.l.abs().max(least)).map_err(|error| self.beyond(omega, error))?;
             equilibrium.omega = omega.to_f64().value();
         }

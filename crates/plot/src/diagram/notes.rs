@@ -8,7 +8,7 @@ use super::scene::Scene;
 use super::stroke::{Stroke, curve_width};
 use super::trace::trace;
 use bifdiag_page::{Heading, Point, Symbol, body_line, clip_polyline, short_number, short_time, text_width};
-use bifdiag_schema::{AtlasDocument, CurveDocument, small_motions};
+use bifdiag_schema::{AtlasDocument, CurveDocument, Reason, small_motions};
 
 /// Font size of the notes.
 pub(super) const NOTE_SIZE: f64 = 11.0;
@@ -78,6 +78,14 @@ pub(super) fn units(atlas: &AtlasDocument) -> [String; 2] {
     }
 }
 
+/// What is true of a whole line by Arnold's theorem but for single l, which are not drawn.
+pub(super) fn exceptions(atlas: &AtlasDocument) -> Option<&'static str> {
+    let mut spans = atlas.curves.iter().flat_map(|curve| &curve.stability);
+    spans.any(|span| span.nonlinear.why == Reason::Arnold).then_some(
+        "Stable by Arnold's theorem: but for single l at which its usual conditions fail; they are not marked.",
+    )
+}
+
 /// What the picture cannot show, in lines of at most `width` pixels.
 pub(super) fn notes(atlas: &AtlasDocument, magnified: &Magnifications, width: f64) -> Vec<String> {
     let mut lines = Vec::new();
@@ -90,11 +98,12 @@ pub(super) fn notes(atlas: &AtlasDocument, magnified: &Magnifications, width: f6
         let items = regions.iter().map(|&index| {
             let region = &atlas.regions[index];
             let kind = region_type(region);
-            let wide = atlas
-                .h_width(&region.id)
-                .map_or_else(String::new, |wide| format!(", at most {} wide", short_number(wide, 2)));
+            // The width of a region in which no double is known to lie is not known either.
+            let is_known = region.sample.margin.h > region.sample.margin.error_bound;
+            let wide = atlas.h_width(&region.id).filter(|_| is_known);
+            let wide = wide.map_or_else(String::new, |wide| format!(", about {} wide in {H}", short_number(wide, 2)));
             let [h, l] = [region.sample.h, region.sample.l].map(|value| short_number(value, 8));
-            format!("{} ({kind}) at {H} = {h}, {L} = {l}{wide}", region.id)
+            format!("{} ({kind}) near {H} = {h}, {L} = {l}{wide}", region.id)
         });
         wrap(heading, items, width, &mut lines);
     }
@@ -184,7 +193,9 @@ fn cells(scene: &Scene<'_>, curve: &CurveDocument, l: [f64; 2]) -> Option<Vec<St
     let inside = INSIDE * (l[1] - l[0]);
     let (first, last) = (at(l[0] + inside)?, at(l[1] - inside)?);
     let name = format!("{}, {}", curve.id, curve.branch_name);
-    let range = l.map(|l| short_number(l, DIGITS)).join(" … ");
+    let written = |digits| l.map(|l| short_number(l, digits));
+    let apart = (DIGITS..17).map(written).find(|[from, to]| from != to);
+    let range = apart.unwrap_or_else(|| written(DIGITS)).join(" … ");
     let motions = small_motions(&[first.eigenvalues, last.eigenvalues], short_time);
     Some(vec![name, range, first.stability.word().to_owned(), first.nonlinear.to_string(), motions])
 }

@@ -4,7 +4,7 @@ use super::insets::{Magnifications, magnifications};
 use super::labels::{boxes, names};
 use super::layout::{BELOW, below_all, frames, inset_place, legend_place, page_width};
 use super::legend::legend;
-use super::notes::{NOTE_SIZE, about, columns, heading, motions, notes, remark, units};
+use super::notes::{NOTE_SIZE, about, columns, exceptions, heading, motions, notes, remark, units};
 use super::paint::Diagram;
 use super::palette::branch_styles;
 use super::panel::Panel;
@@ -104,6 +104,9 @@ impl<'a> Page<'a> {
                 caption.paragraph(&note);
             }
             below = axes;
+        }
+        if let Some(exceptions) = exceptions(atlas) {
+            caption.paragraph(exceptions);
         }
         let (heads, rows) = (columns(atlas), motions(&scene, &strokes, &panels));
         let cells: Vec<Vec<String>> = rows.iter().map(|(_, cells)| cells.clone()).collect();

@@ -185,7 +185,10 @@ fn dots(atlas: &AtlasDocument, options: &DiagramOptions, plan: &Plan) -> Vec<Dot
         let at = [region.sample.h, region.sample.l];
         Dot { at, id: region.id.clone(), title: format!("sample of {}: {}", region.id, place(at)) }
     };
-    if plan.straight || options.no_samples { Vec::new() } else { atlas.regions.iter().map(dot).collect() }
+    // Within its error a sample may lie in another region.
+    let is_inside = |region: &&RegionDocument| region.sample.margin.h > region.sample.margin.error_bound;
+    let are_drawn = !plan.straight && !options.no_samples;
+    atlas.regions.iter().filter(|region| are_drawn && is_inside(region)).map(dot).collect()
 }
 
 impl<'a> Scene<'a> {

@@ -72,7 +72,7 @@ impl MapLegend {
         let is_placed = entries.iter().any(|entry| entry.is_placed);
         let others = || {
             let [x, y] = [&map.x.name, &map.y.name];
-            let note = format!("{AT}({x}, {y}): a body in an area without room for its number");
+            let note = format!("{AT}({x}, {y}): a body where there is no room for its number");
             let mut others = strokes(map);
             others.extend(is_placed.then_some((Symbol::None, note)));
             others

@@ -42,7 +42,7 @@ pub enum Encounter {
     PassesThrough,
 }
 
-/// Kinds of borders, all of codimension one.
+/// Kinds of borders, in general of codimension one.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum BorderEventKind {
     /// Two cusps, and with them a crossing, are born or vanish.

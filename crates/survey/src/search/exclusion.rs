@@ -18,11 +18,11 @@ pub enum Exclusion {
     Genus,
     /// Sections of several components that do not go together.
     Disconnected,
-    /// More relative equilibria at one l than there can be.
+    /// More isolated relative equilibria at one l than there can be.
     RelativeEquilibria,
 }
 
-/// The most relative equilibria at one l, where they are finitely many.
+/// The most isolated relative equilibria at one l.
 const RELATIVE_EQUILIBRIA_MAX: u32 = 14;
 
 impl Exclusion {
@@ -68,8 +68,7 @@ impl fmt::Display for Exclusion {
                  11.9 of docs/mathematics.md), and each pole lies in one of them at most"
             }
             Self::RelativeEquilibria => {
-                "at one l there are at most 14 relative equilibria, or infinitely many (Theorem 4.9 of \
-                 docs/mathematics.md)"
+                "at one l there are at most 14 isolated relative equilibria (Theorem 4.9 of docs/mathematics.md)"
             }
         })
     }

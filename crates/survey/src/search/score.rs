@@ -17,10 +17,10 @@ pub enum Score {
     /// It does not, and no distance is known.
     Nothing,
     /// It does not; this much is missing. For a component with the right number of circles: the distance in h by which
-    /// a pole would have to enter or leave, divided by |r|. For relative equilibria: how many are missing.
+    /// a pole would have to enter or leave, divided by |r|. For isolated relative equilibria: how many are missing.
     Near(f64),
     /// It does: the distance in h from the boundary of the region, divided by |r| (1 + l²/(2 J_r |r|))², so that large
-    /// momenta count for little. For relative equilibria: half the relative width in l² of the range that shows them.
+    /// momenta count for little. For isolated relative equilibria: half the relative width in l² of the range that shows them.
     Shown(f64),
 }
 
@@ -153,8 +153,8 @@ fn critical_points(atlas: &Atlas, wanted: u32) -> ScoredPoint {
             .iter()
             .map(|&c| match set.curves[c].orbit {
                 Orbit::Pair(_) => 2,
-                Orbit::Pole(_) => 0,
-                _ => 1,
+                Orbit::Point => 1,
+                Orbit::Circle(_) | Orbit::Sphere | Orbit::Pole(_) => 0,
             })
             .sum();
         let [from, to] = slab.x;

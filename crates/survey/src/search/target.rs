@@ -21,7 +21,7 @@ pub enum Target {
     Section(Surface),
     /// A region whose components have exactly these sections, by rising genus.
     Signature(Vec<Surface>),
-    /// This many relative equilibria at one l, or more.
+    /// This many isolated relative equilibria at one l, or more.
     CriticalPoints(u32),
 }
 
@@ -123,8 +123,8 @@ impl fmt::Display for Target {
                 let names: Vec<String> = surfaces.iter().map(Surface::to_string).collect();
                 f.write_str(&names.join("+"))
             }
-            Self::CriticalPoints(1) => f.write_str("at least 1 relative equilibrium"),
-            Self::CriticalPoints(count) => write!(f, "at least {count} relative equilibria"),
+            Self::CriticalPoints(1) => f.write_str("at least 1 isolated relative equilibrium"),
+            Self::CriticalPoints(count) => write!(f, "at least {count} isolated relative equilibria"),
         }
     }
 }

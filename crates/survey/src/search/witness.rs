@@ -7,7 +7,7 @@ use super::target::Target;
 use bifdiag_body::{Body, BodyError};
 use bifdiag_diagram::topology::latitude::{self, SweepError};
 use bifdiag_diagram::topology::{Classification, Component, Components, Margin};
-use bifdiag_equilibria::critical::{CriticalError, critical};
+use bifdiag_equilibria::critical::{CriticalError, Equilibrium, Multiplicity, critical};
 use bifdiag_exact::{Accuracy, AnswerError, classify};
 use bifdiag_numbers::Number;
 
@@ -82,10 +82,12 @@ impl Witness {
         let critical_points = match target {
             Target::CriticalPoints(wanted) => {
                 let found = critical(&body, &l)?;
-                if !found.complete || found.list.len() < *wanted as usize {
+                let is_isolated = |at: &&Equilibrium| matches!(at.multiplicity, Multiplicity::Points(_));
+                let isolated = found.list.iter().filter(is_isolated).count();
+                if !found.complete || isolated < *wanted as usize {
                     return Err(WitnessError::NotShown);
                 }
-                Some(found.list.len())
+                Some(isolated)
             }
             _ if target.accepts_region(&swept) => None,
             _ => return Err(WitnessError::NotShown),

@@ -34,7 +34,8 @@ def sphere(
 ) -> Any:
     """The accessible region U on the Poisson sphere: γ with l²/(2⟨γ, A γ⟩) − ⟨γ, r⟩ ≤ h, blue.
 
-    Marks are the relative equilibria at this l by their index, also those outside U; ±r̂ have their names.
+    Marks are the isolated, nondegenerate relative equilibria at this l by their index, also those outside U; ±r̂ have
+    their names.
 
     Parameters
     ----------
