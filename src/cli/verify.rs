@@ -18,7 +18,7 @@ Examples:
   bifdiag classify --body paper --h 3.8 --l 3.25 --certificate > p.json
 
 The certificate is checked as a proof, by separate code; the drawing is not part of it. Exit status: 0 verified; 1 \
-refused, with the first error found, or no certificate; 2 the file is not an atlas of this version.";
+refused, with the first error found, or no certificate; 2 the file is neither an atlas nor the proof of a point of this version.";
 
 /// `bifdiag verify`.
 #[derive(Debug, Args)]
@@ -31,10 +31,13 @@ pub struct VerifyArguments {
 pub fn run(arguments: &VerifyArguments, timings: &Timings) -> Result<(), Failure> {
     let path = arguments.file.display();
     let text = read(&arguments.file).map_err(|error| {
-        Failure::input(format!("{path}: {error}; give an atlas.json that can be read, or - for stdin"))
+        Failure::input(format!(
+            "{path}: {error}; give an atlas.json or the proof of a point that can be read, or - for stdin"
+        ))
     })?;
     let claim = bifdiag_documents::reading::claim(&text, &arguments.file.to_string_lossy()).map_err(|error| {
-        Failure::input(format!("{path} is not an atlas of version {SCHEMA_VERSION}: {error}")).because(error)
+        let what = "neither an atlas nor the proof of a point (classify --certificate)";
+        Failure::input(format!("{path} is {what} of version {SCHEMA_VERSION}: {error}")).because(error)
     })?;
     let (document, canonical) = match &claim {
         Claim::Atlas(atlas) => (&**atlas, bifdiag_documents::layout::text(atlas)?),

@@ -118,7 +118,8 @@ impl Frame {
         let mut diff = [[0.0; 3]; 3];
         for (i, j) in [(1, 0), (2, 0), (2, 1)] {
             if group[i] != group[j] {
-                diff[i][j] = nearest(&(&a[order[i]] - &a[order[j]]), a_exponent);
+                // Also one that is below all doubles is none of 0.
+                diff[i][j] = nearest(&(&a[order[i]] - &a[order[j]]), a_exponent).max(f64::MIN_POSITIVE);
                 diff[j][i] = -diff[i][j];
             }
         }

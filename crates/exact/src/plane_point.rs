@@ -62,8 +62,10 @@ pub fn classify_exactly(body: &Body, h: &Number, l: &Number) -> Result<Classific
 fn margin(plane: &Plane<'_>, nearest: Option<CriticalValue>, x: &RBig) -> Margin {
     let unit = plane.frame.energy_unit;
     let Some(level) = nearest else { return Margin { h: 0.0, nearest: None, error_bound: 0.0 } };
-    let [lo, hi] = level.distance;
-    Margin { h: lo * unit, nearest: Some(plane.name(&level.source, x)), error_bound: (hi - lo) * unit }
+    let [lo, hi] = level.distance.map(|distance| distance * unit);
+    // A distance that is not 0 may be below all doubles.
+    let rounding = if level.sign != Sign::Zero && lo < f64::MIN_POSITIVE { f64::MIN_POSITIVE } else { 0.0 };
+    Margin { h: lo, nearest: Some(plane.name(&level.source, x)), error_bound: hi - lo + rounding }
 }
 
 /// Why the regions at a point are not known.

@@ -131,7 +131,10 @@ impl JsonSchema for Verdict {
 
     fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
         let words = [
-            (serde_json::json!("energy"), "Stable: a strict minimum of U_l."),
+            (
+                serde_json::json!("energy"),
+                "Stable: a strict minimum of U_l; of a circle or sphere of minima, as a whole.",
+            ),
             (serde_json::json!("integral"), "Stable by a further integral (Lagrange's top, Euler's)."),
             (serde_json::json!("arnold"), "Stable by Arnold's theorem, or at a resonance by what replaces it there."),
             (

@@ -8,7 +8,8 @@ use serde::{Deserialize, Serialize};
 use super::term::term;
 
 term! {
-    /// Whether a relative equilibrium is stable: in the sense of Lyapunov, at fixed l, modulo rotation about the vertical.
+    /// Whether a relative equilibrium is stable: in the sense of Lyapunov, at fixed l, modulo rotation about the vertical; of a
+    /// circle or sphere of them, as a whole.
     pub enum NonlinearVerdict {
         /// Motions that start near it stay near it for all time.
         Stable = "stable",
@@ -22,7 +23,7 @@ term! {
 term! {
     /// Why a relative equilibrium has its verdict.
     pub enum Reason {
-        /// A strict minimum of U_l (Lagrange–Dirichlet).
+        /// A strict minimum of U_l (Lagrange–Dirichlet), or a circle or sphere of minima as a whole.
         Energy = "energy",
         /// A further integral, as at the sleeping top.
         Integral = "integral",
