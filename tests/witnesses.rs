@@ -4,9 +4,10 @@ use bifdiag_body::{Body, Number};
 use bifdiag_diagram::fast::classify;
 use bifdiag_diagram::topology::{Component, Poles, latitude};
 use bifdiag_documents::margin;
-use bifdiag_exact::classify_exactly;
+use bifdiag_equilibria::critical::critical;
+use bifdiag_exact::{Accuracy, classify_exactly};
 use bifdiag_schema::WitnessDocument;
-use bifdiag_survey::search::Target;
+use bifdiag_survey::search::{Target, Witness, WitnessError};
 
 fn witnesses() -> Vec<WitnessDocument> {
     serde_json::from_str(&support::data("witnesses.json")).unwrap()
@@ -80,4 +81,16 @@ fn all_of_table_1_but_the_tenth_entry_is_there() {
         assert!(kinds.iter().any(|known| known == kind), "{kind}");
     }
     assert!(kinds.iter().any(|kind| kind.contains('+')));
+}
+
+/// A circle of relative equilibria is not one of the isolated ones that are counted.
+#[test]
+fn circles_of_equilibria_are_not_counted() {
+    let top = Body::from_f64([2.0, 2.0, 1.0], [0.0, 0.0, 1.0]).unwrap();
+    let point = || ["2", "3"].map(|text| text.parse::<Number>().unwrap());
+    let equilibria = critical(&top, &point()[1]).unwrap().list;
+    assert_eq!(equilibria.len(), 3, "hanging, upright, and the circle");
+    let confirm = |count| Witness::confirm(top.clone(), point(), &Target::CriticalPoints(count), Accuracy::Exact);
+    assert_eq!(confirm(2).unwrap().critical_points, Some(2));
+    assert_eq!(confirm(3).unwrap_err(), WitnessError::NotShown);
 }

@@ -77,7 +77,10 @@ fn a_part_may_lie_exactly_on_a_threshold() {
     bifdiag(&format!("classify {fork} --l 10 --h 14")).succeeds().printing("critical: exactly on a curve");
     bifdiag(&format!("critical-spin {fork} --axis z")).succeeds().printing("open (degenerate): zero");
     let fold = part("--inertia 3,4,5,0,1,0 --com 0.1,0,0.2 --mass 1");
-    bifdiag(&format!("critical {fold} --spin")).and("1 rad/s").succeeds().printing("steady axes of G1.2 meet");
+    bifdiag(&format!("critical {fold} --spin"))
+        .and("1 rad/s")
+        .succeeds()
+        .printing("on G1.2: two steady axes meet at this spin");
     for (numbers, expected) in [
         ("--inertia 4,4,5,0,1,1/2 --com 1/10,1/20,157/770 --mass 1", "unstable (1:2 resonance)"),
         ("--inertia 6,6,7,0,1,1 --com 1/10,1/10,1/4 --mass 1", "double-elliptic"),

@@ -138,7 +138,7 @@ fn a_list_says_what_is_not_checked() {
     let why = document["why"].as_str().unwrap();
     assert!(why.starts_with("2 families go on") && why.contains("`bifdiag verify` does not check"), "{why}");
     std::fs::write(place.path().join("list.json"), list.stdout()).unwrap();
-    bifdiag("verify list.json").inside(place.path()).refused().telling("not an atlas");
+    bifdiag("verify list.json").inside(place.path()).refused().telling("neither an atlas nor the proof of a point");
     // An energy that is held is reported as it was asked for, not as the doubles of an orbit have it.
     let held = bifdiag("periodic list --body paper --h -0.5:0:2 --members 2").succeeds().stdout();
     let column = |name: &str, number: usize| -> Vec<&str> {

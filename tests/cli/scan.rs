@@ -190,8 +190,8 @@ fn overlapping_missing_foreign_truncated_and_altered_shards_are_refused_by_name(
     let parts = shards(place.path(), 3, "csv");
     let run = |shards: &[PathBuf]| merge(place.path(), shards, "out.csv");
     run(&[]).refused().telling("merge needs shards");
-    run(&parts[..2]).refused().telling("bodies 200 to 299 of 300 are missing (after shard-2.csv)");
-    run(&parts[1..]).refused().telling("bodies 0 to 99 of 300 are missing (before shard-2.csv)");
+    run(&parts[..2]).refused().telling("bodies 200 to 299 of 300, numbered from 0, are missing (after shard-2.csv)");
+    run(&parts[1..]).refused().telling("bodies 0 to 99 of 300, numbered from 0, are missing (before shard-2.csv)");
     let gap = [parts[0].clone(), parts[2].clone()];
     run(&gap).refused().telling("bodies 100 to 199").telling("between shard-1.csv and shard-3.csv");
     let twice = [parts[0].clone(), parts[1].clone(), parts[1].clone(), parts[2].clone()];
@@ -355,7 +355,7 @@ fn found_witnesses_are_what_they_say() {
     let none = bifdiag("find --type k0n2 --samples 200 --moment-ratio 1").fails();
     none.printing("200 bodies drawn, but none of them was within the limits");
     let never = bifdiag("find --critical-points 15").succeeds();
-    never.printing("at least 15 relative equilibria do not exist for r ≠ 0: ").printing("Theorem 4.9");
+    never.printing("at least 15 isolated relative equilibria do not exist for r ≠ 0: ").printing("Theorem 4.9");
 }
 
 #[test]

@@ -252,7 +252,7 @@ fn a_pitchfork_that_stays_is_not_said_to_go_to_infinity() {
 
 #[test]
 fn at_least_so_many_relative_equilibria_are_found() {
-    bifdiag("find --critical-points 5").succeeds().printing("at least 5 relative equilibria are shown by");
+    bifdiag("find --critical-points 5").succeeds().printing("at least 5 isolated relative equilibria are shown by");
     // Each body shows as much.
     bifdiag("find --critical-points 1").refused().telling("a minimum and a maximum of U_l");
     for word in ["D6", "D₆", "−r̂", "member"] {
@@ -260,7 +260,7 @@ fn at_least_so_many_relative_equilibria_are_found() {
     }
     bifdiag("explain").and("−r̂").succeeds().printing("straight above");
     let few = bifdiag("find --critical-points 12 --samples 50").fails();
-    few.telling("at least 12 relative equilibria were not found among");
+    few.telling("at least 12 isolated relative equilibria were not found among");
 }
 
 /// At l = 0 the two critical energies are ∓|r|: the margin bears the name that `critical` gives, and an exact one has no error.
@@ -544,4 +544,79 @@ fn errors_name_what_is_wrong() {
 fn a_refused_momentum_differs_from_its_bound() {
     let line = "spin-down --A 3,5.5,8 --r 0,1,0.5 --from G1.2 --l 5.67261339225";
     bifdiag(line).refused().telling("--l 5.6726133922: the curve G1.2 has l above 5.6726133923");
+}
+
+/// Cells whose range of l is one double lie on the side that the arrangement gives them.
+#[test]
+fn ways_across_the_curves_of_narrow_regions_go_up_and_down_as_they_do() {
+    let body = "--A 2.99999999,4,5 --r 0,1,0";
+    let region = bifdiag(&format!("show R3 {body}")).succeeds();
+    let region = region.printing("rising h, across S1.2 ").printing("to R1:\n    two holes of U close (S2-3D2 to D2)");
+    region.printing("rising h, across L-.1 ").printing("to R4:\n    a hole of U closes (S2-3D2 to S2-2D2)");
+    bifdiag(&format!("show S1.2 {body}")).succeeds().printing("from R3 to R1: two holes of U close (S2-3D2 to D2)");
+    for body in ["--A 1,2,3 --r 1e-9,1,0", "--A 1,2,3 --r 5e-10,1,0"] {
+        let document = bifdiag(&format!("atlas {body} --json")).succeeds().json();
+        for region in document["regions"].as_array().unwrap() {
+            let text = bifdiag(&format!("show {} {body}", region["id"].as_str().unwrap())).succeeds().stdout();
+            let opens_rising = text.split("rising h").skip(1).any(|way| {
+                let way = way.split("falling h").next().unwrap();
+                way.contains("a hole of U opens") || way.contains("holes of U open ")
+            });
+            assert!(!opens_rising, "{text}");
+        }
+    }
+}
+
+/// Events of two points that doubles tell apart have regions of their own, and the forbidden region is one.
+#[test]
+fn the_regions_that_meet_at_an_event_are_those() {
+    let narrow = "--A 2,1,0.5 --r 1,0,2.11866e-06";
+    bifdiag(&format!("show E4 {narrow}")).succeeds().printing("regions that meet there: R2, R3, R5, R8\n");
+    bifdiag(&format!("show E5 {narrow}")).succeeds().printing("regions that meet there: R3, R4, R8, R9\n");
+    let lowest = bifdiag("show E1 --A 1,1.5,2 --r 1,0,0").succeeds();
+    lowest.printing("regions that meet there: the forbidden region, R1, R3\n");
+}
+
+/// What is printed of an event differs from it by no more than is printed, and a width is no less than it is.
+#[test]
+fn printed_bounds_hold_for_what_is_printed() {
+    let document = bifdiag("atlas --body paper --json").succeeds().json();
+    for (number, event) in (1..).zip(document["events"].as_array().unwrap()) {
+        let text = bifdiag(&format!("show E{number} --body paper")).succeeds().stdout();
+        for name in ["h", "l"] {
+            let rest = text.split(&format!(" {name} = ")).nth(1).unwrap();
+            let (value, rest) = rest.split_once(" (± ").unwrap();
+            let bound: f64 = rest.split(')').next().unwrap().parse().unwrap();
+            let differs = (value.parse::<f64>().unwrap() - event[name].as_f64().unwrap()).abs();
+            assert!(differs <= bound, "{text}");
+        }
+    }
+    let text = bifdiag("show R6 --body paper").succeeds().stdout();
+    let width = text.split("at most ").nth(1).unwrap().split(' ').next().unwrap().parse::<f64>().unwrap();
+    assert!(width >= document["drawing"]["regions"]["R6"]["h_width"].as_f64().unwrap(), "{width}");
+}
+
+/// Names that are told by other means, and sums of parts of U and E.
+#[test]
+fn surfaces_are_found_by_all_their_names() {
+    bifdiag("show M1 --body paper").succeeds().printing("T2 occurs in the regions R2, R4, R5, R8");
+    bifdiag("show D2+D2 --body paper").succeeds().printing("D2+D2 occurs in the regions R5, R8, R9");
+    bifdiag("show S3+S3 --body paper").succeeds().printing("S3+S3 occurs in the regions R5, R8, R9");
+    let stray = "--A 1.5,1,0.8 --r 0,1,4.52772148842394e-12";
+    bifdiag(&format!("show S2 {stray}")).succeeds().printing("sample: ~h").printing("outside its region");
+}
+
+/// A spin that is too slow for doubles is refused where l is 0 or not a number in them, too.
+#[test]
+fn no_answer_is_not_a_number() {
+    bifdiag("critical --A 1e-50,1e-50,3e-50 --r 1,1,1 --spin").and("1e-140 rad/s").refused().telling("is too slow");
+}
+
+/// Two moments whose difference is below all doubles are not equal.
+#[test]
+fn moments_that_differ_below_all_doubles_are_not_equal() {
+    let second = format!("1.{}1", "0".repeat(399));
+    for question in ["critical --l 3 --r 0,0,0", "critical --l 3 --r 0,0,1", "atlas --no-plot --r 1,0,0"] {
+        bifdiag(&format!("{question} --A 1,{second},2")).fails().telling("differ by more than 10^25");
+    }
 }

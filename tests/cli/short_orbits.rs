@@ -51,7 +51,10 @@ fn a_list_at_a_point_says_that_it_is_not_checked() {
     assert!(list["why"].as_str().unwrap().ends_with("; `bifdiag verify` does not check this list"), "{}", list["why"]);
     for name in ["whole.json", "less.json"] {
         std::fs::write(place.path().join(name), list.to_string()).unwrap();
-        bifdiag(&format!("verify {name}")).inside(place.path()).refused().telling("not an atlas");
+        bifdiag(&format!("verify {name}"))
+            .inside(place.path())
+            .refused()
+            .telling("neither an atlas nor the proof of a point");
         list["orbits"].as_array_mut().unwrap().pop();
     }
 }

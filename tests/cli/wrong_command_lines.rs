@@ -109,7 +109,10 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("--body paper --window 0:6,1:1", &["lmin = 1 is not below lmax = 1"]),
     ("--body paper --window 0:6,-1:4", &["lmin = -1 is negative", "lmin ≥ 0"]),
     ("--body paper --window 0:inf,0:4", &["hmax: `inf` is not finite"]),
-    ("verify no-such-atlas.json", &["no-such-atlas.json", "give an atlas.json that can be read"]),
+    (
+        "verify no-such-atlas.json",
+        &["no-such-atlas.json", "give an atlas.json or the proof of a point that can be read"],
+    ),
     ("verify", &["<ATLAS.json>"]),
     ("--body paper --accuracy high", &["'high' for '--accuracy <ACCURACY>'", "exact, fast"]),
     ("--body paper --accuracy certified", &["'certified' for '--accuracy <ACCURACY>'", "exact, fast", "--certificate"]),

@@ -134,7 +134,7 @@ class Classification(behaviour.Classification):
     candidates : tuple[Candidate, ...]
         Each region that meets at a critical or undecided point, once; without an atlas, each class.
     note : str or None
-        Why the region or the class of a point is not known.
+        What of a point is not known or not defined, and why.
     """
 
     h: str
@@ -254,9 +254,9 @@ class Region(behaviour.Region):
     sample : Sample
         A well-placed point inside.
     components : tuple[Component, ...]
-        The components of U_hl.
+        The components of U_hl; none where they are not decided (``fast``).
     signature : str or None
-        The sections' names joined by ``+``; None when r = 0.
+        The sections' names joined by ``+``; None when r = 0, and where they are not decided (``fast``).
     bounded : bool
         True when the region is bounded in the (h, l) plane.
     l_range : tuple[float, float]
@@ -332,8 +332,8 @@ class Event:
     Attributes
     ----------
     kind : str
-        What happens. ``"cusp"``: Two curves meet and vanish. ``"pitchfork"``: A symmetric pair leaves a curve; ``curves``
-        holds the curve before, the curve after, and the pair. ``"crossing"``: Two curves cross.
+        What happens. ``"cusp"``: Two curves meet and vanish. ``"pitchfork"``: A symmetric pair or a circle leaves a curve;
+        ``curves`` holds the curve before, the curve after, and the pair or circle. ``"crossing"``: Two curves cross.
     l : float
         Vertical angular momentum.
     h : float
@@ -388,7 +388,7 @@ class StabilityChange:
     kind : str
         What happens. ``"hamiltonian-hopf"``: Two imaginary pairs of opposite Krein sign meet and leave the imaginary axis.
         ``"real-collision"``: Two real pairs meet and become a complex quadruple. ``"zero"``: A pair of eigenvalues goes
-        through zero, at a cusp or pitchfork.
+        through zero, or two pairs where moments are equal, at a cusp or pitchfork.
     from_ : str
         The type at smaller l or, at a cusp or pitchfork, on ``curve``. ``"elliptic"``: Two imaginary pairs; across a circle
         of equilibria one pair. ``"saddle-centre"``: One real and one imaginary pair. ``"saddle"``: Two real pairs; across a
@@ -441,11 +441,12 @@ class VerdictChange:
         The verdict at the point itself. ``"stable"``: Motions that start near it stay near it for all time. ``"unstable"``:
         Some motions that start arbitrarily near leave it. ``"open"``: None of the theorems that the program uses decides.
     why : str
-        Why. ``"energy"``: A strict minimum of U_l (Lagrange–Dirichlet). ``"integral"``: A further integral, as at the
-        sleeping top. ``"arnold"``: Arnold's theorem: no resonance ω₁ = ω₂, 2ω₂ or 3ω₂, and D₄ is not 0; or D₄ = 0, no
-        resonance k₁ω₁ = k₂ω₂ with k₁ + k₂ ≤ 6, and D₆ is not 0. Also at ω₁ = 2ω₂ where the resonant cubic term vanishes.
-        ``"spectrum"``: An eigenvalue with positive real part. ``"resonance 1:2"``: ω₁ = 2ω₂. ``"resonance 1:3"``: ω₁ = 3ω₂.
-        ``"resonance 1:1"``: ω₁ = ω₂. ``"degenerate"``: An eigenvalue zero, or D₄ = 0 where D₆ does not decide.
+        Why. ``"energy"``: A strict minimum of U_l (Lagrange–Dirichlet), or a circle or sphere of minima as a whole.
+        ``"integral"``: A further integral, as at the sleeping top. ``"arnold"``: Arnold's theorem: no resonance ω₁ = ω₂,
+        2ω₂ or 3ω₂, and D₄ is not 0; or D₄ = 0, no resonance k₁ω₁ = k₂ω₂ with k₁ + k₂ ≤ 6, and D₆ is not 0. Also at ω₁ = 2ω₂
+        where the resonant cubic term vanishes. ``"spectrum"``: An eigenvalue with positive real part. ``"resonance 1:2"``:
+        ω₁ = 2ω₂. ``"resonance 1:3"``: ω₁ = 3ω₂. ``"resonance 1:1"``: ω₁ = ω₂. ``"degenerate"``: An eigenvalue zero, or D₄ =
+        0 where D₆ does not decide.
     changes : bool
         The verdicts before and after differ.
     error_bound : float
@@ -516,11 +517,12 @@ class Nonlinear:
         Stable, unstable, or open. ``"stable"``: Motions that start near it stay near it for all time. ``"unstable"``: Some
         motions that start arbitrarily near leave it. ``"open"``: None of the theorems that the program uses decides.
     why : str
-        Why. ``"energy"``: A strict minimum of U_l (Lagrange–Dirichlet). ``"integral"``: A further integral, as at the
-        sleeping top. ``"arnold"``: Arnold's theorem: no resonance ω₁ = ω₂, 2ω₂ or 3ω₂, and D₄ is not 0; or D₄ = 0, no
-        resonance k₁ω₁ = k₂ω₂ with k₁ + k₂ ≤ 6, and D₆ is not 0. Also at ω₁ = 2ω₂ where the resonant cubic term vanishes.
-        ``"spectrum"``: An eigenvalue with positive real part. ``"resonance 1:2"``: ω₁ = 2ω₂. ``"resonance 1:3"``: ω₁ = 3ω₂.
-        ``"resonance 1:1"``: ω₁ = ω₂. ``"degenerate"``: An eigenvalue zero, or D₄ = 0 where D₆ does not decide.
+        Why. ``"energy"``: A strict minimum of U_l (Lagrange–Dirichlet), or a circle or sphere of minima as a whole.
+        ``"integral"``: A further integral, as at the sleeping top. ``"arnold"``: Arnold's theorem: no resonance ω₁ = ω₂,
+        2ω₂ or 3ω₂, and D₄ is not 0; or D₄ = 0, no resonance k₁ω₁ = k₂ω₂ with k₁ + k₂ ≤ 6, and D₆ is not 0. Also at ω₁ = 2ω₂
+        where the resonant cubic term vanishes. ``"spectrum"``: An eigenvalue with positive real part. ``"resonance 1:2"``:
+        ω₁ = 2ω₂. ``"resonance 1:3"``: ω₁ = 3ω₂. ``"resonance 1:1"``: ω₁ = ω₂. ``"degenerate"``: An eigenvalue zero, or D₄ =
+        0 where D₆ does not decide.
     D4_over_s : float or None
         Arnold's determinant D₄ = K₁₁ω₂² + K₁₂ω₁ω₂ + K₂₂ω₁² over Ω², where H = ω₁I₁ − ω₂I₂ + K₁₁I₁² + K₁₂I₁I₂ + K₂₂I₂² + …
         with the pair of positive Krein sign first; None except at index 2 with two distinct imaginary pairs, and there too

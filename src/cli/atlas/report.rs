@@ -12,7 +12,7 @@ use bifdiag_schema::{
 
 use crate::cli::failure::Failure;
 use crate::cli::input::{head, integrable};
-use crate::cli::terminal::{Report, Table, bound, significant, told_apart};
+use crate::cli::terminal::{Report, Table, bound, significant, telling_digits, told_apart};
 
 /// Significant digits of a place in the plane.
 const DIGITS: usize = 8;
@@ -247,10 +247,11 @@ fn event_digits(events: &[EventDocument]) -> usize {
 /// Where the linear type changes along a branch; `None` without changes.
 fn stability_table(changes: &[StabilityChangeDocument]) -> Option<String> {
     let mut table = Table::new(&["l", "h", "change of stability", "curve", "from", "to"]);
+    let digits = telling_digits(&changes.iter().map(|change| change.l).collect::<Vec<_>>(), DIGITS);
     for change in changes {
         table.row([
-            significant(change.l, DIGITS),
-            significant(change.h, DIGITS),
+            significant(change.l, digits),
+            significant(change.h, digits),
             change.kind.word().to_owned(),
             change.onto.as_ref().map_or(change.curve.clone(), |onto| format!("{}, {onto}", change.curve)),
             change.from.word().to_owned(),

@@ -178,7 +178,7 @@ export interface Nonlinear {
   proved: boolean;
 }
 
-/** Whether a relative equilibrium is stable: in the sense of Lyapunov, at fixed l, modulo rotation about the vertical. */
+/** Whether a relative equilibrium is stable: in the sense of Lyapunov, at fixed l, modulo rotation about the vertical; of a circle or sphere of them, as a whole. */
 export type NonlinearVerdict = "stable" | "unstable" | "open";
 
 /** Why a relative equilibrium has its verdict. */
@@ -298,9 +298,9 @@ export interface Region {
   id: string;
   /** A well-placed point inside. */
   sample: Sample;
-  /** The components of U_hl. */
+  /** The components of U_hl; none where they are not decided (`fast`). */
   components: Component[];
-  /** The sections' names joined by `+`; null when r = 0. */
+  /** The sections' names joined by `+`; null when r = 0, and where they are not decided (`fast`). */
   signature: string | null;
   /** True when the region is bounded in the (h, l) plane. */
   bounded: boolean;
@@ -376,7 +376,7 @@ export interface Summary {
   regions: number;
   /** Number of the `events`. */
   events: number;
-  /** How many of the `regions` have each signature (for r = 0, each type of U). */
+  /** How many of the `regions` have each signature (for r = 0, each type of U); without a name, those that are not decided. */
   signatures: Record<string, number>;
   /** The largest number of relative equilibria at one l, of the whole half-plane also where a window was searched; a critical circle or sphere counts once. With `fast` it may be too large where events are nearer than f64 resolves. */
   critical_points_max: number;
@@ -592,7 +592,7 @@ export interface Classification {
   signature: string | null;
   /** Each region that meets at a critical or undecided point, once; without an atlas, each class. */
   candidates?: Candidate[];
-  /** Why the region or the class of a point is not known. */
+  /** What of a point is not known or not defined, and why. */
   note?: string;
   /** The part from which A and r were computed, when one was given. */
   part?: Part;
