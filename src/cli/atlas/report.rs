@@ -216,8 +216,8 @@ fn event_table(events: &[EventDocument], all: &[EventDocument]) -> Option<String
         let is_it = |other: &EventDocument| (other.l, other.h, &other.curves) == (event.l, event.h, &event.curves);
         all.iter().position(is_it).map_or_else(String::new, |place| format!("E{}", place + 1))
     };
-    let digits = event_digits(events);
-    for event in events {
+    for (number, event) in events.iter().enumerate() {
+        let digits = event_digits(events, number);
         let kind = match event.kind {
             EventKind::Cusp => "cusp",
             EventKind::Pitchfork => "pitchfork",
@@ -234,14 +234,17 @@ fn event_table(events: &[EventDocument], all: &[EventDocument]) -> Option<String
     (!events.is_empty()).then(|| table.text())
 }
 
-/// As many digits as tell neighbouring events apart, by l or by h.
-fn event_digits(events: &[EventDocument]) -> usize {
+/// As many digits as tell an event from those before and after it, by l or by h.
+fn event_digits(events: &[EventDocument], number: usize) -> usize {
+    let event = &events[number];
     let written = |event: &EventDocument, digits| [event.l, event.h].map(|x| significant(x, digits));
-    let are_apart = |digits: &usize| {
-        let mut pairs = events.windows(2).filter(|pair| (pair[0].l, pair[0].h) != (pair[1].l, pair[1].h));
-        pairs.all(|pair| written(&pair[0], *digits) != written(&pair[1], *digits))
-    };
-    (DIGITS..17).find(are_apart).unwrap_or(17)
+    let neighbours = [number.checked_sub(1), Some(number + 1)].into_iter().flatten();
+    let others: Vec<&EventDocument> = neighbours
+        .filter_map(|other| events.get(other))
+        .filter(|other| (other.l, other.h) != (event.l, event.h))
+        .collect();
+    let is_apart = |digits: &usize| others.iter().all(|other| written(other, *digits) != written(event, *digits));
+    (DIGITS..17).find(is_apart).unwrap_or(17)
 }
 
 /// Where the linear type changes along a branch; `None` without changes.
