@@ -104,7 +104,7 @@ impl GivenPart {
             return Ok(self);
         }
         Err(Failure::input(
-            "±: only `bifdiag critical-spin` accepts numbers with an uncertainty; leave out ± and what follows it",
+            "±: only `bifdiag critical-spin` accepts numbers with an uncertainty; leave out ± and the number after it",
         ))
     }
 }
@@ -176,7 +176,8 @@ impl PartArguments {
         let principal =
             part.principal().map_err(|error| Failure::input(format!("{option}: {error}")).because(error))?;
         if self.file.is_none() && part.properties.existence().is_possible() {
-            plausible::warn_of_tensor(&part.properties, &part.units);
+            let entries = self.inertia.iter().chain(&self.inertia_com).flatten().chain(&self.mass);
+            plausible::warn_of_tensor(&part.properties, &part.units, entries.into_iter().any(Quantity::has_unit));
         }
         let scales = [("--density", &numbers.density), ("--mass", &numbers.mass)];
         let scale = scales
