@@ -1,9 +1,12 @@
 //! Exact numbers as decimals.
 
+use std::cmp::Ordering;
 use std::fmt::Display;
 
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
+
+use crate::Number;
 
 /// The exact decimal of a number whose denominator is a power of two; `p/q` for any other.
 #[must_use]
@@ -139,6 +142,16 @@ pub fn told_apart(ends: [f64; 2], digits: usize) -> [String; 2] {
     (digits..=17).map(written).find(|[from, to]| from != to).unwrap_or_else(|| written(digits))
 }
 
+/// Numbers with `digits` significant digits, each with as many more as needed to tell it from all others that differ.
+#[must_use]
+pub fn all_apart(numbers: &[f64], digits: usize) -> Vec<String> {
+    let written = |&x: &f64| {
+        let from_others = numbers.iter().map(|&other| told_apart([x, other], digits)[0].clone());
+        from_others.max_by_key(String::len).unwrap_or_else(|| significant(x, digits))
+    };
+    numbers.iter().map(written).collect()
+}
+
 /// A number with the word for one of them or for several.
 pub fn counted<N: Copy + Display + PartialEq + From<u8>>(number: N, one: &str, several: &str) -> String {
     let word = if number == N::from(1) { one } else { several };
@@ -148,19 +161,49 @@ pub fn counted<N: Copy + Display + PartialEq + From<u8>>(number: N, one: &str, s
 /// A bound x ≥ 0 as [`significant`] writes it, but rounded up.
 #[must_use]
 pub fn bound(x: f64, digits: usize) -> String {
+    on_side(x, digits, true)
+}
+
+/// A bound x ≥ 0 as [`significant`] writes it, but rounded down.
+#[must_use]
+pub fn bound_below(x: f64, digits: usize) -> String {
+    on_side(x, digits, false)
+}
+
+/// A number x ≥ 0 as [`significant`] writes it, not below it (`up`), or not above it.
+fn on_side(x: f64, digits: usize, up: bool) -> String {
     let nearest = significant(x, digits);
+    let Ok(exact) = RBig::try_from(x) else { return nearest };
+    let is_right = |text: &str| {
+        // Beyond the range of exact numbers doubles have to do.
+        let place = text.parse::<Number>().map_or_else(
+            |_beyond| text.parse().map_or(Ordering::Equal, |y: f64| y.total_cmp(&x)),
+            |number| number.value().cmp(&exact),
+        );
+        place != if up { Ordering::Less } else { Ordering::Greater }
+    };
+    if is_right(&nearest) {
+        return nearest;
+    }
     let scientific = format!("{:.*e}", digits.saturating_sub(1), x);
-    let last_place = scientific.split_once('e').and_then(|(_, exponent)| {
-        let exponent: i32 = exponent.parse().ok()?;
-        let place = exponent - i32::try_from(digits).ok()? + 1;
+    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
+    let last_place = exponent.zip(i32::try_from(digits).ok()).and_then(|(exponent, digits)| {
+        let place = exponent - digits + 1;
         // Plain numbers keep all digits before the point.
         let place = if (-4..=6).contains(&exponent) { place.min(0) } else { place };
         format!("1e{place}").parse::<f64>().ok()
     });
-    match (nearest.parse::<f64>(), last_place) {
-        (Ok(rounded), Some(unit)) if rounded < x => significant(rounded + unit, digits),
-        _ => nearest,
+    let unit = last_place.unwrap_or(0.0);
+    // With as many digits as a double has, a unit of the last one may be lost.
+    let mut stepped = if up { x + unit } else { x - unit };
+    for _ in 0..4 {
+        let text = significant(stepped, digits);
+        if is_right(&text) {
+            return text;
+        }
+        stepped = if up { stepped.next_up() } else { stepped.next_down() };
     }
+    nearest
 }
 
 fn trim_zeros(text: &str) -> String {
@@ -207,9 +250,24 @@ mod tests {
             for digits in 1..4 {
                 assert!(bound(x, digits).parse::<f64>().unwrap() >= x, "{x:e}");
             }
+            for digits in 1..18 {
+                let exact = RBig::try_from(x).unwrap();
+                let [low, high] = [bound_below(x, digits), bound(x, digits)].map(|text| value(&text));
+                assert!(low <= exact && exact <= high, "{x:e} {digits}");
+                assert!((high - low) / exact <= value(&format!("2e-{}", digits - 1)), "{x:e} {digits}");
+            }
         }
+        assert_eq!(bound_below(0.0, 2), "0");
+        assert_eq!(bound_below(2.999e10, 3), "2.99e10");
     }
-    use crate::Number;
+
+    #[test]
+    fn numbers_that_differ_have_other_digits() {
+        assert_eq!(all_apart(&[1.0, 2.0, 2.000_01, 3.0], 3), ["1", "2", "2.00001", "3"]);
+        assert_eq!(all_apart(&[2.0, 1.0, 2.000_01], 3), ["2", "1", "2.00001"]);
+        assert_eq!(all_apart(&[0.5, 0.5], 3), ["0.5", "0.5"]);
+        assert_eq!(all_apart(&[0.123_456], 3), ["0.123"]);
+    }
 
     fn value(text: &str) -> RBig {
         text.parse::<Number>().unwrap().value().clone()
