@@ -61,7 +61,8 @@ class SpinRanges(Table):
     def __repr__(self) -> str:
         lines = [self._head()]
         for row in self:
-            told = f"{row['rpm_from']:.6g} to {row['rpm_to']:.6g} rpm: {row['stability']}, {_word(row['stable'])}"
+            low, high = _apart(row["rpm_from"], row["rpm_to"])
+            told = f"{low} to {high} rpm: {row['stability']}, {_word(row['stable'])}"
             lines.append(f"  {_name(row)}, {told}")
         return "\n".join(lines)
 
@@ -218,6 +219,15 @@ def _table(rows: list[Document], kind: type[Table]) -> dict[str, npt.NDArray[Any
 
 def _name(row: np.void) -> str:
     return f"{row['branch'] or 'axis'} {row['up']}".strip()
+
+
+def _apart(*spins: float) -> list[str]:
+    """Spins with six digits, or with as many more as needed to tell them apart."""
+    for digits in range(6, 18):
+        told = [f"{spin:.{digits}g}" for spin in spins]
+        if len({*told}) == len({*spins}):
+            break
+    return told
 
 
 def _word(stable: bool | None) -> str:
