@@ -350,3 +350,21 @@ fn a_principal_axis_on_the_cone_is_not_called_permanent() {
         .succeeds()
         .printing("the nearest permanent axis is (0, 0, 1)");
 }
+
+/// Of a symmetric body the plane of equal moments belongs to Staude's cone, and is nearer.
+#[test]
+fn the_plane_of_equal_moments_is_named_as_such() {
+    let found = bifdiag("critical-spin --A 2,2,1 --r 0.3,0.3,1 --axis 1,-1,0.01").succeeds();
+    found.printing("the nearest axis of Staude's cone outside the plane of equal moments is (0, 0, 1), 89.6° away");
+}
+
+/// r_1 (A_3 − A_2) = r_2 (A_1 − A_3) = r_3 (A_2 − A_1): two axes of infinitely many were listed as equally near.
+#[test]
+fn all_axes_of_a_circular_cone_are_equally_near() {
+    let circular = "Staude's cone is circular about the axis that was given: all of its axes are equally near";
+    let of = |body: &str| bifdiag(&format!("critical-spin {body}")).succeeds().stdout();
+    let found = of("--A 2,3,4 --r=2,-1,2 --axis 1,1,1");
+    assert!(found.contains(circular) && !found.contains("equally near: "), "{found}");
+    let nearly = of("--A 2,3,4 --r=2,-1,2.000000000001 --axis 1,1,1");
+    assert!(!nearly.contains(circular), "{nearly}");
+}
