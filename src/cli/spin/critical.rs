@@ -116,20 +116,19 @@ fn text(subject: &Subject, document: &CriticalSpinDocument, (found, given): (&Ax
                 Some(AxisEnd::Minus) => ", with its other end up",
                 None => "",
             };
-            let spin = match &nearest.spin {
-                Some(spin) => format!(", at {} rpm only{end}", significant(spin.rpm, 6)),
-                None => String::new(),
+            let on_cone = if has_equal_moments(subject) {
+                "axis of Staude's cone outside the plane of equal moments"
+            } else {
+                "axis of Staude's cone"
             };
-            let principal = ": it is principal, and rotation about it is steady at no spin";
             let (what, note) = match nearest.spin {
-                Some(_) => ("axis of a steady rotation", ""),
-                None if is_permanent(subject, nearest.axis) => ("permanent axis", ""),
-                None if has_equal_moments(subject) => {
-                    ("axis of Staude's cone outside the plane of equal moments", principal)
-                }
-                None => ("axis of Staude's cone", principal),
+                // That of the centre of mass.
+                Some(spin) if spin.rpm == 0.0 => (on_cone, format!(": {}", rests("it"))),
+                Some(spin) => ("axis of a steady rotation", format!(", at {} rpm only{end}", significant(spin.rpm, 6))),
+                None if is_permanent(subject, nearest.axis) => ("permanent axis", String::new()),
+                None => (on_cone, ": it is principal, and rotation about it is steady at no spin".to_owned()),
             };
-            report.line(format!("the nearest {what} is {}, {angle}° away{spin}{note}", listed(nearest.axis)));
+            report.line(format!("the nearest {what} is {}, {angle}° away{note}", listed(nearest.axis)));
             as_near(&mut report, subject, document, (nearest, given));
         }
         None => {}
