@@ -71,6 +71,6 @@ pub struct SpinRangeDocument {
     /// The single input that moves the change most: with `relative` that of the nominal part (the last of several), when it
     /// alone is at either end of its tolerance, else by bounds; `null` if there is none.
     pub most: Option<String>,
-    /// How far it moves it, in rpm; `null` where the change vanishes with it.
+    /// How far it moves it, in rpm; `null` where the change vanishes with it, or its bounds have no end.
     pub most_rpm: Option<f64>,
 }

@@ -83,9 +83,10 @@ class SpinBounds(Table):
     between : array (n,) of str
         Types that some sampled part has inside.
     widest_by : array (n,) of str
-        The number that alone moves the spin most; ``""`` where that was not found.
+        The number that alone moves the spin most, with ± by bounds; ``""`` where none does or that was not found.
     widest_rpm : array (n,)
-        So far, in rpm: ``inf`` where the change vanishes with it, NaN where ``widest_by`` is ``""``.
+        So far, in rpm: ``inf`` where the change vanishes with it or its bounds have no end, NaN where ``widest_by`` is
+        ``""``.
     """
 
     up: Texts
@@ -183,8 +184,7 @@ class CriticalSpins(Table):
     def bounds(self) -> SpinBounds | None:
         """Bounds on the critical spins of every part within the tolerance.
 
-        None where no number has one that the spins depend on, where several steady rotations are equally near to the axis,
-        and where the nearest one is one of a circle of them.
+        None without a tolerance that the spins depend on, and where no bounds are given: ``meta["note"]`` then says why.
         """
         told = self.meta.get("tolerance")
         if told is None:

@@ -112,8 +112,8 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
     report.line(classes(tolerance));
     if !tolerance.ranges.is_empty() {
         report.line(format!(
-            "what is found inside a range comes from {} sampled parts; \"matters most\" refers to the nominal part's last \
-            change in that range",
+            "what is found inside a range comes from {} sampled parts; \"matters most\" and \"moves it by\" are of the \
+            nominal part's last change in that range",
             tolerance.sampled_parts
         ));
     }
@@ -160,8 +160,10 @@ fn ranges(report: &mut Report, ranges: &[SpinRangeDocument], slow: Option<&[Spin
         report.line(certainly(*up, *slow, ranges));
     }
     // Whichever type the nominal one has, of some of them both pairs may agree.
-    let told = ranges.iter().flat_map(|range| range.from.iter().chain(&range.to).chain(&range.between));
-    if slow.into_iter().flatten().chain(told).any(|kind| kind.is_elliptic()) {
+    let of_ranges = ranges.iter().flat_map(|range| range.from.iter().chain(&range.to).chain(&range.between));
+    let has_none = |up: AxisEnd| ranges.iter().all(|range| range.up != up);
+    let everywhere = AxisEnd::ALL.iter().zip(slow.into_iter().flatten()).filter(|(up, _)| has_none(**up));
+    if everywhere.map(|(_, kind)| kind).chain(of_ranges).any(|kind| kind.is_elliptic()) {
         report.line("of these parts elliptic means elliptic or double-elliptic");
     }
 }
@@ -188,7 +190,8 @@ fn table(ranges: &[SpinRangeDocument], inside: bool) -> String {
             range.most.clone().unwrap_or_else(|| "-".to_owned()),
             match (&range.most, range.most_rpm) {
                 (_, Some(rpm)) => format!("{} rpm", significant(rpm, 3)),
-                (Some(_), None) => "the change vanishes".to_owned(),
+                (Some(_), None) if inside => "the change vanishes".to_owned(),
+                (Some(_), None) => "inf".to_owned(),
                 (None, None) => "-".to_owned(),
             },
         ];
