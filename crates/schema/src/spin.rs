@@ -226,7 +226,7 @@ pub struct CriticalSpinDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub nearest: Option<NearestAxisDocument>,
     /// The spin at which rotation about the given axis itself is steady, at an angle of 10⁻⁶ at most; empty if there is
-    /// no such spin; absent where the given axis is permanent at every spin.
+    /// no such spin; absent where the given axis is permanent at every spin, and where this was not found.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub steady: Option<Vec<SteadySpinDocument>>,
     /// For an axis that is not permanent: the families of steady axes that are nearest to it at fast spins, with `+axis` and with `-axis` up.
