@@ -69,7 +69,7 @@ fn spins_that_differ_have_other_digits() {
     before.printing("the next change of type is at 9.549296586 rpm, beyond --to");
     run("--body paper --axis=0,0,-1", "14.151956 rpm")
         .refused()
-        .telling("begins at 14.1519563")
+        .telling("begins at 14.1519562 rpm")
         .telling("up to 14.151956 rpm");
     let listed = bifdiag("critical-spin --A 2,2.0000000001,1 --r=0,0,-1 --axis z").succeeds().stdout();
     assert!(spins.iter().all(|spin| listed.contains(spin)), "{listed}");

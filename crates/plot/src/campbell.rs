@@ -169,7 +169,12 @@ fn changes(canvas: &Canvas, chart: &Chart, changes: &[f64], are_labelled: bool) 
             continue;
         }
         canvas.dashed(&[[x, chart.rect.y], [x, chart.rect.bottom()]], &CHANGE, 1.2);
-        let text = format!("{} rpm", short_number(change, 6));
+        // As many digits as tell it from the others.
+        let is_apart = |digits: &usize| {
+            let text = short_number(change, *digits);
+            changes.iter().all(|&other| other == change || short_number(other, *digits) != text)
+        };
+        let text = format!("{} rpm", short_number(change, (6..16).find(is_apart).unwrap_or(16)));
         let half = text_width(&text, CHART_TEXT - 1.0) / 2.0;
         // In the first of two rows that has room; the table lists all.
         if let Some(row) = rows.iter().position(|right| are_labelled && x - half > right + 6.0) {
