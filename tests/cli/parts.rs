@@ -462,7 +462,7 @@ fn wrong_parts_are_refused_with_a_message_that_helps() {
         let done = bifdiag(&format!("critical {options} --l 1 --g 9.81")).inside(directory.path()).refused();
         messages.iter().fold(done, |done, message| done.telling(message));
     }
-    bifdiag("state --body paper --axis z --spin 3000").refused().telling("rpm, Hz, rad/s or deg/s");
+    bifdiag("state --body paper --axis z --spin 3000").refused().telling("rpm, Hz, rad/s and deg/s");
 }
 
 /// The axes of the table are not by rising moments, so the inequality names none; a negative moment has no radius.
@@ -604,7 +604,7 @@ fn wrong_numbers_and_units_are_named_as_they_are() {
     let mass = |text: &str| bifdiag(&format!("critical-spin {part} --axis z --mass")).and(text).refused();
     mass("1e400kg").telling("`1e400` is out of range");
     mass("1/0 kg").telling("`1/0` has denominator zero");
-    mass("1±2").telling("with its ± it reaches down to -1, and a mass must be greater than zero");
+    mass("1±2").telling("its ± reaches down to -1: a mass must be greater than zero");
     bifdiag(&format!("state {part} --mass 1 --axis z --spin"))
         .and("3 kHz")
         .refused()

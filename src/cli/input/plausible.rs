@@ -8,8 +8,9 @@ use dashu_ratio::RBig;
 
 use crate::cli::terminal::{bound_below, significant};
 
-/// Digits in a warning.
+/// Digits in a warning, and of a density to be given again.
 const DIGITS: usize = 3;
+const DENSITY_DIGITS: usize = 12;
 
 /// kg/m³ between a foam and osmium.
 const DENSITIES: [f64; 2] = [1.0, 25_000.0];
@@ -70,7 +71,7 @@ fn mesh_warning(mesh: MeshSize, mass: f64, units: &Units, weight: Weight) -> Opt
     Some(match found {
         Some((name, _)) => {
             let density = if restated && !others.clone().any(|other| plausible(&other)) {
-                format!(" and the density as {}kg/m3", significant(density, 6))
+                format!(" and the density as {}kg/m3", significant(density, DENSITY_DIGITS))
             } else {
                 String::new()
             };

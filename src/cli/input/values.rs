@@ -151,9 +151,7 @@ fn bounded(text: &str, can_be: impl Fn(&RBig) -> bool, right: &str) -> Result<Qu
         (false, _) => Err(Failure::input(right)),
         (true, false) => {
             let least = decimal::short(&(value - within));
-            Err(Failure::input(format!(
-                "with its ± it reaches down to {least}, and {right}, with a smaller number after ±"
-            )))
+            Err(Failure::input(format!("its ± reaches down to {least}: {right}, or a smaller number after ±")))
         }
     }
 }

@@ -8,7 +8,7 @@ use bifdiag_schema::{
     SteadyStart, Verdict,
 };
 
-use super::axis::one_of;
+use super::axis::{listed, one_of};
 use super::changes::table_of_changes;
 use crate::cli::export::answer;
 use crate::cli::failure::{Failure, failed};
@@ -50,8 +50,7 @@ fn text(subject: &Subject, document: &SteadySpinsDocument) -> String {
 }
 
 fn permanent_axis_text(report: &mut Report, subject: &Subject, permanent: &PermanentAxisDocument, unknown: bool) {
-    let [x, y, z] = permanent.axis.map(|x| significant(x, 6));
-    report.line(format!("permanent axis ({x}, {y}, {z})"));
+    report.line(format!("permanent axis {}", listed(permanent.axis)));
     let [plus, minus] = &permanent.slow;
     report.line(format!("at slow spins: +axis up {}, -axis up {}", plus.word(), minus.word()));
     if let Some(one_of) = one_of(subject, permanent.axis) {
