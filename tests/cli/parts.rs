@@ -581,7 +581,8 @@ fn corners_that_are_not_there_are_named() {
 fn orientations_and_names_of_bodies_are_as_in_mjcf() {
     let directory = tempfile::tempdir().unwrap();
     let refused = |blocks: &[&str], options: &str| {
-        let bodies: String = blocks.iter().map(|block| format!("<body {block}/></body>")).collect();
+        let bodies: Vec<String> = blocks.iter().map(|block| format!("<body {block}/></body>")).collect();
+        let bodies = bodies.concat();
         fs::write(directory.path().join("a.xml"), format!("<mujoco><worldbody>{bodies}</worldbody></mujoco>")).unwrap();
         bifdiag(&format!("body --part a.xml --g 9.81 {options}")).inside(directory.path()).refused()
     };

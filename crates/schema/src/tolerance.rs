@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{AxisEnd, SpinType};
 
-/// Changes of stability when the moments and the weight are known to relative tolerances.
+/// Changes of stability when the moments and the weight, or the numbers of a part, are known to within tolerances.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ToleranceDocument {
     /// The relative tolerances of the moment about the axis, of the two others and of the weight times its distance; absent

@@ -58,10 +58,10 @@ pub struct PartArguments {
     /// Mass
     #[arg(long, value_name = "m", allow_hyphen_values = true, value_parser = values::mass)]
     pub mass: Option<Quantity>,
-    /// Units of mass, length and time, for the part and for results other than spins and frequencies (default: kg,m,s)
+    /// Units of mass, length and time, for the part and for results that name no unit of their own (default: kg,m,s)
     #[arg(long, value_name = "kg,mm,s", value_parser = values::units, hide_short_help = true)]
     pub units: Option<Units>,
-    /// Acceleration of gravity, always in m/s² (default: 9.80665)
+    /// Acceleration of gravity, in m/s² whatever --units are, or with its unit (default: 9.80665)
     #[arg(long = "g", value_name = "g", allow_hyphen_values = true, value_parser = values::gravity, hide_short_help = true)]
     pub gravity: Option<Quantity>,
     /// The fixed point, in the axes of the part's description (default: their origin)

@@ -150,16 +150,16 @@ fn scalar(property: &Property) -> Option<f64> {
 }
 
 fn indices(property: &Property) -> Option<Vec<i64>> {
-    fn all<T: Copy + Into<i64>>(list: &[T]) -> Option<Vec<i64>> {
-        Some(list.iter().map(|x| (*x).into()).collect())
+    fn all<T: Copy + Into<i64>>(list: &[T]) -> Vec<i64> {
+        list.iter().map(|x| (*x).into()).collect()
     }
-    match property {
+    Some(match property {
         Property::ListChar(list) => all(list),
         Property::ListUChar(list) => all(list),
         Property::ListShort(list) => all(list),
         Property::ListUShort(list) => all(list),
         Property::ListInt(list) => all(list),
         Property::ListUInt(list) => all(list),
-        _ => None,
-    }
+        _ => return None,
+    })
 }
