@@ -15,7 +15,7 @@ use clap::Args;
 use super::export::answer;
 use super::failure::{Failure, failed};
 use super::input::read;
-use super::terminal::{Report, Table, Timings, significant, telling_digits};
+use super::terminal::{Report, Table, Timings, all_apart};
 
 pub const COMPARE_EXAMPLES: &str = "\
 Examples:
@@ -223,9 +223,8 @@ fn add_path(report: &mut Report, document: &ComparisonDocument) {
     report.line("borders on the straight path from 1 (at 0) to 2 (at 1):");
     let mut table = Table::new(&["at", "class beyond", "what happens on the border"]);
     let places: Vec<f64> = path.borders.iter().map(|border| border.at).collect();
-    let digits = telling_digits(&places, 6);
-    for border in &path.borders {
-        table.row([significant(border.at, digits), border.classes[1].clone(), border.event.text.clone()]);
+    for (border, at) in path.borders.iter().zip(all_apart(&places, 6)) {
+        table.row([at, border.classes[1].clone(), border.event.text.clone()]);
     }
     report.line(table.text());
     report.line(if path.complete {

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use bifdiag_body::part::Existence;
 use bifdiag_body::part::file::edges;
 use bifdiag_documents::Subject;
+use bifdiag_equilibria::permanent::angle_between;
 use bifdiag_numbers::vector::{dot, norm};
 use bifdiag_plot::{PartScene, draw_part};
 use bifdiag_schema::{PartDocument, PrincipalDocument};
@@ -13,7 +14,7 @@ use clap::Args;
 use super::export::{FileSet, PictureArguments, answer};
 use super::failure::Failure;
 use super::input::{GivenPart, PartArguments, integrable, shown_of_part};
-use super::terminal::{Report, Table, Timings, fixed, significant};
+use super::terminal::{Report, Table, Timings, all_apart, fixed, significant};
 
 pub const BODY_EXAMPLES: &str = "\
 Examples:
@@ -98,7 +99,7 @@ fn report(given: &GivenPart, document: &PartDocument, digits: usize, written: &[
     existence(&mut report, given);
     integrable(&given.principal.body, &mut report);
     if !document.exact {
-        report.line("the principal form is irrational: A and r are given to 130 digits, symmetries exactly");
+        report.line("the principal form is irrational: A and r are computed to 130 digits, symmetries exactly");
     }
     report.written(written);
     report.text()
@@ -109,16 +110,17 @@ fn table(principal: &PrincipalDocument, given: &GivenPart, digits: usize, last: 
     let properties = &given.part.properties;
     let (com, mass) = (properties.com.each_ref().map(|x| x.to_f64().value()), properties.mass.to_f64().value());
     let (distance, center) = (norm(com), given.principal.body.center_f64());
+    let moments = all_apart(&principal.moments, digits);
     let mut table = Table::new(&["axis", "moment", "direction", "angle to com", last]);
     for k in 0..3 {
         let axis = principal.axes[k];
         let [x, y, z] = axis.map(|x| format!("{:>9}", fixed(x, 6)));
-        let cosine = dot(axis, com).abs() / distance;
+        let angle = angle_between(com, if dot(axis, com) < 0.0 { axis.map(|x| -x) } else { axis }).to_degrees();
         table.row([
             (k + 1).to_string(),
-            significant(principal.moments[k], digits),
+            moments[k].clone(),
             format!("({x}, {y}, {z})"),
-            if distance == 0.0 { "-".to_owned() } else { format!("{:.4}°", libm::acos(cosine.min(1.0)).to_degrees()) },
+            if distance == 0.0 { "-".to_owned() } else { format!("{}°", small(angle)) },
             match (last, principal.moments[k]) {
                 ("r", _) => significant(center[k], digits),
                 (_, moment) if moment < 0.0 => "-".to_owned(),
@@ -127,6 +129,12 @@ fn table(principal: &PrincipalDocument, given: &GivenPart, digits: usize, last: 
         ]);
     }
     table.text()
+}
+
+/// Degrees with four places, or with a digit where they would be none; less than rounding leaves is nothing.
+fn small(degrees: f64) -> String {
+    const ROUNDING: f64 = 1e-12;
+    if (ROUNDING..5e-5).contains(&degrees) { significant(degrees, 1) } else { format!("{degrees:.4}") }
 }
 
 fn existence(report: &mut Report, given: &GivenPart) {

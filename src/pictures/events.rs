@@ -1,7 +1,7 @@
 //! The picture of the events along a way through the bodies: their momenta over the parameter, above the classes.
 
 use bifdiag_body::Body;
-use bifdiag_numbers::decimal::{significant, telling_digits};
+use bifdiag_numbers::decimal::{all_apart, significant};
 use bifdiag_plot::{Map, MapAxis, MapLine, MapNote};
 use bifdiag_schema::BodyParameter;
 use bifdiag_survey::border::{BodySegment, EventLabel};
@@ -148,10 +148,10 @@ impl EventScene<'_> {
         let [from, to] = map.y.range;
         let mut last = f64::NEG_INFINITY;
         let places: Vec<f64> = self.tracks.borders.iter().map(|border| self.value(border.t)).collect();
-        let digits = telling_digits(&places, DIGITS);
-        for (number, border) in (1..).zip(&self.tracks.borders) {
+        let texts = all_apart(&places, DIGITS);
+        for ((number, border), value) in (1..).zip(&self.tracks.borders).zip(texts) {
             let at = self.value(border.t);
-            let text = format!("{number}: {} = {}: {}", self.parameter, significant(at, digits), border.event.kind);
+            let text = format!("{number}: {} = {value}: {}", self.parameter, border.event.kind);
             map.lines.push(MapLine {
                 points: vec![[at, from], [at, to]],
                 dashed: true,

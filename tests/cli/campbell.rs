@@ -55,3 +55,40 @@ fn campbell_writes_a_table_and_a_picture() {
     );
     assert!(fs::read_to_string(directory.path().join("c/campbell.svg")).unwrap().contains("frequency in Hz"));
 }
+
+/// Changes and ends that agree in eight digits are printed with more.
+#[test]
+fn spins_that_differ_have_other_digits() {
+    let directory = tempfile::tempdir().unwrap();
+    let run =
+        |line: &str, to: &str| bifdiag(&format!("campbell {line} --no-plot --to")).and(to).inside(directory.path());
+    let narrow = run("--A 2,2.0000000001,1 --r=0,0,-1 --axis z", "5 rad/s").succeeds().stdout();
+    let spins: Vec<&str> = narrow.lines().filter_map(|line| line.split_once(" rpm:")).map(|(spin, _)| spin).collect();
+    assert!(spins.len() == 2 && spins[0] != spins[1], "{narrow}");
+    let before = run("--A 1,2,3 --r=1,0,0 --axis=-x", "0.99999999999 rad/s").succeeds();
+    before.printing("the next change of type is at 9.549296586 rpm, beyond --to");
+    run("--body paper --axis=0,0,-1", "14.151956 rpm")
+        .refused()
+        .telling("begins at 14.1519562 rpm")
+        .telling("up to 14.151956 rpm");
+    let listed = bifdiag("critical-spin --A 2,2.0000000001,1 --r=0,0,-1 --axis z").succeeds().stdout();
+    assert!(spins.iter().all(|spin| listed.contains(spin)), "{listed}");
+    let state = bifdiag("state --A 1,2,3 --r=1,0,0 --axis=-x --spin").and("0.99999999999 rad/s").succeeds();
+    state.printing("spin 9.549296585 rpm").printing("next change at larger spin: 9.549296586 rpm");
+}
+
+/// A change too near to rest for a line of its own has none in the legend either.
+#[test]
+fn the_legend_lists_what_is_drawn() {
+    let directory = tempfile::tempdir().unwrap();
+    let svg = |to: &str| {
+        let run = bifdiag("campbell --A 2,3,4 --r 0,0,1 --axis=-z --out c --to").and(to);
+        run.inside(directory.path()).succeeds();
+        fs::read_to_string(directory.path().join("c/campbell.svg")).unwrap()
+    };
+    assert!(!svg("100000 rpm").contains("the type changes"));
+    let run = bifdiag("campbell --A 4,3,2 --r 0,0,1 --axis=-z --out c --to").and("100 rpm");
+    run.inside(directory.path()).succeeds();
+    let drawn = fs::read_to_string(directory.path().join("c/campbell.svg")).unwrap();
+    assert!(drawn.contains("the type changes"));
+}

@@ -442,7 +442,7 @@ fn wrong_parts_are_refused_with_a_message_that_helps() {
         ("--part missing.stl --density 1", &["--part missing.stl", "No such file"]),
         ("--part box.obj --density 1 --com 0,0,1", &["--com has no effect with --part"]),
         // Blocks of links.
-        ("--part two.urdf", &["several links", "a, b", "--link NAME"]),
+        ("--part two.urdf", &["more than one link", "a, b", "--link NAME"]),
         ("--part two.urdf --link c", &["--link c", "a, b"]),
         ("--part two.urdf --link a", &["<mass> of link a has no value"]),
         // Flat and thin, with too few digits.
@@ -462,7 +462,7 @@ fn wrong_parts_are_refused_with_a_message_that_helps() {
         let done = bifdiag(&format!("critical {options} --l 1 --g 9.81")).inside(directory.path()).refused();
         messages.iter().fold(done, |done, message| done.telling(message));
     }
-    bifdiag("state --body paper --axis z --spin 3000").refused().telling("rpm, Hz, rad/s or deg/s");
+    bifdiag("state --body paper --axis z --spin 3000").refused().telling("rpm, Hz, rad/s and deg/s");
 }
 
 /// The axes of the table are not by rising moments, so the inequality names none; a negative moment has no radius.
@@ -559,4 +559,77 @@ fn an_axis_is_permanent_on_both_sides_of_the_fixed_point() {
         let found = bifdiag(&format!("critical-spin {part} --axis z")).succeeds();
         found.printing("the axis is permanent for all of them");
     }
+}
+
+/// Corners of a PLY file are counted from 0.
+#[test]
+fn corners_that_are_not_there_are_named() {
+    let directory = tempfile::tempdir().unwrap();
+    let ply = |corner: &str| {
+        let text = format!(
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face \
+             1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 {corner}\n"
+        );
+        fs::write(directory.path().join("a.ply"), text).unwrap();
+        bifdiag("body --part a.ply --density 1 --g 9.81").inside(directory.path()).refused()
+    };
+    ply("-1").telling("a face names corner -1 (the first one is 0), but there are 3");
+    ply("3").telling("a face names corner 3 (the first one is 0), but there are 3");
+}
+
+#[test]
+fn orientations_and_names_of_bodies_are_as_in_mjcf() {
+    let directory = tempfile::tempdir().unwrap();
+    let refused = |blocks: &[&str], options: &str| {
+        let bodies: Vec<String> = blocks.iter().map(|block| format!("<body {block}/></body>")).collect();
+        let bodies = bodies.concat();
+        fs::write(directory.path().join("a.xml"), format!("<mujoco><worldbody>{bodies}</worldbody></mujoco>")).unwrap();
+        bifdiag(&format!("body --part a.xml --g 9.81 {options}")).inside(directory.path()).refused()
+    };
+    let block = |name: &str, rest: &str| format!("{name}><inertial pos='0 0 0.1' mass='1' {rest}");
+    let whole = block("name='a'", "diaginertia='1 1 1'");
+    refused(&[&block("name='a'", "diaginertia='1 1 1' zaxis='0 0 1'")], "")
+        .telling("body a: the orientation zaxis is not read");
+    refused(&[&block("name='a'", "fullinertia='1 1 1 0 0 0' quat='1 1 0 0'")], "")
+        .telling("body a: quat and fullinertia exclude each other");
+    refused(&[&block("name='a'", "fullinertia='1'")], "").telling("fullinertia=\"1\" of body a has 1 number, not 6");
+    refused(&[&whole, &block("name='b'", "diaginertia='1 1 1'")], "")
+        .telling("more than one body with an inertial block");
+    refused(&[&whole, &whole], "--link a").telling("more than one body with an inertial block is called so");
+}
+
+/// A number with its unit is out of range, not its exponent a unit; and the units of other programs are none of ours.
+#[test]
+fn wrong_numbers_and_units_are_named_as_they_are() {
+    let part = "--inertia-com 2,3,4,0,0,0 --com 0,0,1 --g 9.81";
+    let mass = |text: &str| bifdiag(&format!("critical-spin {part} --axis z --mass")).and(text).refused();
+    mass("1e400kg").telling("`1e400` is out of range");
+    mass("1/0 kg").telling("`1/0` has denominator zero");
+    mass("1±2").telling("its ± reaches down to -1: a mass must be greater than zero");
+    bifdiag(&format!("state {part} --mass 1 --axis z --spin"))
+        .and("3 kHz")
+        .refused()
+        .telling("none of the units rpm, Hz");
+    bifdiag(&format!("body {part} --mass")).and("1±0.1kg").refused().telling("leave out ± and the number after it");
+    bifdiag(&format!("body {part} --mass 1 --units kg")).refused().telling("1 unit given");
+}
+
+/// A density of which 1.89e13 was said, and more than the part has: 1.8858e13.
+#[test]
+fn the_least_density_is_rounded_down() {
+    let dense = |moment: &str| {
+        let line = format!("body --inertia-com {moment},{moment},{moment},0,0,0 --com 0,0,0.15 --mass 2.5 --g 9.8");
+        bifdiag(&line).succeeds()
+    };
+    dense("1e-9").telling("the density of the part reaches at least 1.88e13 kg/m³: check --units");
+    // Other --units would leave these as they are.
+    let own = dense("0.001gmm2").telling("check the units of tensor and mass").stderr();
+    assert!(!own.contains("--units"), "{own}");
+}
+
+/// The centre of mass is 7.6e-6° off the axis.
+#[test]
+fn a_small_angle_to_the_centre_of_mass_is_not_nothing() {
+    let part = bifdiag("body --inertia-com 0.24,0.15,0.17,0,0,0 --com 0,0.00000002,0.15 --mass 2.5 --g 9.8").succeeds();
+    part.printing("  8e-6°  ");
 }

@@ -233,7 +233,7 @@ fn steady_axes_over_the_spin_are_a_table_and_a_picture() {
     bifdiag("critical --body paper --out axes.svg --spin").and("2 rpm").refused().telling("a picture needs a range");
     bifdiag("critical --body euler --out axes.svg --spin").and("0:2:3 rpm").refused().telling("without weight");
     bifdiag("critical --body paper --spin").and("5:2:3 rpm").refused().telling("write the smaller spin first");
-    bifdiag("critical --body paper --spin").and("0:2:3").refused().telling("has no unit");
+    bifdiag("critical --body paper --spin").and("0:2:3").refused().telling("has none of the units");
 }
 
 /// Within half a degree of a permanent axis that axis is followed; the given one may be steady at a spin of its own.
@@ -349,4 +349,25 @@ fn a_principal_axis_on_the_cone_is_not_called_permanent() {
     bifdiag("critical-spin --A 3,2,4 --r 0,0,0 --axis 0,1,9")
         .succeeds()
         .printing("the nearest permanent axis is (0, 0, 1)");
+}
+
+/// Of a symmetric body the plane of equal moments belongs to Staude's cone, and is nearer.
+#[test]
+fn the_plane_of_equal_moments_is_named_as_such() {
+    let found = bifdiag("critical-spin --A 2,2,1 --r 0.3,0.3,1 --axis 1,-1,0.01").succeeds();
+    found.printing("the nearest axis of Staude's cone outside the plane of equal moments is (0, 0, 1), 89.6° away");
+    // Nearest to this one is the axis of the centre of mass.
+    let rests = bifdiag("critical-spin --A 2,2,1 --r 0.3,0.3,1 --axis 0.6,0,1").succeeds();
+    rests.printing("21.3° away: the body rests with either end up, but rotation about it is steady at no spin");
+}
+
+/// r_1 (A_3 − A_2) = r_2 (A_1 − A_3) = r_3 (A_2 − A_1): two axes of infinitely many were listed as equally near.
+#[test]
+fn all_axes_of_a_circular_cone_are_equally_near() {
+    let circular = "Staude's cone is circular about the axis that was given: all of its axes are equally near";
+    let of = |body: &str| bifdiag(&format!("critical-spin {body}")).succeeds().stdout();
+    let found = of("--A 2,3,4 --r=2,-1,2 --axis 1,1,1");
+    assert!(found.contains(circular) && !found.contains("equally near: "), "{found}");
+    let nearly = of("--A 2,3,4 --r=2,-1,2.000000000001 --axis 1,1,1");
+    assert!(!nearly.contains(circular), "{nearly}");
 }

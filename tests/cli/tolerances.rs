@@ -132,7 +132,7 @@ fn tolerances_of_zero_are_not_reported_as_such() {
 #[test]
 fn a_narrow_range_is_printed_as_narrow_as_it_is() {
     let line = "critical-spin --inertia 4,3,2,0,0,0 --axis z --g 10 --com";
-    bifdiag(line).and("0,0,0.1±1e-9").and("--mass").and("1").succeeds().printing("9.549296533 .. 9.549296638");
+    bifdiag(line).and("0,0,0.1±1e-9").and("--mass").and("1").succeeds().printing("9.549296537 .. 9.549296634");
 }
 
 /// The nearest rotation is one of a circle, which parts with other moments lack: the bounds were those of the axis of symmetry.
@@ -158,4 +158,49 @@ fn bounds_are_those_of_the_rotation_that_is_listed() {
     }
     let moving = bifdiag("critical-spin --A 2,2,1 --r 0.3,0.3,1 --axis 0.1,0,1 --tolerance 1%").succeeds();
     moving.printing("of that of the nominal part at this spin");
+}
+
+/// Ends that differ in the last digit of a double, and ranges side by side.
+#[test]
+fn bounds_that_differ_have_other_digits() {
+    let exact = bifdiag("critical-spin --A 4,3,2 --r 0,0,1 --axis z --tolerance 0").succeeds().stdout();
+    let ends: Vec<[String; 2]> = exact
+        .lines()
+        .filter_map(|line| {
+            let mut words = line.split_whitespace().skip_while(|word| *word != "..");
+            let high = words.nth(1)?.to_owned();
+            let low = line.split(" ..").next()?.rsplit(' ').next()?.to_owned();
+            Some([low, high])
+        })
+        .collect();
+    assert_eq!(ends.len(), 4, "{exact}");
+    for [low, high] in ends {
+        let [from, to] = [&low, &high].map(|text| text.parse::<f64>().unwrap());
+        assert!(low != high && from < to && to - from < 1e-13 * to, "{exact}");
+    }
+    // K_A and K_B vanish at rates of 1/(C − A) and 1/(C − B), which differ by 1e-9 of themselves.
+    let beside = bifdiag("critical-spin --A 2,2.000000004,1 --r 0,0,1 --axis z --tolerance weight=1e-10").succeeds();
+    let text = beside.stdout();
+    let up = |line: &&str| line.starts_with("-axis") && line.contains(" .. ");
+    let rows: Vec<&str> = text.lines().filter(up).collect();
+    assert_eq!(rows.len(), 2, "{text}");
+    let ends =
+        |row: &str| -> Vec<f64> { row.split_whitespace().filter_map(|word| word.parse().ok()).take(2).collect() };
+    assert!(ends(rows[0])[1] < ends(rows[1])[0], "{text}");
+}
+
+/// What is not said of all parts, and of which type some of them may be, whichever the nominal one has.
+#[test]
+fn what_is_of_the_nominal_part_is_told_apart() {
+    for line in [
+        "--A 2,3,4 --r 0,0,1 --axis z --tolerance 1%",
+        "--inertia-com 2,3,5±0.1,0,0,0 --com 0,0,0 --mass 1 --g 10 --axis z",
+        "--body paper --axis 1,0,0 --tolerance 0.1%",
+    ] {
+        let text = bifdiag(&format!("critical-spin {line}")).succeeds();
+        text.printing("what stands above is of the nominal part alone")
+            .printing("of these parts elliptic means elliptic or double-elliptic");
+    }
+    let nowhere = bifdiag("critical-spin --A 2,2,1 --r 0.3,0.3,1 --axis 1,1,1.2 --tolerance 1%").succeeds().stdout();
+    assert!(nowhere.contains("no spin was found") && !nowhere.contains("tilt too far"), "{nowhere}");
 }

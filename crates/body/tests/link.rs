@@ -48,9 +48,9 @@ fn an_mjcf_body_is_read_in_the_frame_of_its_quaternion() {
 
 #[test]
 fn files_without_the_one_block_are_refused() {
-    assert!(matches!(read_link(URDF, None), Err(LinkError::Several { known }) if known == ["top", "tilted"]));
+    assert!(matches!(read_link(URDF, None), Err(LinkError::Several { known, .. }) if known == ["top", "tilted"]));
     assert!(matches!(read_link(URDF, Some("base")), Err(LinkError::Unknown { .. })));
-    assert!(matches!(read_link("<robot><link name='a'/></robot>", None), Err(LinkError::Nothing)));
+    assert!(matches!(read_link("<robot><link name='a'/></robot>", None), Err(LinkError::Nothing { kind: "link" })));
     assert!(matches!(read_link("<sdf/>", None), Err(LinkError::Root { .. })));
     assert!(matches!(read_link("<robot>", None), Err(LinkError::Xml(_))));
     let broken = URDF.replace("ixx=\"0.3\"", "").replace("0 0.1 0.2", "0 0.1");

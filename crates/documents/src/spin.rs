@@ -137,8 +137,8 @@ fn note(subject: &Subject, tolerances: Tolerances<'_>, found: &AxisSpins) -> Opt
     if !matches!(tolerances, Tolerances::Exact) && found.nearest().is_some() && found.nearest_isolated().is_none() {
         let axes = fast_axes(subject, plus);
         return Some(format!(
-            "no bounds: the steady axis {axes} that is nearest to it at fast spins is one of a circle or sphere of them, which \
-            bodies with other moments do not have"
+            "no bounds: the steady axis {axes} that is nearest to it at fast spins is one of a circle or sphere of them, and \
+            bounds are those of a single one"
         ));
     }
     (plus.len() > 1).then(|| {

@@ -42,11 +42,14 @@ pub(crate) fn tolerance(tolerances: Tolerances<'_>, found: &Tolerated, second: f
 /// A range of spins in the body's unit of time, with the end that is up.
 fn spin_range(up: AxisEnd, range: &SpinRange, second: f64) -> SpinRangeDocument {
     let rpm = |omega: f64| omega.is_finite().then(|| Spin::rpm(omega * second));
+    // Three times rounded on the way.
+    let outward = |share: f64| move |rpm: f64| rpm * (1.0 + share * f64::EPSILON);
+    let [low, high] = range.omega.map(rpm);
     SpinRangeDocument {
         up,
         from: range.from,
         to: range.to,
-        rpm: range.omega.map(rpm),
+        rpm: [low.map(outward(-2.0)), high.map(outward(2.0))],
         between: range.between.clone(),
         most: range.most.map(|(input, _)| input.to_owned()),
         most_rpm: range.most.and_then(|(_, omega)| rpm(omega)),

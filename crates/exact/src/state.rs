@@ -53,7 +53,7 @@ pub enum UnknownOfState {
 impl fmt::Display for UnknownOfState {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Steadiness => "whether the motion is steady was not decided: the numbers leave f64",
+            Self::Steadiness => "whether the motion is steady was not decided",
             Self::Regions => "the regions of this body were not found",
             Self::Region => "the region of its (h, l) is not known",
         })

@@ -139,15 +139,14 @@ pub fn told_apart(ends: [f64; 2], digits: usize) -> [String; 2] {
     (digits..=17).map(written).find(|[from, to]| from != to).unwrap_or_else(|| written(digits))
 }
 
-/// The fewest significant digits, `least` or more, with which numbers that differ are written differently.
+/// Numbers with `digits` significant digits, each with as many more as needed to tell it from all others that differ.
 #[must_use]
-pub fn telling_digits(values: &[f64], least: usize) -> usize {
-    let mut rising = values.to_vec();
-    rising.sort_by(f64::total_cmp);
-    rising.dedup();
-    let are_apart =
-        |digits: &usize| rising.windows(2).all(|pair| significant(pair[0], *digits) != significant(pair[1], *digits));
-    (least..17).find(are_apart).unwrap_or(17)
+pub fn all_apart(numbers: &[f64], digits: usize) -> Vec<String> {
+    let written = |&x: &f64| {
+        let from_others = numbers.iter().map(|&other| told_apart([x, other], digits)[0].clone());
+        from_others.max_by_key(String::len).unwrap_or_else(|| significant(x, digits))
+    };
+    numbers.iter().map(written).collect()
 }
 
 /// A number with the word for one of them or for several.
@@ -159,19 +158,42 @@ pub fn counted<N: Copy + Display + PartialEq + From<u8>>(number: N, one: &str, s
 /// A bound x ≥ 0 as [`significant`] writes it, but rounded up.
 #[must_use]
 pub fn bound(x: f64, digits: usize) -> String {
+    on_side(x, digits, true)
+}
+
+/// A bound x ≥ 0 as [`significant`] writes it, but rounded down.
+#[must_use]
+pub fn bound_below(x: f64, digits: usize) -> String {
+    on_side(x, digits, false)
+}
+
+/// A number x ≥ 0 as [`significant`] writes it, not below it (`up`), or not above it, as it is read back.
+fn on_side(x: f64, digits: usize, up: bool) -> String {
     let nearest = significant(x, digits);
-    let scientific = format!("{:.*e}", digits.saturating_sub(1), x);
-    let last_place = scientific.split_once('e').and_then(|(_, exponent)| {
-        let exponent: i32 = exponent.parse().ok()?;
-        let place = exponent - i32::try_from(digits).ok()? + 1;
+    let is_right = |text: &str| text.parse().is_ok_and(|read: f64| if up { read >= x } else { read <= x });
+    if is_right(&nearest) {
+        return nearest;
+    }
+    let scientific = format!("{x:e}");
+    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
+    let last_place = exponent.zip(i32::try_from(digits).ok()).and_then(|(exponent, digits)| {
+        let place = exponent - digits + 1;
         // Plain numbers keep all digits before the point.
         let place = if (-4..=6).contains(&exponent) { place.min(0) } else { place };
         format!("1e{place}").parse::<f64>().ok()
     });
-    match (nearest.parse::<f64>(), last_place) {
-        (Ok(rounded), Some(unit)) if rounded < x => significant(rounded + unit, digits),
-        _ => nearest,
+    let unit = last_place.unwrap_or(0.0);
+    // With as many digits as a double has, a unit of the last one may be lost.
+    let mut stepped = if up { x + unit } else { x - unit };
+    for _ in 0..4 {
+        let text = significant(stepped, digits);
+        if is_right(&text) {
+            return text;
+        }
+        stepped = if up { stepped.next_up() } else { stepped.next_down() };
     }
+    // Where rounding carries from plain numbers to those with an exponent.
+    if digits < 17 { on_side(x, digits + 1, up) } else { nearest }
 }
 
 fn trim_zeros(text: &str) -> String {
@@ -181,6 +203,7 @@ fn trim_zeros(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Number;
 
     #[test]
     fn numbers_keep_their_significant_digits() {
@@ -218,9 +241,24 @@ mod tests {
             for digits in 1..4 {
                 assert!(bound(x, digits).parse::<f64>().unwrap() >= x, "{x:e}");
             }
+            for digits in 1..18 {
+                let [low, high] = [bound_below(x, digits), bound(x, digits)].map(|text| text.parse::<f64>().unwrap());
+                let unit: f64 = format!("2.001e-{}", digits - 1).parse().unwrap();
+                assert!(low <= x && x <= high && high - low <= unit.max(3e-15) * x, "{x:e} {digits}");
+            }
         }
+        assert_eq!(bound_below(0.0, 2), "0");
+        assert_eq!(bound_below(9.8e-40, 1), "9e-40");
+        assert_eq!(bound_below(2.999e10, 3), "2.99e10");
     }
-    use crate::Number;
+
+    #[test]
+    fn numbers_that_differ_have_other_digits() {
+        assert_eq!(all_apart(&[1.0, 2.0, 2.000_01, 3.0], 3), ["1", "2", "2.00001", "3"]);
+        assert_eq!(all_apart(&[2.0, 1.0, 2.000_01], 3), ["2", "1", "2.00001"]);
+        assert_eq!(all_apart(&[0.5, 0.5], 3), ["0.5", "0.5"]);
+        assert_eq!(all_apart(&[0.123_456], 3), ["0.123"]);
+    }
 
     fn value(text: &str) -> RBig {
         text.parse::<Number>().unwrap().value().clone()

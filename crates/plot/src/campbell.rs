@@ -100,7 +100,9 @@ pub fn draw_campbell(campbell: &Campbell, theme: Theme) -> Result<Picture, PlotE
             (Chart::new(rect, ["spin in rpm", name], ranges).with_room_above(above), lines)
         })
         .collect();
-    let legend = Legend::new(entries(rows, !campbell.changes.is_empty()), WIDTH);
+    let has_changes =
+        charts.first().is_some_and(|(chart, _)| campbell.changes.iter().any(|&change| is_drawn(chart, change)));
+    let legend = Legend::new(entries(rows, has_changes), WIDTH);
     let height = top - BETWEEN + 54.0 + legend.height() + 10.0;
     render([650.0, height], "Frequencies over the spin", theme, |canvas| {
         for (number, (chart, lines)) in charts.iter().enumerate() {
@@ -153,17 +155,26 @@ fn entries(rows: &[CampbellRow], has_changes: bool) -> Vec<(Symbol, String)> {
 
 const CHANGE: [Dash; 2] = [(Some(INK), 2.0), (None, 4.0)];
 
+/// Whether a change is far enough from rest, where every axis changes its type, for a line of its own.
+fn is_drawn(chart: &Chart, change: f64) -> bool {
+    chart.at([change, 0.0])[0] >= LEFT + 1.0
+}
+
 /// Lines where the type changes, with the spins above the frame.
 fn changes(canvas: &Canvas, chart: &Chart, changes: &[f64], are_labelled: bool) {
     let mut rows = [f64::NEG_INFINITY; 2];
     for &change in changes {
         let [x, _] = chart.at([change, 0.0]);
-        // At rest every axis changes its type.
-        if x < LEFT + 1.0 {
+        if !is_drawn(chart, change) {
             continue;
         }
         canvas.dashed(&[[x, chart.rect.y], [x, chart.rect.bottom()]], &CHANGE, 1.2);
-        let text = format!("{} rpm", short_number(change, 6));
+        // As many digits as tell it from the others.
+        let is_apart = |digits: &usize| {
+            let text = short_number(change, *digits);
+            changes.iter().all(|&other| other == change || short_number(other, *digits) != text)
+        };
+        let text = format!("{} rpm", short_number(change, (6..16).find(is_apart).unwrap_or(16)));
         let half = text_width(&text, CHART_TEXT - 1.0) / 2.0;
         // In the first of two rows that has room; the table lists all.
         if let Some(row) = rows.iter().position(|right| are_labelled && x - half > right + 6.0) {

@@ -131,14 +131,15 @@ pub struct SteadyFamilyDocument {
     pub stretches: Vec<SteadyStretchDocument>,
 }
 
-/// A permanent axis near the given one.
+/// An axis near the given one: one of Staude's cone, or one that is permanent at every spin.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct NearestAxisDocument {
     /// A unit vector in the frame of the question, at an acute or right angle to the axis of the question.
     pub axis: [f64; 3],
     /// The angle between the two, in degrees.
     pub angle_deg: f64,
-    /// The one spin at which it is permanent; `null`: every spin, or none for a principal axis off the centre of mass.
+    /// The one spin at which it is permanent, 0 where the body only rests; `null`: every spin, or none for a principal axis
+    /// off the centre of mass.
     pub spin: Option<SpinDocument>,
     /// Which of its ends is up then.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -222,11 +223,12 @@ pub struct CriticalSpinDocument {
     /// Rotation about it is permanent at every spin.
     pub permanent: bool,
     /// The permanent axis used if `permanent` is true and the given axis is not exactly permanent; otherwise the
-    /// nearest permanent axis.
+    /// nearest axis of Staude's cone, with two equal moments outside of their plane; without weight, and with three, the
+    /// nearest one that is permanent at every spin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub nearest: Option<NearestAxisDocument>,
     /// The spin at which rotation about the given axis itself is steady, at an angle of 10⁻⁶ at most; empty if there is
-    /// no such spin; absent where the given axis is permanent at every spin.
+    /// no such spin; absent where the given axis is permanent at every spin, and where this was not found.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub steady: Option<Vec<SteadySpinDocument>>,
     /// For an axis that is not permanent: the families of steady axes that are nearest to it at fast spins, with `+axis` and with `-axis` up.

@@ -64,7 +64,7 @@ pub struct StateDocument {
     pub omega: [f64; 3],
     /// The upward direction in that frame.
     pub vertical: [f64; 3],
-    /// Its magnitude.
+    /// The magnitude of the angular velocity.
     pub spin: SpinDocument,
     /// The energy, in the units of the body.
     pub h: f64,

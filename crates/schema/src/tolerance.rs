@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{AxisEnd, SpinType};
 
-/// Changes of stability when the moments and the weight are known to relative tolerances.
+/// Changes of stability when the moments and the weight, or the numbers of a part, are known to within tolerances.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ToleranceDocument {
     /// The relative tolerances of the moment about the axis, of the two others and of the weight times its distance; absent
@@ -71,6 +71,6 @@ pub struct SpinRangeDocument {
     /// The single input that moves the change most: with `relative` that of the nominal part (the last of several), when it
     /// alone is at either end of its tolerance, else by bounds; `null` if there is none.
     pub most: Option<String>,
-    /// How far it moves it, in rpm; `null` where the change vanishes with it.
+    /// How far it moves it, in rpm; `null` where the change vanishes with it, or its bounds have no end.
     pub most_rpm: Option<f64>,
 }

@@ -61,7 +61,8 @@ class SpinRanges(Table):
     def __repr__(self) -> str:
         lines = [self._head()]
         for row in self:
-            told = f"{row['rpm_from']:.6g} to {row['rpm_to']:.6g} rpm: {row['stability']}, {_word(row['stable'])}"
+            low, high = _apart(row["rpm_from"], row["rpm_to"])
+            told = f"{low} to {high} rpm: {row['stability']}, {_word(row['stable'])}"
             lines.append(f"  {_name(row)}, {told}")
         return "\n".join(lines)
 
@@ -82,9 +83,10 @@ class SpinBounds(Table):
     between : array (n,) of str
         Types that some sampled part has inside.
     widest_by : array (n,) of str
-        The number that alone moves the spin most; ``""`` where that was not found.
+        The number that alone moves the spin most, with ± by bounds; ``""`` where none does or that was not found.
     widest_rpm : array (n,)
-        So far, in rpm: ``inf`` where the change vanishes with it, NaN where ``widest_by`` is ``""``.
+        So far, in rpm: ``inf`` where the change vanishes with it or its bounds have no end, NaN where ``widest_by`` is
+        ``""``.
     """
 
     up: Texts
@@ -182,8 +184,7 @@ class CriticalSpins(Table):
     def bounds(self) -> SpinBounds | None:
         """Bounds on the critical spins of every part within the tolerance.
 
-        None where no number has one that the spins depend on, where several steady rotations are equally near to the axis,
-        and where the nearest one is one of a circle of them.
+        None without a tolerance that the spins depend on, and where no bounds are given: ``meta["note"]`` then says why.
         """
         told = self.meta.get("tolerance")
         if told is None:
@@ -218,6 +219,15 @@ def _table(rows: list[Document], kind: type[Table]) -> dict[str, npt.NDArray[Any
 
 def _name(row: np.void) -> str:
     return f"{row['branch'] or 'axis'} {row['up']}".strip()
+
+
+def _apart(*spins: float) -> list[str]:
+    """Spins with six digits, or with as many more as needed to tell them apart."""
+    for digits in range(6, 18):
+        told = [f"{spin:.{digits}g}" for spin in spins]
+        if len({*told}) == len({*spins}):
+            break
+    return told
 
 
 def _word(stable: bool | None) -> str:

@@ -53,7 +53,7 @@ class Given(metaclass=Concise):
         """The compiled body, unless its numbers are known to within so much only."""
         if self._inner.measured():
             raise InputError(
-                "this part has numbers with ±, for which only critical_spin answers; leave out ± and what follows it"
+                "this part has numbers with ±, for which only critical_spin answers; leave out ± and the number after it"
             )
         return self._inner
 

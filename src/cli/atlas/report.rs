@@ -12,7 +12,7 @@ use bifdiag_schema::{
 
 use crate::cli::failure::Failure;
 use crate::cli::input::{head, integrable};
-use crate::cli::terminal::{Report, Table, bound, significant, telling_digits, told_apart};
+use crate::cli::terminal::{Report, Table, all_apart, bound, significant, told_apart};
 
 /// Significant digits of a place in the plane.
 const DIGITS: usize = 8;
@@ -250,11 +250,11 @@ fn event_digits(events: &[EventDocument], number: usize) -> usize {
 /// Where the linear type changes along a branch; `None` without changes.
 fn stability_table(changes: &[StabilityChangeDocument]) -> Option<String> {
     let mut table = Table::new(&["l", "h", "change of stability", "curve", "from", "to"]);
-    let digits = telling_digits(&changes.iter().map(|change| change.l).collect::<Vec<_>>(), DIGITS);
-    for change in changes {
+    let momenta: Vec<f64> = changes.iter().map(|change| change.l).collect();
+    for (change, l) in changes.iter().zip(all_apart(&momenta, DIGITS)) {
         table.row([
-            significant(change.l, digits),
-            significant(change.h, digits),
+            l,
+            significant(change.h, DIGITS),
             change.kind.word().to_owned(),
             change.onto.as_ref().map_or(change.curve.clone(), |onto| format!("{}, {onto}", change.curve)),
             change.from.word().to_owned(),

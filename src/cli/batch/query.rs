@@ -141,14 +141,15 @@ impl<'a> QueryReader<'a> {
             Failure::input(format!("the line is not UTF-8 from byte {} on", error.valid_up_to() + 1))
         })?;
         // Some editors put a byte order mark at the start of a file.
-        let text = text.trim_start_matches('\u{feff}').trim();
+        let whole = text.trim_start_matches('\u{feff}');
+        let text = whole.trim();
         if text.is_empty() {
             return Err(Failure::input(format!("the line is empty; {SHAPE}")));
         }
         if !text.starts_with('{') {
             return Err(Failure::input(format!("the line is not a JSON object; {SHAPE}")));
         }
-        let raw: RawQuery = serde_json::from_str(text).map_err(|error| json_error(&error))?;
+        let raw: RawQuery = serde_json::from_str(text).map_err(|error| json_error(&error, whole))?;
         let (subject, unphysical) = match (raw.moments, raw.center, self.subject) {
             (None, None, Some(subject)) => (Arc::clone(subject), false),
             (moments, center, _) => self.body(moments, center)?,
@@ -193,12 +194,16 @@ fn missing(key: &str, example: &str) -> Failure {
     Failure::input(format!("{key} is missing; add {example}"))
 }
 
-fn json_error(error: &serde_json::Error) -> Failure {
+/// What is wrong with a line, whose blanks at the start were skipped.
+fn json_error(error: &serde_json::Error, line: &str) -> Failure {
     let message = error.to_string();
     let what = message.rsplit_once(" at line ").map_or(message.as_str(), |(what, _)| what);
     // What is JSON may still be another object, or have a key twice.
     let wrong = if error.is_data() { "a query" } else { "valid JSON" };
-    Failure::input(format!("the line is not {wrong}: {what} (column {})", error.column()))
+    // It counts bytes from the first one that is not blank.
+    let bytes = line.len() - line.trim_start().len() + error.column();
+    let column = line.char_indices().take_while(|(at, _)| *at < bytes).count();
+    Failure::input(format!("the line is not {wrong}: {what} (column {column})"))
 }
 
 fn list((key, example): (&'static str, &'static str), raw: Option<&RawValue>) -> Result<Vec<String>, Failure> {

@@ -58,10 +58,10 @@ pub struct PartArguments {
     /// Mass
     #[arg(long, value_name = "m", allow_hyphen_values = true, value_parser = values::mass)]
     pub mass: Option<Quantity>,
-    /// Units of mass, length and time, for the part and for results other than spins and frequencies (default: kg,m,s)
+    /// Units of mass, length and time, for the part and for results that name no unit of their own (default: kg,m,s)
     #[arg(long, value_name = "kg,mm,s", value_parser = values::units, hide_short_help = true)]
     pub units: Option<Units>,
-    /// Acceleration of gravity, always in m/s² (default: 9.80665)
+    /// Acceleration of gravity, in m/s² whatever --units are, or with its unit (default: 9.80665)
     #[arg(long = "g", value_name = "g", allow_hyphen_values = true, value_parser = values::gravity, hide_short_help = true)]
     pub gravity: Option<Quantity>,
     /// The fixed point, in the axes of the part's description (default: their origin)
@@ -104,7 +104,7 @@ impl GivenPart {
             return Ok(self);
         }
         Err(Failure::input(
-            "±: only `bifdiag critical-spin` accepts numbers with an uncertainty; leave out ± and what follows it",
+            "±: only `bifdiag critical-spin` accepts numbers with an uncertainty; leave out ± and the number after it",
         ))
     }
 }
@@ -176,7 +176,8 @@ impl PartArguments {
         let principal =
             part.principal().map_err(|error| Failure::input(format!("{option}: {error}")).because(error))?;
         if self.file.is_none() && part.properties.existence().is_possible() {
-            plausible::warn_of_tensor(&part.properties, &part.units);
+            let entries = self.inertia.iter().chain(&self.inertia_com).flatten().chain(&self.mass);
+            plausible::warn_of_tensor(&part.properties, &part.units, entries.into_iter().any(Quantity::has_unit));
         }
         let scales = [("--density", &numbers.density), ("--mass", &numbers.mass)];
         let scale = scales

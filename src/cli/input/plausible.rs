@@ -6,10 +6,11 @@ use bifdiag_body::part::file::MeshSize;
 use bifdiag_body::part::{MassProperties, Units};
 use dashu_ratio::RBig;
 
-use crate::cli::terminal::significant;
+use crate::cli::terminal::{bound_below, significant};
 
-/// Digits in a warning.
+/// Digits in a warning, and of a density to be given again.
 const DIGITS: usize = 3;
+const DENSITY_DIGITS: usize = 12;
 
 /// kg/m³ between a foam and osmium.
 const DENSITIES: [f64; 2] = [1.0, 25_000.0];
@@ -70,7 +71,7 @@ fn mesh_warning(mesh: MeshSize, mass: f64, units: &Units, weight: Weight) -> Opt
     Some(match found {
         Some((name, _)) => {
             let density = if restated && !others.clone().any(|other| plausible(&other)) {
-                format!(" and the density as {}kg/m3", significant(density, 6))
+                format!(" and the density as {}kg/m3", significant(density, DENSITY_DIGITS))
             } else {
                 String::new()
             };
@@ -83,17 +84,18 @@ fn mesh_warning(mesh: MeshSize, mass: f64, units: &Units, weight: Weight) -> Opt
 /// Systems of units in which programs print mass properties.
 const SYSTEMS: [&str; 6] = ["kg,mm", "g,mm", "kg,m", "g,cm", "kg,cm", "lb,in"];
 
-/// Warns of mass properties about the centre of mass that no part has.
-pub fn warn_of_tensor(properties: &MassProperties, units: &Units) {
+/// Warns of mass properties about the centre of mass that no part has; where the tensor or the mass has a unit of its `own`,
+/// other ones of all numbers would not help.
+pub fn warn_of_tensor(properties: &MassProperties, units: &Units, own: bool) {
     let trace = rounded(&properties.about_com.trace());
-    if let Some(warning) = tensor_warning(rounded(&properties.mass), trace, units) {
+    if let Some(warning) = tensor_warning(rounded(&properties.mass), trace, units, own) {
         tracing::warn!("{warning}");
     }
 }
 
-/// With the trace of the tensor twice ∫ |x|² dm: of all homogeneous parts with this mass and ∫ |x|² dm a ball has the largest
-/// volume, so that its density is a lower bound.
-fn tensor_warning(mass: f64, trace: f64, units: &Units) -> Option<String> {
+/// With the trace of the tensor twice ∫ |x|² dm: of all parts of this mass whose density is nowhere larger than some value, a
+/// ball of that density has the least ∫ |x|² dm, so that the density of a ball is reached somewhere.
+fn tensor_warning(mass: f64, trace: f64, units: &Units, own: bool) -> Option<String> {
     let measures = |units: &Units| {
         let mass = mass * rounded(units.mass());
         let square = 0.5 * trace * rounded(units.mass()) * rounded(units.length()) * rounded(units.length());
@@ -109,11 +111,14 @@ fn tensor_warning(mass: f64, trace: f64, units: &Units) -> Option<String> {
         let weight = significant(mass * rounded(units.mass()), DIGITS);
         format!("the part is about {} m across and weighs {weight} kg", significant(size, DIGITS))
     } else {
-        format!("the part is denser than {} kg/m³", significant(density, DIGITS))
+        format!("the density of the part reaches at least {} kg/m³", bound_below(density, DIGITS))
     };
+    if own {
+        return Some(format!("{what}: check the units of tensor and mass"));
+    }
     let [mass_unit, length, time] = units.names();
-    let own = format!("{mass_unit},{length}");
-    let plausible = SYSTEMS.into_iter().filter(|system| **system != own).find(|system| {
+    let given = format!("{mass_unit},{length}");
+    let plausible = SYSTEMS.into_iter().filter(|system| **system != given).find(|system| {
         let Ok(other) = format!("{system},{time}").parse::<Units>() else { return false };
         let (size, density) = measures(&other);
         within(size, [2e-3, 5.0]) && within(density, [5.0, 15_000.0])
@@ -152,14 +157,14 @@ mod tests {
     #[test]
     fn moments_in_other_units_are_noticed() {
         // The brass gyroscope in g mm²: a ball of mass 180 with this trace, 115500, has the diameter 2√(5·57750/(3·180)) = 46.25.
-        let warning = |text: &str| tensor_warning(180.0, 29_625.0 * 2.0 + 56_250.0, &units(text));
+        let warning = |text: &str| tensor_warning(180.0, 29_625.0 * 2.0 + 56_250.0, &units(text), false);
         assert_eq!(warning("g,mm,s"), None);
         let metres = warning("kg,m,s").unwrap();
         assert!(metres.contains("46.2 m across and weighs 180 kg: are the numbers in g,mm?"), "{metres}");
         let dense = warning("kg,mm,s").unwrap();
-        assert!(dense.contains("denser than") && dense.contains("--units g,mm,s"), "{dense}");
+        assert!(dense.contains("density of the part reaches at least") && dense.contains("--units g,mm,s"), "{dense}");
         // A satellite, and a rod of the examples.
-        assert_eq!(tensor_warning(50.0, 9.9, &units("kg,m,s")), None);
-        assert_eq!(tensor_warning(2.5, 0.56, &units("kg,m,s")), None);
+        assert_eq!(tensor_warning(50.0, 9.9, &units("kg,m,s"), false), None);
+        assert_eq!(tensor_warning(2.5, 0.56, &units("kg,m,s"), false), None);
     }
 }

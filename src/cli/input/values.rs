@@ -8,7 +8,7 @@ use bifdiag_body::{Body, Number, Preset};
 use bifdiag_documents::GridAxis;
 use bifdiag_dynamics::integrator::check_tolerance;
 use bifdiag_enclosure::orbit::MOST_DIGITS;
-use bifdiag_numbers::decimal::counted;
+use bifdiag_numbers::decimal::{self, counted};
 use bifdiag_numbers::vector::dot;
 use bifdiag_schema::{Accuracy, WindowDocument};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -130,23 +130,30 @@ pub fn units(text: &str) -> Result<Units, Failure> {
 
 pub fn mass(text: &str) -> Result<Quantity, Failure> {
     let right = "a mass must be greater than zero; give it in the unit of --units, such as kg";
-    bounded(text, |value, within| value > within, right)
+    bounded(text, |value| value > &RBig::ZERO, right)
 }
 
 pub fn density(text: &str) -> Result<Quantity, Failure> {
-    bounded(text, |value, within| value > within, "a density must be greater than zero, such as 2.7g/cm3")
+    bounded(text, |value| value > &RBig::ZERO, "a density must be greater than zero, such as 2.7g/cm3")
 }
 
 pub fn gravity(text: &str) -> Result<Quantity, Failure> {
     let right = "the acceleration of gravity must not be negative; give its magnitude in m/s², such as 9.80665";
-    bounded(text, |value, within| value >= within, right)
+    bounded(text, |value| value >= &RBig::ZERO, right)
 }
 
-/// A quantity whose value and tolerance are in this relation.
-fn bounded(text: &str, holds: impl Fn(&RBig, &RBig) -> bool, right: &str) -> Result<Quantity, Failure> {
+/// A quantity that can be, as far down as it reaches.
+fn bounded(text: &str, can_be: impl Fn(&RBig) -> bool, right: &str) -> Result<Quantity, Failure> {
     let quantity = quantity(text)?;
     let Measured { value, within } = quantity.number();
-    if holds(value, within) { Ok(quantity) } else { Err(Failure::input(right)) }
+    match (can_be(value), can_be(&(value - within))) {
+        (true, true) => Ok(quantity),
+        (false, _) => Err(Failure::input(right)),
+        (true, false) => {
+            let least = decimal::short(&(value - within));
+            Err(Failure::input(format!("its ± reaches down to {least}: {right}, or a smaller number after ±")))
+        }
+    }
 }
 
 /// A name without the blanks beside it.

@@ -11,7 +11,7 @@ use bifdiag_survey::with_values;
 use super::arguments::EventsArguments;
 use crate::cli::export::{Columns, DataFormat, DataTarget, FileSet, Values, answer, directory};
 use crate::cli::failure::Failure;
-use crate::cli::terminal::{Report, Table, Timings, bound, print, significant, telling_digits};
+use crate::cli::terminal::{Report, Table, Timings, all_apart, bound, print, significant};
 use crate::pictures::{EventScene, events, momenta};
 
 /// Bodies if no number is given.
@@ -113,29 +113,30 @@ fn add(report: &mut Report, document: &EventTracksDocument) {
     }
     report
         .line("borders are sought between neighbouring bodies of different classes; two within one step may be missed");
-    let digits = border_digits(document);
-    for border in &document.borders {
+    for (border, value) in document.borders.iter().zip(border_values(document)) {
         let Some(at) = border.at.first() else { continue };
         let error = if border.reached { String::new() } else { format!(" ± {}", bound(at.error, 1)) };
-        report.line(format!("{parameter} = {}{error}: {}", significant(at.value, digits), border.event.text));
+        report.line(format!("{parameter} = {value}{error}: {}", border.event.text));
     }
 }
 
-/// Digits that tell the borders apart from one another and from the ends of the range.
-fn border_digits(document: &EventTracksDocument) -> usize {
+/// The values of the parameter at the borders, told apart from one another and from the ends of the range.
+fn border_values(document: &EventTracksDocument) -> Vec<String> {
+    let borders = document.borders.iter().map(|border| border.at.first().map_or(f64::NAN, |at| at.value));
     let ends = [&document.vary.from, &document.vary.to].into_iter().filter_map(|text| text.parse().ok());
-    let borders = document.borders.iter().filter_map(|border| border.at.first()).map(|at| at.value);
-    telling_digits(&ends.chain(borders).collect::<Vec<f64>>(), DIGITS)
+    let mut values = all_apart(&borders.chain(ends).collect::<Vec<f64>>(), DIGITS);
+    values.truncate(document.borders.len());
+    values
 }
 
 /// The table of events.
 fn add_events(report: &mut Report, document: &EventTracksDocument) {
-    let (parameter, digits) = (document.vary.parameter, border_digits(document));
-    let border = |number: u32| document.borders.get(number as usize).and_then(|border| border.at.first());
+    let (parameter, values) = (document.vary.parameter, border_values(document));
+    let border = |number: u32| values.get(number as usize);
     let mut table = Table::new(&["event", "from", "to", "l"]);
     for event in &document.events {
         let end = |side: usize| match event.between[side].and_then(border) {
-            Some(value) => significant(value.value, digits),
+            Some(value) => value.clone(),
             None => [&document.vary.from, &document.vary.to][side].clone(),
         };
         let least = event.l.iter().copied().fold(f64::INFINITY, f64::min);

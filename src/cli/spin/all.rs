@@ -8,12 +8,12 @@ use bifdiag_schema::{
     SteadyStart, Verdict,
 };
 
-use super::axis::one_of;
+use super::axis::{listed, one_of};
 use super::changes::table_of_changes;
 use crate::cli::export::answer;
 use crate::cli::failure::{Failure, failed};
 use crate::cli::input::head;
-use crate::cli::terminal::{Report, Table, Timings, fixed, significant, told_apart};
+use crate::cli::terminal::{Report, Table, Timings, all_apart, fixed, significant};
 
 pub fn run(subject: &Subject, json: bool, timings: &Timings) -> Result<(), Failure> {
     let prepared = RelativeEquilibria::new(&subject.body).map_err(failed("the steady axes could not be found"))?;
@@ -50,8 +50,7 @@ fn text(subject: &Subject, document: &SteadySpinsDocument) -> String {
 }
 
 fn permanent_axis_text(report: &mut Report, subject: &Subject, permanent: &PermanentAxisDocument, unknown: bool) {
-    let [x, y, z] = permanent.axis.map(|x| significant(x, 6));
-    report.line(format!("permanent axis ({x}, {y}, {z})"));
+    report.line(format!("permanent axis {}", listed(permanent.axis)));
     let [plus, minus] = &permanent.slow;
     report.line(format!("at slow spins: +axis up {}, -axis up {}", plus.word(), minus.word()));
     if let Some(one_of) = one_of(subject, permanent.axis) {
@@ -78,6 +77,8 @@ pub fn families(report: &mut Report, families: &[&SteadyFamilyDocument], of_part
 fn table(families: &[&SteadyFamilyDocument]) -> String {
     let mut table = Table::new(&["branch", "from rpm", "to rpm", "type", "stable", "axis there"]);
     for family in families {
+        let spins =
+            Spins::new(family.stretches.iter().filter_map(|stretch| stretch.from.as_ref()).map(|from| from.spin));
         for (number, stretch) in family.stretches.iter().enumerate() {
             let next = family.stretches.get(number + 1).and_then(|next| next.from.as_ref());
             let start = match (number, family.start) {
@@ -86,7 +87,7 @@ fn table(families: &[&SteadyFamilyDocument]) -> String {
                 _ => "",
             };
             let [from, to] = [stretch.from.as_ref(), next].map(|place| place.map(|place| place.spin));
-            let [from, to] = range(from, to, "0");
+            let [from, to] = [spins.text(from, "0"), spins.text(to, "inf")];
             let axis = stretch.from.as_ref().map(|place| place.axis).or(family.slow_axis);
             table.row([
                 if number == 0 { family.branch.clone() } else { String::new() },
@@ -102,12 +103,26 @@ fn table(families: &[&SteadyFamilyDocument]) -> String {
     table.text()
 }
 
-/// A range of spins in rpm, with the word for one that begins at rest.
-pub fn range(from: Option<SpinDocument>, to: Option<SpinDocument>, at_rest: &str) -> [String; 2] {
-    let written = |spin: SpinDocument| significant(spin.rpm, 8);
-    match (from, to) {
-        (Some(from), Some(to)) => told_apart([from.rpm, to.rpm], 8),
-        _ => [from.map_or_else(|| at_rest.to_owned(), written), to.map_or_else(|| "inf".to_owned(), written)],
+/// Spins in rpm as they are printed: those that differ do so in their digits, too.
+pub struct Spins(Vec<(f64, String)>);
+
+impl Spins {
+    /// In any order.
+    pub fn new(spins: impl Iterator<Item = SpinDocument>) -> Self {
+        let mut rpm: Vec<f64> = spins.map(|spin| spin.rpm).collect();
+        rpm.sort_by(f64::total_cmp);
+        rpm.dedup();
+        let texts = all_apart(&rpm, 8);
+        Self(rpm.into_iter().zip(texts).collect())
+    }
+
+    /// One of them, or a word where there is none.
+    pub fn text(&self, spin: Option<SpinDocument>, none: &str) -> String {
+        let text = |spin: SpinDocument| {
+            let place = self.0.binary_search_by(|(rpm, _)| rpm.total_cmp(&spin.rpm));
+            place.map_or_else(|_absent| significant(spin.rpm, 8), |place| self.0[place].1.clone())
+        };
+        spin.map_or_else(|| none.to_owned(), text)
     }
 }
 
@@ -155,8 +170,10 @@ fn legend(report: &mut Report, families: &[&SteadyFamilyDocument]) {
 /// The isolated spins at which Arnold's theorem does not apply, each with the family or axis that it belongs to.
 pub fn exceptions(report: &mut Report, isolated: impl Iterator<Item = (String, IsolatedSpinDocument)>) {
     let mut lines: Vec<String> = Vec::new();
-    for (name, IsolatedSpinDocument { spin, kind, verdict, why }) in isolated {
-        let line = format!("  {name}: {} rpm {}", significant(spin.rpm, 8), words::exception(kind, verdict, why));
+    let isolated: Vec<(String, IsolatedSpinDocument)> = isolated.collect();
+    for (name, IsolatedSpinDocument { spin, kind, verdict, why }) in &isolated {
+        let spins = Spins::new(isolated.iter().filter(|(of, _)| of == name).map(|(_, one)| one.spin));
+        let line = format!("  {name}: {} rpm {}", spins.text(Some(*spin), ""), words::exception(*kind, *verdict, *why));
         // Both axes of a pair have the same.
         if !lines.contains(&line) {
             lines.push(line);
@@ -176,16 +193,17 @@ pub fn exceptions(report: &mut Report, isolated: impl Iterator<Item = (String, I
 fn counts(document: &SteadySpinsDocument, is_weightless: bool) -> String {
     // At rest without weight every axis is one.
     let spin = if is_weightless { "spin but 0" } else { "spin" };
+    let spins = Spins::new(document.counts.iter().filter_map(|count| count.from));
     let list = document.counts.iter().enumerate().map(|(number, count)| {
         let circles = match count.circles {
             0 => String::new(),
             1 => " and a circle".to_owned(),
             more => format!(" and {more} circles"),
         };
-        let next = document.counts.get(number + 1).and_then(|next| next.from.as_ref());
+        let next = document.counts.get(number + 1).and_then(|next| next.from);
         let until = match (number, next) {
             (0, None) => format!(" at every {spin}"),
-            (_, Some(next)) => format!(" up to {} rpm", significant(next.rpm, 8)),
+            (_, Some(next)) => format!(" up to {} rpm", spins.text(Some(next), "")),
             (_, None) => " at faster spins".to_owned(),
         };
         format!("{}{circles}{until}", count.axes)

@@ -18,7 +18,7 @@ use super::axis::{AxisArgument, angle_text, axis, followed_text, listed, one_of,
 use crate::cli::export::{Column, Columns, DataFormat, FileSet, PictureArguments, PictureFormat, Values};
 use crate::cli::failure::{Failure, failed};
 use crate::cli::input::BodyArguments;
-use crate::cli::terminal::{Report, Timings, print, significant};
+use crate::cli::terminal::{Report, Timings, all_apart, print, told_apart};
 
 pub const CAMPBELL_EXAMPLES: &str = "\
 Examples:
@@ -56,6 +56,9 @@ const NOT_FOUND: &str = "the steady rotations could not be found";
 /// Spins in the table.
 const STEPS: u32 = 400;
 
+/// Digits of a spin.
+const DIGITS: usize = 8;
+
 pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
     if arguments.to.rad_per_s() <= 0.0 {
@@ -71,7 +74,7 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
         AxisKind::Permanent { axis, .. } => permanent(&subject, axis, &kind, &arguments.to)?,
         _ => moving(&subject, &arguments.axis, &arguments.to)?,
     };
-    let Followed { rows, crossings, changes, notes } = followed;
+    let Followed { rows, crossings, start, changes, notes } = followed;
     if rows.iter().any(|row| row.frequencies.into_iter().chain([row.growth]).any(f64::is_infinite)) {
         let right = "at such a spin the frequencies overflow; give a smaller one";
         return Err(Failure::input(format!("--to {}: {right}", arguments.to)));
@@ -91,14 +94,20 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
     for line in &notes {
         report.line(line);
     }
-    for (rpm, from, to) in &changes {
-        report.line(format!("{} rpm: {from} to {to}", significant(*rpm, 8)));
+    let spins =
+        start.into_iter().chain(changes.iter().map(|(rpm, ..)| *rpm)).chain(beyond.first().map(|(rpm, ..)| *rpm));
+    let spins = all_apart(&spins.collect::<Vec<_>>(), DIGITS);
+    let spins = &spins[usize::from(start.is_some())..];
+    for ((_, from, to), rpm) in changes.iter().zip(spins) {
+        report.line(format!("{rpm} rpm: {from} to {to}"));
     }
+    let next = beyond.first().map_or(f64::INFINITY, |(rpm, ..)| *rpm);
+    let [top, next] = told_apart([top, next], DIGITS);
     if changes.is_empty() {
-        report.line(format!("no change of linear type up to {} rpm", significant(top, 8)));
+        report.line(format!("no change of linear type up to {top} rpm"));
     }
-    if let Some((next, ..)) = beyond.first() {
-        report.line(format!("the next change of type is at {} rpm, beyond --to", significant(*next, 8)));
+    if !beyond.is_empty() {
+        report.line(format!("the next change of type is at {next} rpm, beyond --to"));
     }
     report.written(&files.write()?);
     print(report.text())
@@ -109,6 +118,8 @@ struct Followed {
     rows: Vec<Row>,
     /// In rpm, where the frequencies of two modes cross.
     crossings: Vec<f64>,
+    /// In rpm, where the rotation begins, if it is not permanent.
+    start: Option<f64>,
     /// In rpm, with the types below and above.
     changes: Vec<(f64, String, String)>,
     /// What is followed, where it is not the axis as given.
@@ -134,6 +145,7 @@ fn permanent(subject: &Subject, axis: PermanentAxis, kind: &AxisKind, largest: &
     Ok(Followed {
         crossings: crossings(&rows, largest, pair),
         rows,
+        start: None,
         changes: changes.collect(),
         notes: nearest.iter().map(followed_text).collect(),
     })
@@ -179,22 +191,27 @@ fn moving(subject: &Subject, given: &AxisArgument, largest: &Spin) -> Result<Fol
     let changes = pairs.filter_map(|pair| {
         Some((rpm(pair[1].from?.omega), pair[0].kind.word().to_owned(), pair[1].kind.word().to_owned()))
     });
+    let changes: Vec<(f64, String, String)> = changes.collect();
+    let first = changes.first().map_or(f64::INFINITY, |(rpm, ..)| *rpm);
     let circle = if family.axes == Multiplicity::Circle { ", one of a circle of them" } else { "" };
     let note = format!(
         "following the steady rotation that begins at {} rpm and tends to {} at fast spins ({}{circle})",
-        significant(start, 8),
+        told_apart([start, first], DIGITS)[0],
         bifdiag_documents::fast_axes(subject, std::slice::from_ref(family)),
         family.branch
     );
     if rows.is_empty() {
-        let right = format!("the rotation near this axis begins at {} rpm; give a larger spin", significant(start, 8));
-        return Err(Failure::input(format!("--to: {right}")));
+        let [top, start] = told_apart([largest.in_rpm(), start], DIGITS);
+        return Err(Failure::input(format!(
+            "--to: up to {top} rpm the table has no spin of the rotation that is nearest to this axis at fast spins, which \
+            begins at {start} rpm; give a larger spin"
+        )));
     }
     let pair = |spin: &Spin| {
         at(spin).ok().flatten().map_or([f64::NAN; 2], |point| point.eigenvalues.pairs.map(|pair| pair[1]))
     };
     let crossings = crossings(&rows, largest, pair);
-    Ok(Followed { rows, crossings, changes: changes.collect(), notes: vec![note] })
+    Ok(Followed { rows, crossings, start: Some(start), changes, notes: vec![note] })
 }
 
 /// Why an axis has no frequencies over the spin.

@@ -1,7 +1,7 @@
 //! `bifdiag critical-spin`.
 
 use bifdiag_documents::{AxisQuestion, Subject, words};
-use bifdiag_equilibria::permanent::{AxisKind, angle_between, equally_near, permanent_axis};
+use bifdiag_equilibria::permanent::{AxisKind, angle_between, equally_near, is_axis_of_circular_cone, permanent_axis};
 use bifdiag_exact::AxisSpins;
 use bifdiag_schema::{AxisEnd, CriticalSpinDocument, NearestAxisDocument, Reason, SpinStretchDocument};
 use bifdiag_survey::tolerance::{Tolerances, Tolerated};
@@ -72,7 +72,7 @@ pub fn run(arguments: &CriticalSpinArguments, timings: &Timings) -> Result<(), F
     });
     let question = AxisQuestion { axis: axis.direction, given: &axis.given.0, tolerances };
     let document = bifdiag_documents::critical_spin(&subject, &question, &found, tolerated.as_ref());
-    answer(arguments.json, &document, || text(&subject, &document, &found))
+    answer(arguments.json, &document, || text(&subject, &document, (&found, &axis)))
 }
 
 /// The axis that is permanent at every spin, where there is one alone.
@@ -101,7 +101,7 @@ fn the_permanent_axis(subject: &Subject) -> Result<AxisArgument, Failure> {
     }
 }
 
-fn text(subject: &Subject, document: &CriticalSpinDocument, found: &AxisSpins) -> String {
+fn text(subject: &Subject, document: &CriticalSpinDocument, (found, given): (&AxisSpins, &AxisArgument)) -> String {
     let mut report = Report::default();
     head(subject, &mut report);
     let [x, y, z] = document.axis.map(|x| significant(x, 6));
@@ -116,17 +116,20 @@ fn text(subject: &Subject, document: &CriticalSpinDocument, found: &AxisSpins) -
                 Some(AxisEnd::Minus) => ", with its other end up",
                 None => "",
             };
-            let spin = match &nearest.spin {
-                Some(spin) => format!(", at {} rpm only{end}", significant(spin.rpm, 6)),
-                None => String::new(),
+            let on_cone = if has_equal_moments(subject) {
+                "axis of Staude's cone outside the plane of equal moments"
+            } else {
+                "axis of Staude's cone"
             };
             let (what, note) = match nearest.spin {
-                Some(_) => ("axis of a steady rotation", ""),
-                None if is_permanent(subject, nearest.axis) => ("permanent axis", ""),
-                None => ("axis of Staude's cone", ": it is principal, and rotation about it is steady at no spin"),
+                // That of the centre of mass.
+                Some(spin) if spin.rpm == 0.0 => (on_cone, format!(": {}", rests("it"))),
+                Some(spin) => ("axis of a steady rotation", format!(", at {} rpm only{end}", significant(spin.rpm, 6))),
+                None if is_permanent(subject, nearest.axis) => ("permanent axis", String::new()),
+                None => (on_cone, ": it is principal, and rotation about it is steady at no spin".to_owned()),
             };
-            report.line(format!("the nearest {what} is {}, {angle}° away{spin}{note}", listed(nearest.axis)));
-            as_near(&mut report, subject, document, nearest);
+            report.line(format!("the nearest {what} is {}, {angle}° away{note}", listed(nearest.axis)));
+            as_near(&mut report, subject, document, (nearest, given));
         }
         None => {}
     }
@@ -168,11 +171,12 @@ fn text(subject: &Subject, document: &CriticalSpinDocument, found: &AxisSpins) -
 fn stretches(report: &mut Report, document: &CriticalSpinDocument) {
     let mut table = Table::new(&["up", "from rpm", "to rpm", "stability", "with friction"]);
     for stretch in &document.stretches {
-        let [from, to] = all::range(stretch.from, stretch.to, "rest");
+        let of_end = document.stretches.iter().filter(|other| other.up == stretch.up);
+        let spins = all::Spins::new(of_end.flat_map(|other| other.from.into_iter().chain(other.to)));
         table.row([
             stretch.up.word().to_owned(),
-            from,
-            to,
+            spins.text(stretch.from, "rest"),
+            spins.text(stretch.to, "inf"),
             words::verdict(&stretch.nonlinear),
             words::with_friction(&stretch.friction),
         ]);
@@ -195,12 +199,27 @@ fn is_permanent(subject: &Subject, axis: [f64; 3]) -> bool {
     permanent_axis(&subject.body, axis).is_some_and(|permanent| angle_between(permanent.direction, axis) < SAME)
 }
 
+/// Whether two principal moments are equal.
+fn has_equal_moments(subject: &Subject) -> bool {
+    let [first, second, third] = subject.body.moments();
+    first == second || second == third || third == first
+}
+
 /// Axes that are nearer to each other, in radians, are one.
 const SAME: f64 = 1e-9;
 
 /// The other permanent axes at the same angle.
-fn as_near(report: &mut Report, subject: &Subject, document: &CriticalSpinDocument, nearest: &NearestAxisDocument) {
+fn as_near(
+    report: &mut Report,
+    subject: &Subject,
+    document: &CriticalSpinDocument,
+    (nearest, given): (&NearestAxisDocument, &AxisArgument),
+) {
     if !subject.body.is_euler() {
+        if is_axis_of_circular_cone(&subject.body, &given.given.values()) {
+            report.line("Staude's cone is circular about the axis that was given: all of its axes are equally near");
+            return;
+        }
         let others =
             equally_near(&subject.body, subject.to_principal(document.axis), subject.to_principal(nearest.axis));
         if let Some(others) = super::axis::as_near(subject, &others) {

@@ -152,7 +152,7 @@ fn text(subject: &Subject, from: &str, document: &SpinDownDocument, written: &[P
     let mut table = Table::new(&["curve", "l", "h", "omega", "regions", "then"]);
     for stretch in &document.path {
         let range = |[from, to]: [f64; 2]| {
-            let [from, to] = [from, to].map(|x| significant(x, DIGITS));
+            let [from, to] = told_apart([from, to], DIGITS);
             if from == to { from } else { format!("{from} → {to}") }
         };
         let [below, above] = stretch.regions.each_ref().map(|region| region.as_deref().unwrap_or("none"));

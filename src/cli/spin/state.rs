@@ -7,7 +7,7 @@ use bifdiag_equilibria::critical::ExactSpin;
 use bifdiag_equilibria::permanent::{AxisKind, angle_between};
 use bifdiag_exact::{self as exact, Accuracy, Solver, SpinQuestion};
 use bifdiag_numbers::symmetric;
-use bifdiag_schema::{AxisEnd, StateDocument, SteadyDocument};
+use bifdiag_schema::{AxisEnd, SpinChangeDocument, SpinDocument, StateDocument, SteadyDocument};
 use clap::Args;
 use dashu_ratio::RBig;
 
@@ -17,7 +17,7 @@ use crate::cli::export::answer;
 use crate::cli::failure::{Failure, failed, incomplete};
 use crate::cli::input::values::{self, Triple};
 use crate::cli::input::{BodyArguments, head};
-use crate::cli::terminal::{Report, Timings, significant, told_apart};
+use crate::cli::terminal::{Report, Timings, all_apart, significant, told_apart};
 
 pub const STATE_EXAMPLES: &str = "\
 Examples:
@@ -160,7 +160,13 @@ fn text(subject: &Subject, document: &StateDocument, question: &SpinQuestion, fo
     let mut report = Report::default();
     head(subject, &mut report);
     let spin = &document.spin;
-    report.line(format!("spin {} rpm = {} rad/s", significant(spin.rpm, 8), significant(spin.rad_per_s, 8)));
+    let [below, above] =
+        document.steady.as_ref().map_or([None, None], |found| [&found.below, &found.above].map(Option::as_ref));
+    let apart = |value: fn(&SpinDocument) -> f64| {
+        let neighbour = |found: Option<&SpinChangeDocument>, none| found.map_or(none, |found| value(&found.spin));
+        all_apart(&[neighbour(below, f64::NEG_INFINITY), value(spin), neighbour(above, f64::INFINITY)], 8)[1].clone()
+    };
+    report.line(format!("spin {} rpm = {} rad/s", apart(|spin| spin.rpm), apart(|spin| spin.rad_per_s)));
     report.line(format!(
         "h = {}, l = {} about the upward vertical",
         significant(document.h, 10),
@@ -172,17 +178,17 @@ fn text(subject: &Subject, document: &StateDocument, question: &SpinQuestion, fo
             meant(&mut report, steady, document.vertical);
             report_steady(&mut report, steady);
             match AxisKind::of(&subject.body, question.up, &question.exact_up) {
-                AxisKind::Permanent { .. } => changes(&mut report, steady, document.note.is_none()),
+                AxisKind::Permanent { .. } => changes(&mut report, steady, *spin, document.note.is_none()),
                 AxisKind::AtOneSpin(axis) if axis.squared_spin == Some(0.0) => {
-                    report.line(rests("this axis"));
+                    report.line(rests("the vertical"));
                     if spin.rad_per_s != 0.0 {
                         report.line("at this spin the axis of a steady rotation is within 10⁻⁶ rad of it");
                     }
                 }
                 AxisKind::AtOneSpin(_) => report.line("rotation about this axis is steady at this spin only"),
                 AxisKind::Principal => report.line(
-                    "the axis is principal, but the centre of mass does not lie on it: at this spin the axis of a steady \
-                     rotation is within 10⁻⁶ rad of it",
+                    "the vertical is a principal axis, but the centre of mass does not lie on it: at this spin the axis of a \
+                     steady rotation is within 10⁻⁶ rad of it",
                 ),
                 AxisKind::Other(_) | AxisKind::Unknown => {}
             }
@@ -197,7 +203,10 @@ fn meant(report: &mut Report, steady: &SteadyDocument, vertical: [f64; 3]) {
     let angle = angle_between(steady.axis, vertical);
     if angle > OTHER {
         let angle = significant(angle.to_degrees(), 3);
-        report.line(format!("using the nearest steady rotation, about {}, {angle}° away", listed(steady.axis)));
+        report.line(format!(
+            "using the nearest steady rotation, about {}, an axis {angle}° from the vertical",
+            listed(steady.axis)
+        ));
     }
 }
 

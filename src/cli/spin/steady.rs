@@ -1,9 +1,9 @@
 //! Steady rotations in words.
 
 use bifdiag_documents::words;
-use bifdiag_schema::{Multiplicity, SpinChangeDocument, SteadyDocument, Verdict};
+use bifdiag_schema::{Multiplicity, SpinChangeDocument, SpinDocument, SteadyDocument, Verdict};
 
-use crate::cli::terminal::{Report, significant};
+use crate::cli::terminal::{Report, significant, told_apart};
 
 /// Its stability in words.
 pub fn report_steady(report: &mut Report, steady: &SteadyDocument) {
@@ -35,13 +35,14 @@ pub fn report_steady(report: &mut Report, steady: &SteadyDocument) {
 
 /// The frequencies in words; none where no pair of eigenvalues has an imaginary part.
 fn frequencies(steady: &SteadyDocument) -> Option<String> {
-    let hertz = |frequency: f64| format!("{} Hz", significant(frequency, 6));
     let [slow, fast] = steady.frequencies_hz;
+    let hertz = |frequency: f64| format!("{} Hz", significant(frequency, 6));
     match (slow > 0.0, fast > 0.0) {
         (_, false) => None,
         (false, true) => Some(format!("frequency of small oscillations: {}", hertz(fast))),
         (true, true) if slow < fast => {
-            Some(format!("frequencies of small oscillations: {}, {}", hertz(slow), hertz(fast)))
+            let [slow, fast] = told_apart([slow, fast], 6);
+            Some(format!("frequencies of small oscillations: {slow} Hz, {fast} Hz"))
         }
         (true, true) if steady.stable != Verdict::Unstable => {
             Some(format!("frequency of small oscillations: {}, twice", hertz(fast)))
@@ -50,9 +51,9 @@ fn frequencies(steady: &SteadyDocument) -> Option<String> {
     }
 }
 
-/// The change at this spin and those at the next smaller and larger ones, which are known for a permanent axis; without an
+/// The change at this `spin` and those at the next smaller and larger ones, which are known for a permanent axis; without an
 /// atlas those of stability.
-pub fn changes(report: &mut Report, steady: &SteadyDocument, atlas: bool) {
+pub fn changes(report: &mut Report, steady: &SteadyDocument, spin: SpinDocument, atlas: bool) {
     if steady.one_of == Some(Multiplicity::Sphere) && steady.l == 0.0 {
         report.line("this verdict is that of rest; rotation about this axis, however slow, has its own");
         return;
@@ -65,11 +66,9 @@ pub fn changes(report: &mut Report, steady: &SteadyDocument, atlas: bool) {
             } else {
                 format!("{} to {}", change.from.word(), change.to.word())
             };
-            format!(
-                "next change at {name} spin: {} rpm = {} rad/s, {what}",
-                significant(change.spin.rpm, 8),
-                significant(change.spin.rad_per_s, 8)
-            )
+            let [_, rpm] = told_apart([spin.rpm, change.spin.rpm], 8);
+            let [_, rad_per_s] = told_apart([spin.rad_per_s, change.spin.rad_per_s], 8);
+            format!("next change at {name} spin: {rpm} rpm = {rad_per_s} rad/s, {what}")
         }
         None if atlas => format!("no change at any {name} spin"),
         None => format!("no change of stability at any {name} spin; the regions are not known"),

@@ -10,18 +10,14 @@ use dashu_ratio::RBig;
 
 use crate::cli::failure::Failure;
 use crate::cli::input::values;
-use crate::cli::terminal::{Report, Table, bound, significant};
+use crate::cli::terminal::{Report, Table, bound, bound_below, counted, significant};
 
 /// Relative tolerances of the moment about the axis, of the two others, and of the weight times its distance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToleranceArgument(pub [Number; 4]);
 
-/// Digits of a bound, and of one of a narrow range at most.
-const DIGITS: usize = 6;
-const MOST_DIGITS: usize = 15;
-
-/// Half a unit of the last digit, relative to the smallest number with that many digits.
-const ROUNDING: f64 = 5e-6;
+/// Digits of a bound, and of one of a narrow range or beside another one at most.
+const DIGITS: [usize; 2] = [6, 17];
 
 /// Position of the column of types found inside a range.
 const INSIDE: usize = 4;
@@ -89,6 +85,7 @@ fn wrong() -> Failure {
 pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
     let Some(tolerance) = &document.tolerance else { return };
     report.line("");
+    report.line("what stands above is of the nominal part alone");
     let Some(relative) = &tolerance.relative else {
         return measured(report, tolerance, document.slow.as_ref());
     };
@@ -115,8 +112,8 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
     report.line(classes(tolerance));
     if !tolerance.ranges.is_empty() {
         report.line(format!(
-            "what is found inside a range comes from {} sampled parts; \"matters most\" refers to the nominal part's last \
-            change in that range",
+            "what is found inside a range comes from {} sampled parts; \"matters most\" and \"moves it by\" are of the \
+            nominal part's last change in that range",
             tolerance.sampled_parts
         ));
     }
@@ -137,11 +134,8 @@ fn beside(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[Spi
     let of = if tolerance.moving { "that of the nominal part at this spin" } else { "the axis" };
     report.line(match tolerance.tilt_deg {
         None => "the axis is permanent for all of them".to_owned(),
-        Some(0.0) => {
-            "no spin was found at which all of them were shown to have a steady rotation near the nominal one: they \
-            may tilt too far"
-                .to_owned()
-        }
+        Some(0.0) => "no spin was found at which all of them were shown to have a steady rotation near the nominal one"
+            .to_owned(),
         // Below this it is the rounding of the bounds.
         Some(tilt) => {
             let tilt = bound(tilt.max(1e-9), 2);
@@ -158,15 +152,18 @@ fn ranges(report: &mut Report, ranges: &[SpinRangeDocument], slow: Option<&[Spin
     if !ranges.is_empty() {
         report.line(table(ranges, inside));
         if !inside && ranges.iter().any(|range| range.from.is_some() && range.from == range.to) {
-            report.line("where `below` and `above` agree, the type inside the range was not decided");
+            report.line("where `below` and `above` agree, nothing was shown of the rotations inside the range");
         }
         report.line("the ranges are those of the type; regions and frequencies may change at other spins");
     }
     for (up, slow) in AxisEnd::ALL.iter().zip(slow.into_iter().flatten()) {
         report.line(certainly(*up, *slow, ranges));
     }
-    let is_double = |kind: &SpinType| matches!(kind, SpinType::DoubleMinimum | SpinType::DoubleElliptic);
-    if slow.is_some_and(|slow| slow.iter().any(is_double)) {
+    // Whichever type the nominal one has, of some of them both pairs may agree.
+    let of_ranges = ranges.iter().flat_map(|range| range.from.iter().chain(&range.to).chain(&range.between));
+    let has_none = |up: AxisEnd| ranges.iter().all(|range| range.up != up);
+    let everywhere = AxisEnd::ALL.iter().zip(slow.into_iter().flatten()).filter(|(up, _)| has_none(**up));
+    if everywhere.map(|(_, kind)| kind).chain(of_ranges).any(|kind| kind.is_elliptic()) {
         report.line("of these parts elliptic means elliptic or double-elliptic");
     }
 }
@@ -180,17 +177,21 @@ fn table(ranges: &[SpinRangeDocument], inside: bool) -> String {
         names.splice(4.., ["widest bound by", "half its width"]);
     }
     let mut table = Table::new(&names);
-    for range in ranges {
+    let of_end = |up: AxisEnd| written(&ranges.iter().filter(|range| range.up == up).collect::<Vec<_>>());
+    // They are listed by the end that is up.
+    let bounds = AxisEnd::ALL.iter().flat_map(|up| of_end(*up));
+    for (range, [low, high]) in ranges.iter().zip(bounds) {
         let word = |found: Option<SpinType>| found.map_or("-", SpinType::word).to_owned();
         let mut cells = vec![
             range.up.word().to_owned(),
-            format!("{} .. {}", low(range), high(range)),
+            format!("{low} .. {high}"),
             word(range.from),
             word(range.to),
             range.most.clone().unwrap_or_else(|| "-".to_owned()),
             match (&range.most, range.most_rpm) {
                 (_, Some(rpm)) => format!("{} rpm", significant(rpm, 3)),
-                (Some(_), None) => "the change vanishes".to_owned(),
+                (Some(_), None) if inside => "the change vanishes".to_owned(),
+                (Some(_), None) => "inf".to_owned(),
                 (None, None) => "-".to_owned(),
             },
         ];
@@ -209,36 +210,37 @@ fn classes(tolerance: &ToleranceDocument) -> String {
     let count =
         |found: &SampledClassDocument| format!("{} ({})", found.class.as_deref().unwrap_or("open"), found.parts);
     let list: Vec<String> = tolerance.classes.iter().map(count).collect();
-    format!("classes of diagrams of the {} sampled parts: {}", tolerance.sampled_parts, list.join(", "))
+    let sampled = counted(tolerance.sampled_parts, "sampled part", "sampled parts");
+    format!("classes of diagrams of the {sampled}: {}", list.join(", "))
 }
 
-/// A range's lower bound, rounded down.
-fn low(range: &SpinRangeDocument) -> String {
-    let (digits, rounding) = digits(range);
-    range.rpm[0].map_or_else(|| "-inf".to_owned(), |rpm| significant(rpm * (1.0 - rounding), digits))
-}
-
-/// A range's upper bound, rounded up.
-fn high(range: &SpinRangeDocument) -> String {
-    let (digits, rounding) = digits(range);
-    range.rpm[1].map_or_else(|| "inf".to_owned(), |rpm| significant(rpm * (1.0 + rounding), digits))
-}
-
-/// The digits with which a bound is printed, more than [`DIGITS`] where a narrow range would look wider, and the largest
-/// relative error of rounding to them.
-fn digits(range: &SpinRangeDocument) -> (usize, f64) {
-    let [Some(from), Some(to)] = range.rpm else { return (DIGITS, ROUNDING) };
-    let (mut digits, mut rounding) = (DIGITS, ROUNDING);
-    while digits < MOST_DIGITS && to > from && to - from < 20.0 * rounding * to {
-        digits += 1;
-        rounding /= 10.0;
-    }
-    (digits, rounding)
+/// The bounds of ranges of one end that is up, by rising spin, rounded outward: with more than the fewest digits where a narrow
+/// range would look wider, or one would seem to touch the next.
+fn written(ranges: &[&SpinRangeDocument]) -> Vec<[String; 2]> {
+    let end = |k: usize, end: usize| ranges.get(k).and_then(|range| range.rpm[end]);
+    let one = |k: usize| {
+        let ([low, high], before) = (ranges[k].rpm, k.checked_sub(1).and_then(|before| end(before, 1)));
+        let apart = |from: Option<f64>, to: Option<f64>| from.zip(to).map_or(f64::INFINITY, |(from, to)| to - from);
+        let gaps = [0.1 * apart(low, high), 0.25 * apart(before, low), 0.25 * apart(high, end(k + 1, 0))];
+        let least = gaps.into_iter().filter(|gap| *gap > 0.0).fold(f64::INFINITY, f64::min);
+        // A unit of the last digit is at most this part of a number.
+        let (mut digits, mut unit) = (DIGITS[0], 1e-5);
+        while digits < DIGITS[1] && least < unit * high.or(low).unwrap_or(0.0) {
+            digits += 1;
+            unit *= 0.1;
+        }
+        [
+            low.map_or_else(|| "-inf".to_owned(), |rpm| bound_below(rpm, digits)),
+            high.map_or_else(|| "inf".to_owned(), |rpm| bound(rpm, digits)),
+        ]
+    };
+    (0..ranges.len()).map(one).collect()
 }
 
 /// At which spins all parts are linearly stable, in words; without ranges all have the type of the nominal part.
 fn certainly(up: AxisEnd, slow: SpinType, ranges: &[SpinRangeDocument]) -> String {
     let ranges: Vec<&SpinRangeDocument> = ranges.iter().filter(|range| range.up == up).collect();
+    let written = written(&ranges);
     // Of parts with other moments the two pairs of the nominal one do not agree.
     let slow = match slow {
         SpinType::DoubleMinimum => SpinType::Minimum,
@@ -247,13 +249,13 @@ fn certainly(up: AxisEnd, slow: SpinType, ranges: &[SpinRangeDocument]) -> Strin
     };
     let stable = |found: Option<SpinType>| found.is_some_and(SpinType::is_elliptic);
     let mut stretches: Vec<String> = Vec::new();
-    if let Some(first) = ranges.first().filter(|range| stable(range.from)) {
-        stretches.push(format!("up to {} rpm", low(first)));
+    if ranges.first().is_some_and(|range| stable(range.from)) {
+        stretches.push(format!("up to {} rpm", written[0][0]));
     }
-    for (number, range) in ranges.iter().enumerate().filter(|(_, range)| stable(range.to)) {
-        let from = high(range);
-        stretches.push(match ranges.get(number + 1) {
-            Some(next) => format!("from {from} to {} rpm", low(next)),
+    for (number, _) in ranges.iter().enumerate().filter(|(_, range)| stable(range.to)) {
+        let [_, from] = &written[number];
+        stretches.push(match written.get(number + 1) {
+            Some([to, _]) => format!("from {from} to {to} rpm"),
             None => format!("from {from} rpm on"),
         });
     }
@@ -315,7 +317,7 @@ mod tests {
         ];
         assert_eq!(
             text_of(SpinType::Saddle, &between),
-            "+axis up, none of these parts is linearly unstable from 2.00001 to 3.99998 rpm"
+            "+axis up, none of these parts is linearly unstable from 2 to 4 rpm"
         );
         let nowhere = "+axis up, the types of all these parts are known at no spin";
         assert_eq!(text_of(SpinType::Elliptic, &[range(None, None, [Some(0.0), None])]), nowhere);

@@ -5,7 +5,7 @@ mod progress;
 mod report;
 mod stderr;
 
-pub use bifdiag_numbers::decimal::{bound, counted, fixed, significant, telling_digits, told_apart};
+pub use bifdiag_numbers::decimal::{all_apart, bound, bound_below, counted, fixed, significant, told_apart};
 pub use progress::{Progress, Timings};
 pub use report::{Report, Table, print, wrapped};
 pub use stderr::{is_terminal, log, say, say_styled};

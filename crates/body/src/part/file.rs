@@ -73,7 +73,7 @@ pub enum FileError {
     #[error(transparent)]
     Mesh(#[from] MeshError),
     /// Nothing says how heavy a mesh is.
-    #[error("a mesh has no mass: its density (in the units of mass and length of the part) or its mass must be given")]
+    #[error("a mesh has no mass: its density or its mass, in the units of the part or with their own, must be given")]
     NoDensity,
     /// Two things say how heavy a mesh is.
     #[error("density and mass both say how heavy the mesh is; one of them is enough")]

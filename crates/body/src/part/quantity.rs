@@ -179,14 +179,21 @@ impl FromStr for Quantity {
 
 /// The longest number at the start, and the unit behind it.
 fn number_and_unit(text: &str) -> Result<(RBig, Option<Unit>), QuantityError> {
+    // A number out of range, or over zero, is one all the same.
+    let is_no_number =
+        |error: &ParseNumberError| matches!(error, ParseNumberError::Malformed { .. } | ParseNumberError::Empty);
     let whole = match text.parse::<Number>() {
         Ok(number) => return Ok((number.value().clone(), None)),
-        Err(error) => error,
+        Err(error) if is_no_number(&error) => error,
+        Err(error) => return Err(error.into()),
     };
     let starts = text.char_indices().filter(|(_, letter)| letter.is_alphabetic()).map(|(at, _)| at);
-    let mut found = starts.filter_map(|at| Some((text[..at].trim_end().parse::<Number>().ok()?, text[at..].trim())));
+    let mut found = starts.filter_map(|at| match text[..at].trim_end().parse::<Number>() {
+        Err(error) if is_no_number(&error) => None,
+        found => Some((found, text[at..].trim())),
+    });
     let Some((number, unit)) = found.next_back() else { return Err(whole.into()) };
-    Ok((number.value().clone(), Some(unit.parse()?)))
+    Ok((number?.value().clone(), Some(unit.parse()?)))
 }
 
 impl FromStr for Unit {
@@ -331,6 +338,9 @@ mod tests {
         );
         assert!(error("2±-0.1", Dimension::MASS).contains("must not be negative"));
         assert!(error("2±", Dimension::MASS).contains("the number is missing"));
+        assert!(error("1e400", Dimension::MASS).contains("`1e400` is out of range"));
+        assert!(error("1e-200kg", Dimension::MASS).contains("`1e-200` is out of range"));
+        assert!(error("1/0 kg", Dimension::MASS).contains("`1/0` has denominator zero"));
         for text in ["x", "1.2.3", "", "kg"] {
             assert!(matches!(text.parse::<Quantity>(), Err(QuantityError::Number(_))), "{text}");
         }

@@ -6,6 +6,7 @@ use std::f64::consts::{PI, TAU};
 use std::fmt;
 use std::str::FromStr;
 
+use bifdiag_numbers::decimal::counted;
 use bifdiag_numbers::{Number, ParseNumberError};
 use dashu_int::IBig;
 use dashu_ratio::RBig;
@@ -47,7 +48,9 @@ pub struct Units {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum UnitsError {
     /// Not three names.
-    #[error("{count} units given; write those of mass, length and time, such as kg,mm,s")]
+    #[error(
+        "{} given; write those of mass, length and time, such as kg,mm,s", counted(*count, "unit", "units")
+    )]
     Count {
         /// How many.
         count: usize,
@@ -178,7 +181,7 @@ pub struct Spin {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum SpinError {
     /// No unit, or an unknown one.
-    #[error("`{text}` has no unit of rpm, Hz, rad/s or deg/s; write for instance \"3000 rpm\"")]
+    #[error("`{text}` has none of the units rpm, Hz, rad/s and deg/s; write for instance \"3000 rpm\"")]
     Unit {
         /// What was written.
         text: String,
@@ -296,8 +299,12 @@ impl FromStr for Spin {
         let lower = trimmed.to_ascii_lowercase();
         let unit = SpinUnit::ALL.into_iter().find(|unit| lower.ends_with(&unit.name().to_ascii_lowercase()));
         let unit = unit.ok_or_else(|| SpinError::Unit { text: trimmed.to_owned() })?;
-        let value = trimmed[..trimmed.len() - unit.name().len()].trim_end().parse()?;
-        Ok(Self { value, unit })
+        let value = &trimmed[..trimmed.len() - unit.name().len()];
+        // 3 kHz, 2 mrad/s: the unit is another one.
+        if value.ends_with(char::is_alphabetic) {
+            return Err(SpinError::Unit { text: trimmed.to_owned() });
+        }
+        Ok(Self { value: value.trim_end().parse()?, unit })
     }
 }
 
@@ -350,6 +357,7 @@ mod tests {
     fn a_rate_without_unit_is_refused() {
         assert!(matches!("3000".parse::<Spin>(), Err(SpinError::Unit { .. })));
         assert!(matches!("fast rpm".parse::<Spin>(), Err(SpinError::Number(_))));
+        assert!(matches!("3 kHz".parse::<Spin>(), Err(SpinError::Unit { .. })));
         assert_eq!("-3e3  rpm".parse::<Spin>().unwrap().to_string(), "-3e3 rpm");
     }
 }

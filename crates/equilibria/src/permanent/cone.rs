@@ -3,7 +3,9 @@
 use nalgebra::{Matrix3, Vector3};
 
 use bifdiag_body::{Body, BodyAxis};
+use bifdiag_numbers::symmetric;
 use bifdiag_numbers::vector::{self, cross, dot, norm, normalised};
+use dashu_ratio::RBig;
 
 /// An axis about which rotation is permanent at every spin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -128,6 +130,29 @@ pub fn equally_near(body: &Body, up: [f64; 3], nearest: [f64; 3]) -> Vec<[f64; 3
         }
     }
     found.split_off(1)
+}
+
+/// Whether Staude's cone is circular about an axis (given in the axes in which the body was, of any length), so that all of its
+/// lines are as near to it: S is a multiple of 3 u uᵀ − |u|² E. Exact.
+#[must_use]
+pub fn is_axis_of_circular_cone(body: &Body, axis: &[RBig; 3]) -> bool {
+    let center = body.center_as_given();
+    let unit = |k: usize| [0, 1, 2].map(|i| RBig::from(u8::from(i == k)));
+    let turned = [0, 1, 2].map(|k| body.angular_momentum_as_given(&unit(k)));
+    // ⟨e_i, A e_j × r⟩
+    let entry = |i: usize, j: usize| {
+        let (next, last) = ((i + 1) % 3, (i + 2) % 3);
+        &turned[j][next] * &center[last] - &turned[j][last] * &center[next]
+    };
+    let cone = |i: usize, j: usize| entry(i, j) + entry(j, i);
+    let length = symmetric::dot(axis, axis);
+    let wanted =
+        |i: usize, j: usize| RBig::from(3) * &axis[i] * &axis[j] - if i == j { length.clone() } else { RBig::ZERO };
+    // uᵀSu, twice, and 2 |u|⁴: the multiple is their quotient.
+    let along = (0..3).flat_map(|i| (0..3).map(move |j| (i, j))).map(|(i, j)| cone(i, j) * &axis[i] * &axis[j]);
+    let (along, size) = (along.fold(RBig::ZERO, |sum, x| sum + x), RBig::from(2) * length.sqr());
+    let is_multiple = (0..3).all(|i| (i..3).all(|j| cone(i, j) * &size == &along * wanted(i, j)));
+    !along.is_zero() && is_multiple
 }
 
 /// With A_i = A_j the cone is two planes: that of the equal moments, whose axes are principal and steady at no spin unless r
@@ -271,6 +296,17 @@ mod tests {
             let spin = found.squared_spin.unwrap();
             assert!(found.angle < 1e-6 && (spin.abs() / s - 1.0).abs() < 1e-5, "{omega} {found:?}");
         }
+    }
+
+    /// r_1 (A_3 − A_2) = r_2 (A_1 − A_3) = r_3 (A_2 − A_1).
+    #[test]
+    fn a_cone_is_circular_about_one_axis() {
+        let is_axis =
+            |r: [&str; 3], axis: [i32; 3]| is_axis_of_circular_cone(&body(["1", "2", "3"], r), &axis.map(RBig::from));
+        assert!(is_axis(["2", "-1", "2"], [1, 1, 1]) && is_axis(["2", "-1", "2"], [-5, -5, -5]));
+        assert!(is_axis(["2", "1", "2"], [1, -1, 1]));
+        assert!(!is_axis(["2", "-1", "2"], [1, -1, 1]) && !is_axis(["2", "-1", "2.00000000000001"], [1, 1, 1]));
+        assert!(!is_axis(["0", "0", "1"], [1, 1, 0]) && !is_axis(["0", "0", "0"], [1, 1, 1]));
     }
 
     /// Midway between the two planes into which the cone falls the nearest axis is not the one that is asked about.

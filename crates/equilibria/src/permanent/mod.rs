@@ -26,7 +26,10 @@ mod tolerance;
 
 pub use axis::{AxisKind, FOLLOWED, MEANT, permanent_axes, permanent_multiplicity, principal_at};
 pub use bifdiag_schema::{AxisEnd, SpinType};
-pub use cone::{NearestAxis, PermanentAxis, angle_between, equally_near, nearest_permanent, permanent_axis};
+pub use cone::{
+    NearestAxis, PermanentAxis, angle_between, equally_near, is_axis_of_circular_cone, nearest_permanent,
+    permanent_axis,
+};
 pub use fast::fastest_along;
 pub use judged::Judged;
 pub use near::{

@@ -82,7 +82,7 @@ pub fn settled_types_of_part(part: &Part, measured: &MeasuredPart, up: [f64; 3],
             0.5 * common.sum::<f64>()
         };
         // Less is rounding: the bounds of a part without tolerances have some width too.
-        let least = ROUNDING * to.abs();
+        let least = if to.is_finite() { ROUNDING * to } else { 0.0 };
         let moved = alone.iter().map(|(input, found)| (*input, unsettled(found))).filter(|(_, moved)| *moved > least);
         // Of equals the first.
         let most = moved.max_by(|p, q| p.1.total_cmp(&q.1).then(q.0.cmp(&p.0)));

@@ -2,6 +2,7 @@
 
 mod rotation;
 
+use bifdiag_numbers::decimal::counted;
 use bifdiag_numbers::symmetric::Symmetric;
 use bifdiag_numbers::{Number, ParseNumberError};
 use dashu_ratio::RBig;
@@ -25,27 +26,48 @@ pub enum LinkError {
     },
     /// No block.
     #[error(
-        "no link of the file has an inertial block; shapes alone are not read as masses: write <inertial>, or give a mesh"
+        "no {kind} of the file has an inertial block; shapes alone are not read as masses: write <inertial>, or give a mesh"
     )]
-    Nothing,
+    Nothing {
+        /// What has such blocks: `link` in URDF, `body` in MJCF.
+        kind: &'static str,
+    },
     /// Several blocks.
-    #[error("the file has several links with an inertial block: {}; choose one by --link NAME", known.join(", "))]
+    #[error(
+        "there is more than one {kind} with an inertial block in the file: {}; choose one by --link NAME",
+        known.join(", ")
+    )]
     Several {
+        /// `link` or `body`.
+        kind: &'static str,
         /// Their names.
         known: Vec<String>,
     },
     /// No such link.
-    #[error("--link {name}: no link of that name has an inertial block; those that have one: {}", known.join(", "))]
+    #[error("--link {name}: no {kind} of that name has an inertial block; those that have one: {}", known.join(", "))]
     Unknown {
+        /// `link` or `body`.
+        kind: &'static str,
         /// What was asked for.
         name: String,
         /// Those that are there.
         known: Vec<String>,
     },
+    /// Several blocks of one name.
+    #[error(
+        "--link {name}: more than one {kind} with an inertial block is called so; give each of them its own name in the \
+         file"
+    )]
+    SameName {
+        /// `link` or `body`.
+        kind: &'static str,
+        /// What was asked for.
+        name: String,
+    },
     /// An attribute is missing.
-    #[error("<{element}> of link {link} has no {attribute}")]
+    #[error("<{element}> of {link} has no {attribute}")]
     Missing {
-        /// The link.
+        /// The link or the body, such as `link arm`.
         link: String,
         /// The element.
         element: &'static str,
@@ -53,9 +75,9 @@ pub enum LinkError {
         attribute: &'static str,
     },
     /// An attribute is not a number.
-    #[error("{attribute}=\"{value}\" of link {link}: {source}")]
+    #[error("{attribute}=\"{value}\" of {link}: {source}")]
     Number {
-        /// The link.
+        /// The link or the body.
         link: String,
         /// The attribute.
         attribute: &'static str,
@@ -65,9 +87,9 @@ pub enum LinkError {
         source: ParseNumberError,
     },
     /// A list of numbers has the wrong length.
-    #[error("{attribute}=\"{value}\" of link {link} has {found} numbers, {wanted} are needed")]
+    #[error("{attribute}=\"{value}\" of {link} has {}, not {wanted}", counted(*found, "number", "numbers"))]
     Count {
-        /// The link.
+        /// The link or the body.
         link: String,
         /// The attribute.
         attribute: &'static str,
@@ -79,19 +101,33 @@ pub enum LinkError {
         wanted: usize,
     },
     /// The orientation is given in a form that is not supported.
-    #[error(
-        "link {link}: the orientation {attribute} is not read, since its meaning depends on other settings; write quat"
-    )]
+    #[error("{link}: the orientation {attribute} is not read; write it as quat")]
     Orientation {
-        /// The link.
+        /// The body.
         link: String,
         /// The attribute.
         attribute: &'static str,
     },
+    /// Two attributes that exclude each other.
+    #[error("{link}: {attribute} and {other} exclude each other; leave out one of them")]
+    Both {
+        /// The body.
+        link: String,
+        /// The attribute.
+        attribute: &'static str,
+        /// The other one.
+        other: &'static str,
+    },
+    /// A quaternion of no rotation.
+    #[error("{link}: the quat 0 0 0 0 is no rotation; write 1 0 0 0 for none")]
+    ZeroQuaternion {
+        /// The body.
+        link: String,
+    },
     /// The mass is not positive.
-    #[error("link {link}: {source}")]
+    #[error("{link}: {source}")]
     Mass {
-        /// The link.
+        /// The link or the body.
         link: String,
         /// What is wrong.
         source: MassError,
@@ -108,27 +144,31 @@ type Reader = fn(Node<'_, '_>, &str) -> Result<MassProperties, LinkError>;
 pub fn read_link(text: &str, name: Option<&str>) -> Result<MassProperties, LinkError> {
     let document = roxmltree::Document::parse(text)?;
     let root = document.root_element();
-    let (tag, read): (&str, Reader) = match root.tag_name().name() {
+    let (kind, read): (&'static str, Reader) = match root.tag_name().name() {
         "robot" => ("link", urdf),
         "mujoco" => ("body", mjcf),
         found => return Err(LinkError::Root { found: found.to_owned() }),
     };
     let links: Vec<_> = root
         .descendants()
-        .filter(|node| node.has_tag_name(tag))
+        .filter(|node| node.has_tag_name(kind))
         .filter_map(|node| Some((node.attribute("name").unwrap_or("(unnamed)"), child(node, "inertial")?)))
         .collect();
     let known = || links.iter().map(|(name, _)| (*name).to_owned()).collect();
     let (name, block) = match (name, &links[..]) {
-        (_, []) => return Err(LinkError::Nothing),
+        (_, []) => return Err(LinkError::Nothing { kind }),
         (None, [only]) => *only,
-        (None, _) => return Err(LinkError::Several { known: known() }),
+        (None, _) => return Err(LinkError::Several { kind, known: known() }),
         (Some(wanted), _) => {
-            let found = links.iter().find(|(name, _)| *name == wanted);
-            *found.ok_or_else(|| LinkError::Unknown { name: wanted.to_owned(), known: known() })?
+            let mut found = links.iter().filter(|(name, _)| *name == wanted);
+            match (found.next(), found.next()) {
+                (None, _) => return Err(LinkError::Unknown { kind, name: wanted.to_owned(), known: known() }),
+                (Some(_), Some(_)) => return Err(LinkError::SameName { kind, name: wanted.to_owned() }),
+                (Some(only), None) => *only,
+            }
         }
     };
-    read(block, name)
+    read(block, &format!("{kind} {name}"))
 }
 
 /// URDF: the tensor is about the centre of mass, its products are entries of the tensor, its axes those of the block's
@@ -155,13 +195,18 @@ fn urdf(block: Node<'_, '_>, link: &str) -> Result<MassProperties, LinkError> {
     MassProperties::about_com(mass, com, tensor).map_err(|source| LinkError::Mass { link: link.to_owned(), source })
 }
 
-/// MJCF: `diaginertia` in the axes of `quat`, or `fullinertia` in the axes of the body, about the centre of mass.
+/// MJCF: `diaginertia` in the axes of `quat`, or `fullinertia` in the axes of the body, about the centre of mass. With
+/// `fullinertia` the format has neither of the others.
 fn mjcf(block: Node<'_, '_>, link: &str) -> Result<MassProperties, LinkError> {
     let missing = |attribute| LinkError::Missing { link: link.to_owned(), element: "inertial", attribute };
     for attribute in ["axisangle", "xyaxes", "zaxis", "euler"] {
         if block.has_attribute(attribute) {
             return Err(LinkError::Orientation { link: link.to_owned(), attribute });
         }
+    }
+    let others = ["diaginertia", "quat"].into_iter().find(|other| block.has_attribute(*other));
+    if let (Some(attribute), true) = (others, block.has_attribute("fullinertia")) {
+        return Err(LinkError::Both { link: link.to_owned(), attribute, other: "fullinertia" });
     }
     let mass = block.attribute("mass").ok_or_else(|| missing("mass"))?;
     let [mass] = list::<1>(link, "mass", mass)?;
@@ -175,7 +220,7 @@ fn mjcf(block: Node<'_, '_>, link: &str) -> Result<MassProperties, LinkError> {
         Some(quat) => {
             let quat = list::<4>(link, "quat", quat)?;
             if quat.iter().all(RBig::is_zero) {
-                return Err(missing("quat that is not zero"));
+                return Err(LinkError::ZeroQuaternion { link: link.to_owned() });
             }
             rotated(&tensor, &quat)
         }

@@ -16,8 +16,8 @@ impl Mesh {
     /// # Errors
     /// Every [`MeshError`].
     pub fn integrals(&self) -> Result<VolumeIntegrals, MeshError> {
-        if let Some(at) = self.corners().iter().position(|corner| !corner.iter().all(|x| x.is_finite())) {
-            return Err(MeshError::NotFinite { corner: at + 1 });
+        if let Some(&at) = self.corners().iter().find(|corner| !corner.iter().all(|x| x.is_finite())) {
+            return Err(MeshError::NotFinite { at });
         }
         let surfaces = orientation::surfaces(self)?;
         crossing::check(self)?;

@@ -41,13 +41,22 @@ pub enum ReadError {
         what: &'static str,
     },
     /// A face refers to a corner that does not exist.
-    #[error("a face names corner {index}, but there are {count}")]
+    #[error("a face names corner {index} (the first one is 0), but there {}", are(*count))]
     NoCorner {
         /// From 0.
-        index: u64,
+        index: i64,
         /// How many there are.
         count: usize,
     },
+}
+
+/// So many corners are there.
+fn are(count: usize) -> String {
+    match count {
+        0 => "is none".to_owned(),
+        1 => "is only one".to_owned(),
+        count => format!("are {count}"),
+    }
 }
 
 impl Mesh {
@@ -88,7 +97,7 @@ fn obj(bytes: &[u8]) -> Result<Mesh, ReadError> {
         let corner = |index: &u32| {
             let at = 3 * *index as usize;
             let place = mesh.positions.get(at..at + 3);
-            place.map(|p| [p[0], p[1], p[2]]).ok_or(ReadError::NoCorner { index: u64::from(*index), count })
+            place.map(|p| [p[0], p[1], p[2]]).ok_or(ReadError::NoCorner { index: i64::from(*index), count })
         };
         for face in mesh.indices.chunks_exact(3) {
             triangles.push([corner(&face[0])?, corner(&face[1])?, corner(&face[2])?]);
@@ -115,7 +124,7 @@ fn ply(bytes: &[u8]) -> Result<Mesh, ReadError> {
     for face in faces {
         let list = face.get("vertex_indices").or_else(|| face.get("vertex_index")).and_then(indices);
         let list = list.ok_or(ReadError::Ply { what: "vertex_indices of a face" })?;
-        let corner = |index: u64| {
+        let corner = |index: i64| {
             let place = usize::try_from(index).ok().and_then(|at| corners.get(at));
             place.copied().ok_or(ReadError::NoCorner { index, count: corners.len() })
         };
@@ -140,17 +149,17 @@ fn scalar(property: &Property) -> Option<f64> {
     }
 }
 
-fn indices(property: &Property) -> Option<Vec<u64>> {
-    fn all<T: Copy + TryInto<u64>>(list: &[T]) -> Option<Vec<u64>> {
-        list.iter().map(|x| (*x).try_into().ok()).collect()
+fn indices(property: &Property) -> Option<Vec<i64>> {
+    fn all<T: Copy + Into<i64>>(list: &[T]) -> Vec<i64> {
+        list.iter().map(|x| (*x).into()).collect()
     }
-    match property {
+    Some(match property {
         Property::ListChar(list) => all(list),
         Property::ListUChar(list) => all(list),
         Property::ListShort(list) => all(list),
         Property::ListUShort(list) => all(list),
         Property::ListInt(list) => all(list),
         Property::ListUInt(list) => all(list),
-        _ => None,
-    }
+        _ => return None,
+    })
 }

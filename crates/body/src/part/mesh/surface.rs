@@ -65,10 +65,10 @@ pub enum MeshError {
     #[error("the mesh is empty: it has no triangle with three different corners")]
     Empty,
     /// A coordinate that is no number.
-    #[error("corner {corner} of the mesh is not finite")]
+    #[error("a corner of the mesh is not finite: {at:?}")]
     NotFinite {
-        /// Its number, from 1.
-        corner: usize,
+        /// Its coordinates.
+        at: [f64; 3],
     },
     /// Edges with one triangle only.
     #[error(
