@@ -103,7 +103,7 @@ fn add(report: &mut Report, document: &EventTracksDocument) {
     ));
     if document.passed > 0 {
         let left_out = counted(document.passed as usize, "of them is left out", "of them are left out");
-        report.line(format!("{left_out}: special, on a border, undecided or of another class than their neighbours, which are examined instead"));
+        report.line(format!("{left_out} as special, on a border, undecided or alone in its class; neighbouring bodies are examined instead"));
     }
     report.line("");
     if document.events.is_empty() {
