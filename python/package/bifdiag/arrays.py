@@ -119,7 +119,8 @@ def points(h: Any, l: Any, invalid: str) -> Points:
     """
     if invalid not in POLICIES:
         raise InputError(
-            f'invalid = {invalid!r}: "mark" marks what is missing, infinite or out of range and answers the rest, "raise" refuses it'
+            f'invalid = {invalid!r}: "mark" marks what is missing, infinite or out of range and answers the rest, '
+            '"raise" refuses it'
         )
     h, l, dress, index, template = _undressed(h, l)
     (h_values, h_valid), (l_values, l_valid) = _numbers(h, "h"), _numbers(l, "l")

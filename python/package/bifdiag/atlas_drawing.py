@@ -180,5 +180,6 @@ class AtlasDrawing(AtlasDocument):
         return self.svg()
 
     def _repr_html_(self) -> str:
-        regions = f"<details><summary>{counted(len(self.regions), 'region')}</summary>{self.regions._repr_html_()}</details>"
+        count = counted(len(self.regions), "region")
+        regions = f"<details><summary>{count}</summary>{self.regions._repr_html_()}</details>"
         return f"<div>{self.svg()}{regions}</div>"

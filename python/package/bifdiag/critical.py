@@ -213,7 +213,7 @@ class Equilibria(Table):
         heads = "".join(f"<th>{name}</th>" for name in shown)
         few = self[:20]
         rows = "".join("<tr>" + "".join(f"<td>{_cell(row[name])}</td>" for name in shown) + "</tr>" for row in few)
-        more = f"<p>and {counted(len(self) - len(few), "more row")}</p>" if len(self) > len(few) else ""
+        more = f"<p>and {counted(len(self) - len(few), 'more row')}</p>" if len(self) > len(few) else ""
         return f"<table><tr>{heads}</tr>{rows}</table>{more}"
 
     def __repr__(self) -> str:
@@ -223,7 +223,8 @@ class Equilibria(Table):
             why = f"{stable} ({row['stable_by']})"
             lines.append(f"  l = {row['l']:.6g}, h = {row['h']:.6g}: {row['branch']}, index {row['index']}, {why}")
         without = self.meta["invalid"]
-        told = [f"  without rows, since l is missing, infinite or out of range there: l_index {', '.join(map(str, without[:8]))}"]
+        places = ", ".join(map(str, without[:8]))
+        told = [f"  without rows, since l is missing, infinite or out of range there: l_index {places}"]
         told[0] += ", …" if len(without) > 8 else ""
         return "\n".join([*lines, *(["  …"] if len(self) > 12 else []), *(told if without else [])])
 

@@ -76,7 +76,7 @@ class Scan(Table):
         return Scan, (self._columns, self._meta, self._labels)
 
     def __repr__(self) -> str:
-        return f"Scan of {counted(len(self), "body", "bodies")} [{', '.join(self.columns)}, meta]"
+        return f"Scan of {counted(len(self), 'body', 'bodies')} [{', '.join(self.columns)}, meta]"
 
 
 def column(values: tuple[str, ...]) -> npt.NDArray[Any]:

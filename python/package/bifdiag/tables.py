@@ -169,7 +169,7 @@ class Table:
         heads = "".join(f"<th>{name}</th>" for name in few)
         rows = zip(*(column.tolist() for column in few.values()), strict=True)
         told = "".join("<tr>" + "".join(f"<td>{_cell(value)}</td>" for value in row) + "</tr>" for row in rows)
-        more = f"<p>and {counted(len(self) - ROWS, "more row")}</p>" if len(self) > ROWS else ""
+        more = f"<p>and {counted(len(self) - ROWS, 'more row')}</p>" if len(self) > ROWS else ""
         return f"<table><tr>{heads}</tr>{told}</table>{more}"
 
     def __eq__(self, other: object) -> bool:
