@@ -1,13 +1,13 @@
 //! Rotation about an axis over the spin as a document.
 
 use bifdiag_body::Number;
-use bifdiag_equilibria::critical::SteadyFamily;
+use bifdiag_equilibria::critical::{SteadyFamily, SteadyStretch};
 use bifdiag_equilibria::permanent::{AxisKind, NearestAxis, OneSpin, SpinStretch};
 use bifdiag_exact::{AxisSpins, EndUp};
 use bifdiag_numbers::decimal::significant;
 use bifdiag_schema::{
     AxisEnd, CommandLine, CriticalSpinDocument, FrictionDocument, NearestAxisDocument, NonlinearDocument,
-    SpinStretchDocument, SpinType, SteadySpinDocument, Verdict,
+    NonlinearVerdict, Reason, SpinStretchDocument, SpinType, SteadySpinDocument, Verdict,
 };
 use bifdiag_survey::tolerance::{Tolerances, Tolerated};
 
@@ -109,8 +109,18 @@ pub fn critical_spin(
 
 /// The types of two families where they begin.
 fn families_at_start(families: [&SteadyFamily; 2]) -> Option<[SpinType; 2]> {
-    let [plus, minus] = families.map(|family| Some(family.stretches.first()?.kind.term().into()));
+    let [plus, minus] = families.map(|family| family.stretches.first().map(spin_type));
     Some([plus?, minus?])
+}
+
+/// The type of a stretch, with whether U_l has a minimum there.
+fn spin_type(stretch: &SteadyStretch) -> SpinType {
+    let is_minimum = stretch.verdict == Some((NonlinearVerdict::Stable, Reason::Energy));
+    match stretch.kind.term().into() {
+        SpinType::Elliptic if is_minimum => SpinType::Minimum,
+        SpinType::DoubleElliptic if is_minimum => SpinType::DoubleMinimum,
+        kind => kind,
+    }
 }
 
 /// What is not known.
