@@ -119,7 +119,12 @@ fn wrapped(text: &str, indent: usize) -> String {
 
 /// Code as docstrings mark it, and null as Python says it.
 fn code(text: &str) -> String {
-    text.replace("`null`", "null").replace("null", "None").replace('`', "``")
+    without(text).replace("`null`", "null").replace("null", "None").replace('`', "``")
+}
+
+/// What a document lacks is None.
+fn without(text: &str) -> String {
+    text.replace("Absent ", "None ").replace("; absent ", "; None ")
 }
 
 fn is_range(kind: &Kind) -> bool {
@@ -140,7 +145,7 @@ fn attribute(field: &Field) -> &str {
 /// What a field means; of constants each, where they are named for the first time.
 fn meaning<'a>(model: &Model, field: &'a Field, listed: &mut Vec<&'a str>) -> String {
     let about = if is_range(&field.kind) || field.name == INFINITE_END {
-        field.about.replace("`null`", "``inf``").replace("null", "``inf``")
+        without(&field.about.replace("`null`", "null").replace("null", "``inf`` (the lower one ``-inf``)"))
     } else {
         code(&field.about)
     };

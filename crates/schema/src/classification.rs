@@ -10,7 +10,7 @@ use super::{Accuracy, GivenBody, Head, Number, PartDocument};
 pub struct ComponentDocument {
     /// k: the component of U_hl is the sphere without k discs.
     pub boundary_circles: u32,
-    /// The poles inside: `[]`, `["+"]` (r̂), `["-"]` (−r̂) or both; null when r = 0.
+    /// The poles inside: `+` for r̂ and `-` for −r̂; null when r = 0.
     pub poles: Option<Vec<String>>,
     /// Its name: `S2` (the sphere), `D2` (a disc), `S2-2D2` (an annulus), … `S2-kD2`.
     pub accessible_region: String,

@@ -216,7 +216,7 @@ pub struct RelativeEquilibriumDocument {
     /// Angular velocity l / J(γ), with the sign of l.
     pub omega: f64,
     /// Negative eigenvalues of the Hessian of U_l, the Morse index: 0 minimum, 1 saddle, 2 maximum (unless it is degenerate,
-    /// which `multiplicity` 2 says); for a circle, of its one normal direction.
+    /// which `multiplicity` 2 says); for a circle, of its one normal direction (0 also where that is degenerate, at a cusp).
     pub index: u8,
     /// 1: a critical point; 2: a degenerate one, exactly at a cusp, where two meet in it, or at a pitchfork, where three do, or
     /// one and a circle; `circle` or `sphere`: all points of one, of which `gamma` is one.

@@ -36,9 +36,12 @@ def spoken(told: str) -> str:
     """A message of the command line with the names of arguments in place of options."""
     message = re.split("\n\n(?:Usage|For more information)", told, maxsplit=1)[0].strip().removeprefix("error: ")
     message = message.replace("leave out --keep", "give overwrite=True").replace(", or give --format", "")
-    # An option with an example of its value, then one with what stands for its value, then the name alone.
+    # An option with an example of its value, also of a list, then one with what stands for its value, then the name alone.
     message = re.sub(r"--([a-z][a-z-]*) (-?\d[\w.]*)(?![\w=:]|,\d)", lambda found: f"{_name(found[1])}={found[2]}", message)
     message = re.sub(r"--([a-z][a-z-]*) ([\w.]+=[\w.:,-]+)", lambda found: f'{_name(found[1])}="{found[2]}"', message)
+    message = re.sub(
+        r"--([a-z][a-z-]*)=(-?\d[\d.]*(?:,-?\d[\d.]*)+)", lambda found: f"{_name(found[1])}=[{found[2]}]", message
+    )
     message = re.sub(r"'--([a-z][a-z-]*)(?: <[^>]*>)?'", lambda found: f"'{_name(found[1])}'", message)
     return re.sub(r"(?<![\w-])--([a-z][a-z-]*)", lambda found: _name(found[1]), message)
 

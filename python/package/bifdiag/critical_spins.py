@@ -184,7 +184,8 @@ class CriticalSpins(Table):
     def bounds(self) -> SpinBounds | None:
         """Bounds on the critical spins of every part within the tolerance.
 
-        None without a tolerance that the spins depend on, and where no bounds are given: ``meta["note"]`` then says why.
+        None without a tolerance, and where no bounds are given: ``meta["note"]`` then says why. Without rows where no spin
+        depends on it.
         """
         told = self.meta.get("tolerance")
         if told is None:

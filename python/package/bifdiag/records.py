@@ -19,7 +19,7 @@ class Component:
     boundary_circles : int
         k: the component of U_hl is the sphere without k discs.
     poles : tuple[str, ...] or None
-        The poles inside: ``[]``, ``["+"]`` (r̂), ``["-"]`` (−r̂) or both; None when r = 0.
+        The poles inside: ``+`` for r̂ and ``-`` for −r̂; None when r = 0.
     accessible_region : str
         Its name: ``S2`` (the sphere), ``D2`` (a disc), ``S2-2D2`` (an annulus), … ``S2-kD2``.
     energy_surface : str
@@ -223,7 +223,7 @@ class Cell:
     Attributes
     ----------
     l_range : tuple[float, float]
-        Range of l; an infinite end is ``inf``.
+        Range of l; an infinite end is ``inf`` (the lower one ``-inf``).
     lower : str
         Id of the curve below (to the left in h).
     upper : str or None
@@ -260,7 +260,7 @@ class Region(behaviour.Region):
     bounded : bool
         True when the region is bounded in the (h, l) plane.
     l_range : tuple[float, float]
-        Range of l; an infinite end is ``inf``.
+        Range of l; an infinite end is ``inf`` (the lower one ``-inf``).
     boundary : tuple[str, ...]
         Ids of the curves on the boundary, each once: below and above each cell, in the order of ``cells``.
     neighbours : tuple[Neighbour, ...]
@@ -594,7 +594,7 @@ class StabilitySpan:
     l_from : float
         Where it begins.
     l_to : float
-        Where it ends; ``inf`` at infinity.
+        Where it ends; ``inf`` (the lower one ``-inf``) at infinity.
     stability : str
         The linear type there. ``"elliptic"``: Two imaginary pairs; across a circle of equilibria one pair.
         ``"saddle-centre"``: One real and one imaginary pair. ``"saddle"``: Two real pairs; across a circle of equilibria
@@ -671,9 +671,10 @@ class Curve(behaviour.Curve):
     coincides_with : tuple[str, ...]
         Ids of the curves with the same (h, l): pole lines that run on critical curves.
     mu_range : tuple[float, float] or None
-        Range of μ of the closed form; an infinite end is ``inf``. Absent for pole lines, and where r = 0.
+        Range of μ of the closed form; an infinite end is ``inf`` (the lower one ``-inf``). None for pole lines, and where r
+        = 0.
     l_range : tuple[float, float]
-        Range of l; an infinite end is ``inf``.
+        Range of l; an infinite end is ``inf`` (the lower one ``-inf``).
     stability : tuple[StabilitySpan, ...]
         The linear type along the curve, by rising l; empty for pole lines, and with a window for curves that have no l in
         common with it.
@@ -766,7 +767,7 @@ class ChaosPoint:
     l : str
         Vertical angular momentum as given.
     region : str or None
-        The region of the point; absent where no atlas was made.
+        The region of the point; None where no atlas was made.
     steps : int
         Steps of the integrator after which an orbit is left open.
     components : tuple[ChaosShare, ...]

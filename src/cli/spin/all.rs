@@ -76,9 +76,9 @@ pub fn families(report: &mut Report, families: &[&SteadyFamilyDocument], of_part
 /// Each family by rising spin, a row for each type.
 fn table(families: &[&SteadyFamilyDocument]) -> String {
     let mut table = Table::new(&["branch", "from rpm", "to rpm", "type", "stable", "axis there"]);
+    let begins = families.iter().flat_map(|family| &family.stretches).filter_map(|stretch| stretch.from.as_ref());
+    let spins = Spins::new(begins.map(|from| from.spin));
     for family in families {
-        let spins =
-            Spins::new(family.stretches.iter().filter_map(|stretch| stretch.from.as_ref()).map(|from| from.spin));
         for (number, stretch) in family.stretches.iter().enumerate() {
             let next = family.stretches.get(number + 1).and_then(|next| next.from.as_ref());
             let start = match (number, family.start) {

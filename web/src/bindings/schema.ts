@@ -340,7 +340,7 @@ export interface Margin {
 export interface Component {
   /** k: the component of U_hl is the sphere without k discs. */
   boundary_circles: number;
-  /** The poles inside: `[]`, `["+"]` (r̂), `["-"]` (−r̂) or both; null when r = 0. */
+  /** The poles inside: `+` for r̂ and `-` for −r̂; null when r = 0. */
   poles: string[] | null;
   /** Its name: `S2` (the sphere), `D2` (a disc), `S2-2D2` (an annulus), … `S2-kD2`. */
   accessible_region: string;
@@ -645,7 +645,7 @@ export interface RelativeEquilibrium {
   gamma: [number, number, number];
   /** Angular velocity l / J(γ), with the sign of l. */
   omega: number;
-  /** Negative eigenvalues of the Hessian of U_l, the Morse index: 0 minimum, 1 saddle, 2 maximum (unless it is degenerate, which `multiplicity` 2 says); for a circle, of its one normal direction. */
+  /** Negative eigenvalues of the Hessian of U_l, the Morse index: 0 minimum, 1 saddle, 2 maximum (unless it is degenerate, which `multiplicity` 2 says); for a circle, of its one normal direction (0 also where that is degenerate, at a cusp). */
   index: number;
   /** 1: a critical point; 2: a degenerate one, exactly at a cusp, where two meet in it, or at a pitchfork, where three do, or one and a circle; `circle` or `sphere`: all points of one, of which `gamma` is one. */
   multiplicity: Multiplicity;
