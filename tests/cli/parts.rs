@@ -557,7 +557,7 @@ fn an_axis_is_permanent_on_both_sides_of_the_fixed_point() {
         "--inertia-com 0.02,0.02,0.01,0,0,0 --com 0,0,0±0.01 --mass 1 --g 9.81",
     ] {
         let found = bifdiag(&format!("critical-spin {part} --axis z")).succeeds();
-        found.printing("the axis is permanent for all of them");
+        found.printing("all of them have this permanent axis");
     }
 }
 

@@ -39,7 +39,7 @@ class Equilibria(Table):
         The angular velocity l/⟨γ, A γ⟩, signed as l.
     index : array (n,) of int
         Negative eigenvalues of the Hessian of U_l: 0 minimum, 1 saddle, 2 maximum, unless ``multiplicity`` is ``"2"``.
-        Of a circle in its one normal direction, 0 also where that is degenerate, at a cusp.
+        Of a circle in its one normal direction: 0 minima, 1 maxima; 0 also where that is degenerate, at a cusp.
     multiplicity : array (n,) of str
         ``"1"``; ``"2"``: degenerate, where two meet (a cusp) or three, or one and a circle (a pitchfork); ``"circle"`` and
         ``"sphere"`` of them. Two that are mirror images are two rows.

@@ -47,7 +47,7 @@ class RealParts(Given):
         com, mass : three numbers, and one
             Centre of mass, from the fixed point, in the axes of the tensor; mass.
         g : number
-            Acceleration of gravity, always in m/s².
+            Acceleration of gravity, in m/s² whatever the units are, or a text with its unit.
         about : {"fixed point", "centre of mass"}
             The reference point of the tensor.
         units : str

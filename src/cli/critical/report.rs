@@ -8,7 +8,7 @@ use bifdiag_schema::{
 };
 
 use crate::cli::input::head;
-use crate::cli::terminal::{Report, Table, bound, fixed, significant};
+use crate::cli::terminal::{Report, Table, all_apart, bound, fixed, significant};
 use bifdiag_documents::Subject;
 use bifdiag_documents::codes::multiplicity_word;
 use bifdiag_documents::words::counted;
@@ -18,9 +18,10 @@ const DIGITS: usize = 10;
 
 pub fn text(subject: &Subject, document: &CriticalDocument) -> String {
     let mut places = Table::new(&["h", "gamma", "omega", "index", "mult", "curve", "branch"]);
-    for point in &document.critical {
+    let heights = energies(document.critical.iter(), document.error_bound);
+    for (point, h) in document.critical.iter().zip(heights) {
         places.row([
-            significant(point.h, DIGITS),
+            h,
             vector(point.gamma),
             significant(point.omega, 6),
             point.index.to_string(),
@@ -52,10 +53,11 @@ pub fn text(subject: &Subject, document: &CriticalDocument) -> String {
 /// Every axis about which a body turns steadily at a spin.
 pub fn steady_axes(subject: &Subject, document: &SteadyAxesDocument) -> String {
     let mut places = Table::new(&["axis (up)", "h", "l", "index", "mult", "curve", "branch"]);
-    for SteadyAxisDocument { axis, l, equilibrium: point, .. } in &document.axes {
+    let heights = energies(document.axes.iter().map(|axis| &axis.equilibrium), document.error_bound);
+    for (SteadyAxisDocument { axis, l, equilibrium: point, .. }, h) in document.axes.iter().zip(heights) {
         places.row([
             vector(*axis),
-            significant(point.h, DIGITS),
+            h,
             significant(*l, DIGITS),
             point.index.to_string(),
             multiplicity_word(point.multiplicity),
@@ -86,6 +88,17 @@ pub fn steady_axes(subject: &Subject, document: &SteadyAxesDocument) -> String {
         report.line("there may be more: roots are closer than 2^-4000");
     }
     report.text()
+}
+
+/// The energies, each told apart from those that differ from it by more than their errors.
+fn energies<'a>(points: impl Iterator<Item = &'a RelativeEquilibriumDocument>, error_bound: f64) -> Vec<String> {
+    let all: Vec<f64> = points.map(|point| point.h).collect();
+    let written = |&h: &f64| {
+        let differs = |other: &f64| (other - h).abs() > 2.0 * error_bound;
+        let others: Vec<f64> = std::iter::once(h).chain(all.iter().copied().filter(differs)).collect();
+        all_apart(&others, DIGITS).swap_remove(0)
+    };
+    all.iter().map(written).collect()
 }
 
 /// The unit of time of a part; a body given by A and r has none.

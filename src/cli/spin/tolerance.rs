@@ -131,9 +131,9 @@ fn measured(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[S
 
 /// The ranges of steady rotations near the axis or the nominal rotation.
 fn beside(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[SpinType; 2]>) {
-    let of = if tolerance.moving { "that of the nominal part at this spin" } else { "the axis" };
+    let of = if tolerance.moving { "that of the nominal part at this spin" } else { "the permanent axis" };
     report.line(match tolerance.tilt_deg {
-        None => "the axis is permanent for all of them".to_owned(),
+        None => "all of them have this permanent axis".to_owned(),
         Some(0.0) => "no spin was found at which all of them were shown to have a steady rotation near the nominal one"
             .to_owned(),
         // Below this it is the rounding of the bounds.

@@ -50,9 +50,9 @@ def diagram(
 
     Each type of component, by U and P, has one tint, the same in every diagram; a region of several components has
     stripes, of two shades where these are alike. A colour is a branch of relative equilibria. Curves are solid where the
-    steady rotation is stable (thin if only without friction), dashed where it is unstable, dotted where that is open. Curves and outlines are computed for the
-    ranges that are drawn, and are as fine as these need. Colours are light on a dark ground, as of the style
-    ``"dark_background"``.
+    steady rotation is stable (thin if only without friction), dashed where it is unstable, dotted where that is open.
+    Curves and outlines are computed for the ranges that are drawn, and are as fine as these need. Colours are light on a
+    dark ground, as of the style ``"dark_background"``.
 
     Parameters
     ----------
