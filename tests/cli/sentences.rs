@@ -620,3 +620,32 @@ fn moments_that_differ_below_all_doubles_are_not_equal() {
         bifdiag(&format!("{question} --A 1,{second},2")).fails().telling("differ by more than 10^25");
     }
 }
+
+/// Only axes of steady rotations are as near as the nearest one of these.
+#[test]
+fn axes_without_a_steady_rotation_are_not_equally_near() {
+    for body in [
+        "--A 5,4,1 --r 1,1,0 --axis 0,5,3",
+        "--A 1,4,5 --r 0,1,1 --axis 1,5,5",
+        "--A 2,2.5,2.5 --r 0,0,1 --axis 1,1,1",
+        "--A 2,2.5,2.5 --r 1,0,1 --axis 1,1,1",
+    ] {
+        let text = bifdiag(&format!("critical-spin {body}")).succeeds().stdout();
+        assert!(!text.lines().any(|line| line.starts_with("equally near")), "{text}");
+    }
+}
+
+/// The slow types of an axis that is not permanent say whether U_l has a minimum, like those of one that is.
+#[test]
+fn families_begin_at_minima_with_that_name() {
+    let part = "critical-spin --inertia-com=0.02,0.05,0.06,0,0,0 --com 0,0,-0.12 --mass 2.2 --g 9.80665 --json --axis";
+    let slow = |axis: &str| bifdiag(part).and(axis).succeeds().json()["slow"].clone();
+    assert_eq!(slow("0,0.02,1"), slow("z"));
+}
+
+/// Energies that differ by more than their errors are printed with other digits.
+#[test]
+fn energies_that_differ_are_told_apart() {
+    let text = bifdiag("critical --A 3,5,7 --r 1,2,2 --l 1e6").succeeds();
+    text.printing("7.1428571427e10").printing("7.1428571431e10").printing("9.9999999998e10").printing("1e11 ");
+}

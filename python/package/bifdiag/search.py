@@ -98,7 +98,7 @@ def find(
     signature : str, optional
         The sections of a region, such as ``"S2+T2"``, in any order.
     critical_points : int, optional
-        At least this number of relative equilibria at one l.
+        At least this number of isolated relative equilibria at one l.
     physical : bool
         Only physical bodies: A_i + A_j > A_k, or equality and r_k = 0 (see `Body.physical`).
     samples : int

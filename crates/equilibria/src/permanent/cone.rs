@@ -101,7 +101,7 @@ fn cone_of(difference: [f64; 3], r: [f64; 3]) -> Matrix3<f64> {
     cone
 }
 
-/// The other axes of Staude's cone that are as near to a direction as `nearest`. On a quadratic cone only a direction
+/// The other axes of Staude's cone that are as near to a direction as `nearest`, about which rotation is steady at some spin. On a quadratic cone only a direction
 /// in a plane of symmetry has several nearest lines: a line and its reflection in that plane. With two equal moments the
 /// cone is a pair of planes, of which only that of r and the third axis counts, and one axis of it is nearest.
 #[must_use]
@@ -130,7 +130,17 @@ pub fn equally_near(body: &Body, up: [f64; 3], nearest: [f64; 3]) -> Vec<[f64; 3
             }
         }
     }
-    found.split_off(1)
+    let mut others = found.split_off(1);
+    others.retain(|axis| is_steady_at_some_spin(body, *axis));
+    others
+}
+
+/// Of an axis of Staude's cone, within rounding.
+fn is_steady_at_some_spin(body: &Body, axis: [f64; 3]) -> bool {
+    match squared_spin(differences(body), body.center_f64(), axis, 1e-9) {
+        Some(squared) => squared != 0.0,
+        None => permanent_axis(body, axis).is_some_and(|found| norm(cross(found.direction, axis)) <= 1e-9),
+    }
 }
 
 /// Whether Staude's cone is circular about an axis (given in the axes in which the body was, of any length), so that all of its
