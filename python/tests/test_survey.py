@@ -190,7 +190,7 @@ def test_a_table_of_the_command_line_names_what_is_wrong(command, tmp_path):
     table = tmp_path / "bodies.csv"
     for text, message in [
         ("A1,A2,A3,r1,r2\n1,1,1,1,0\n", "no column r3"),
-        ("A1,A2,A3,r1,r2,r3\n1,1,x,1,0,0\n", "line 2: A3"),
+        ("A1,A2,A3,r1,r2,r3\n1,1,x,1,0,0\n", "body 0, numbered from 0: A3"),
         ("A1,A2,A3,r1,r2,r3\n", "no body"),
     ]:
         table.write_text(text)
