@@ -87,7 +87,7 @@ mod tests {
         assert_eq!(spins, ["0 rpm", "1000 rpm", "2000 rpm", "3000 rpm"]);
         assert!(matches!(Spins::parse("1:2:3Hz"), Ok(Spins::Range { count: 3, .. })));
         let wrong = |text| Spins::parse(text).unwrap_err().to_string();
-        assert!(wrong("0:3000:301").contains("has no unit"));
+        assert!(wrong("0:3000:301").contains("has none of the units"));
         assert!(wrong("0:3000 rpm").starts_with("a range of spins is written"));
         assert!(wrong("9:3:4 rpm").contains("write the smaller spin first"));
         assert!(wrong("1:3:1 rpm").starts_with("n = `1` is not a whole number"));
