@@ -144,8 +144,10 @@ fn attribute(field: &Field) -> &str {
 
 /// What a field means; of constants each, where they are named for the first time.
 fn meaning<'a>(model: &Model, field: &'a Field, listed: &mut Vec<&'a str>) -> String {
-    let about = if is_range(&field.kind) || field.name == INFINITE_END {
-        without(&field.about.replace("`null`", "null").replace("null", "``inf`` (the lower one ``-inf``)"))
+    let about = if is_range(&field.kind) {
+        without(&field.about).replace("null", "``inf`` (the lower one ``-inf``)")
+    } else if field.name == INFINITE_END {
+        field.about.replace("null", "``inf``")
     } else {
         code(&field.about)
     };

@@ -75,9 +75,10 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
             show_curve(&mut report, &atlas, &document, curve);
         }
         // S2 is the name of a branch and of a surface.
-        if is_surface(&id) && !regions_with(&document, &id).is_empty() {
+        let found = if is_surface(&id) { regions_with(&document, &id) } else { Vec::new() };
+        if !found.is_empty() {
             report.line("");
-            show_surface(&mut report, &subject, &document, &id);
+            show_surface(&mut report, &subject, &document, (&id, &found));
         }
     } else if id == "L=0" && subject.body.is_euler() {
         // Without weight every curve begins at h = l = 0.
@@ -85,7 +86,7 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
         report.line("l=0: at rest every orientation is an equilibrium, and h = 0");
         report.line(format!("at h = l = 0 the forbidden region and {} meet", regions.join(", ")));
     } else if is_surface(&id) {
-        show_surface(&mut report, &subject, &document, &id);
+        show_surface(&mut report, &subject, &document, (&id, &regions_with(&document, &id)));
     } else {
         return Err(unknown(&arguments.id, &document));
     }
@@ -154,9 +155,13 @@ fn regions_with<'a>(document: &'a AtlasDocument, name: &str) -> Vec<&'a RegionDo
     document.regions.iter().filter(has).collect()
 }
 
-/// These regions in words.
-fn show_surface(report: &mut Report, subject: &Subject, document: &AtlasDocument, name: &str) {
-    let found = regions_with(document, name);
+/// The regions that were found under a name in words.
+fn show_surface(
+    report: &mut Report,
+    subject: &Subject,
+    document: &AtlasDocument,
+    (name, found): (&str, &[&RegionDocument]),
+) {
     let name = printed_name(name);
     report.line(match found.len() {
         0 => format!("no region of this body has {name}"),
@@ -167,7 +172,7 @@ fn show_surface(report: &mut Report, subject: &Subject, document: &AtlasDocument
         }
     });
     let strays = strays(subject, document);
-    for region in &found {
+    for region in found {
         report.line("");
         let what = if region.signature.is_some() { "sections" } else { "U =" };
         report.line(format!("region {}, {what} {}", region.id, region.shown()));

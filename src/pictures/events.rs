@@ -9,7 +9,7 @@ use bifdiag_survey::events::{EventTrack, EventTracks, Stretch};
 use bifdiag_survey::subdivision::Subdivision;
 
 use super::existence::Existence;
-use super::map::{Counted, areas, counted_by, entries, share};
+use super::map::{Counted, areas, counted_by, entries, is_rounded, share};
 use super::shown::{Seen, Shown, Shows};
 
 /// Digits of the value of a parameter at a border.
@@ -92,9 +92,7 @@ impl EventScene<'_> {
     fn bodies(&self) -> String {
         let body = self.segment.body(0.0);
         let triple = |name: &str, first: usize, values: [f64; 3]| {
-            let is_rounded = |(place, value): (usize, f64)| {
-                place != self.parameter.place() && significant(value, DIGITS).parse() != Ok(value)
-            };
+            let is_rounded = |(place, value): (usize, f64)| place != self.parameter.place() && is_rounded(value);
             let number = |(place, value): (usize, f64)| {
                 if place == self.parameter.place() {
                     self.parameter.name().to_owned()

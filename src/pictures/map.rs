@@ -133,12 +133,17 @@ fn area(corners: &[[f64; 2]]) -> f64 {
 fn fixed(bodies: &[Seen], axes: [BodyParameter; 2]) -> String {
     let shown = BodyParameter::ALL.into_iter().filter(|parameter| !axes.contains(parameter)).filter_map(|parameter| {
         shared(bodies, parameter).map(|value| {
-            let text = significant(value, 6);
-            format!("{} {} {text}", parameter.name(), if text.parse() == Ok(value) { "=" } else { "≈" })
+            let sign = if is_rounded(value) { "≈" } else { "=" };
+            format!("{} {sign} {}", parameter.name(), significant(value, 6))
         })
     });
     let shown: Vec<String> = shown.collect();
     if shown.is_empty() { String::new() } else { format!("; {}", shown.join(", ")) }
+}
+
+/// True where six digits are not all of a number.
+pub fn is_rounded(value: f64) -> bool {
+    significant(value, 6).parse() != Ok(value)
 }
 
 /// A part of the area or of the bodies; what lies on lines or at points alone has no area.

@@ -594,7 +594,7 @@ class StabilitySpan:
     l_from : float
         Where it begins.
     l_to : float
-        Where it ends; ``inf`` (the lower one ``-inf``) at infinity.
+        Where it ends; ``inf`` at infinity.
     stability : str
         The linear type there. ``"elliptic"``: Two imaginary pairs; across a circle of equilibria one pair.
         ``"saddle-centre"``: One real and one imaginary pair. ``"saddle"``: Two real pairs; across a circle of equilibria

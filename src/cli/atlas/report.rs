@@ -6,6 +6,7 @@ use bifdiag_diagram::atlas::Atlas;
 use bifdiag_documents::Subject;
 use bifdiag_documents::words::{counted, most_equilibria};
 use bifdiag_exact::{Accuracy, Solver};
+use bifdiag_numbers::vector::norm;
 use bifdiag_schema::{
     AtlasDocument, ComponentDocument, EventDocument, EventKind, RegionDocument, SampleDocument, StabilityChangeDocument,
 };
@@ -110,8 +111,7 @@ pub fn text(subject: &Subject, atlas: &Atlas, document: &AtlasDocument, written:
 
 /// A bound on the error of the width of a region in h.
 pub fn width_error(subject: &Subject, width: f64) -> f64 {
-    let [x, y, z] = subject.body.center_f64();
-    1e-6 * width + 4e-9 * (x * x + y * y + z * z).sqrt()
+    1e-6 * width + 4e-9 * norm(subject.body.center_f64())
 }
 
 /// The table of regions, with as many digits as fit.

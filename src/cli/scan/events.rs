@@ -106,14 +106,15 @@ fn add(report: &mut Report, document: &EventTracksDocument) {
         report.line(format!("{left_out} as special, on a border, undecided or alone in its class; neighbouring bodies are examined instead"));
     }
     report.line("");
+    let values = border_values(document);
     if document.events.is_empty() {
         report.line("no events");
     } else {
-        add_events(report, document);
+        add_events(report, document, &values);
     }
     report
         .line("borders are sought between neighbouring bodies of different classes; two within one step may be missed");
-    for (border, value) in document.borders.iter().zip(border_values(document)) {
+    for (border, value) in document.borders.iter().zip(&values) {
         let Some(at) = border.at.first() else { continue };
         let error = if border.reached { String::new() } else { format!(" ± {}", bound(at.error, 1)) };
         report.line(format!("{parameter} = {value}{error}: {}", border.event.text));
@@ -129,9 +130,9 @@ fn border_values(document: &EventTracksDocument) -> Vec<String> {
     values
 }
 
-/// The table of events.
-fn add_events(report: &mut Report, document: &EventTracksDocument) {
-    let (parameter, values) = (document.vary.parameter, border_values(document));
+/// The table of events, with the values of the parameter at the borders.
+fn add_events(report: &mut Report, document: &EventTracksDocument, values: &[String]) {
+    let parameter = document.vary.parameter;
     let border = |number: u32| values.get(number as usize);
     let mut table = Table::new(&["event", "from", "to", "l"]);
     for event in &document.events {
