@@ -224,11 +224,8 @@ def _name(row: np.void) -> str:
 
 def _apart(*spins: float) -> list[str]:
     """Spins with six digits, or with as many more as needed to tell them apart."""
-    for digits in range(6, 18):
-        told = [f"{spin:.{digits}g}" for spin in spins]
-        if len({*told}) == len({*spins}):
-            break
-    return told
+    texts = ([f"{spin:.{digits}g}" for spin in spins] for digits in range(6, 18))
+    return next(told for told in texts if len({*told}) == len({*spins}))
 
 
 def _word(stable: bool | None) -> str:
