@@ -77,7 +77,7 @@ pub struct Ticks {
     pub values: Vec<f64>,
     /// What is printed there.
     pub labels: Vec<String>,
-    /// The quantity that the labels give, such as `h` or `(h − 3.147)·10⁵`.
+    /// The quantity that the labels give, such as `h`, `(h − 3.147)·10⁵` or `spin·10⁻⁵ in rpm`.
     pub quantity: String,
 }
 
@@ -92,9 +92,11 @@ fn decimal_value(count: i64, e: i32) -> f64 {
     format!("{count}e{e}").parse().unwrap_or(0.0)
 }
 
-/// The ticks of `symbol` on [from, to]: as many as possible up to `count`, 1, 2 or 5 times a power of ten apart.
-pub fn ticks(symbol: &str, from: f64, to: f64, count: usize) -> Ticks {
-    let none = Ticks { values: Vec::new(), labels: Vec::new(), quantity: symbol.to_owned() };
+/// The ticks of a quantity, whose name may end with ` in ` and its unit, on [from, to]: as many as possible up to `count`, 1, 2
+/// or 5 times a power of ten apart.
+pub fn ticks(name: &str, from: f64, to: f64, count: usize) -> Ticks {
+    let (symbol, unit) = name.split_at(name.find(" in ").unwrap_or(name.len()));
+    let none = Ticks { values: Vec::new(), labels: Vec::new(), quantity: name.to_owned() };
     let least = (to - from) / count.max(1) as f64;
     if !(least > 0.0 && least.is_finite()) {
         return none;
@@ -116,11 +118,11 @@ pub fn ticks(symbol: &str, from: f64, to: f64, count: usize) -> Ticks {
     let longest = |labels: &[String]| labels.iter().map(|label| label.chars().count()).max().unwrap_or(0);
     let plain: Vec<String> = counts.iter().map(|&k| number(decimal_value(k, e))).collect();
     if longest(&plain) <= LABEL_MAX {
-        return Ticks { values, labels: plain, quantity: symbol.to_owned() };
+        return Ticks { values, labels: plain, quantity: name.to_owned() };
     }
     let scaled: Vec<String> = counts.iter().map(number).collect();
     if longest(&scaled) <= LABEL_MAX - 2 {
-        return Ticks { values, labels: scaled, quantity: format!("{symbol}·10{}", superscript(-e)) };
+        return Ticks { values, labels: scaled, quantity: format!("{symbol}·10{}{unit}", superscript(-e)) };
     }
     // Labels count from a round number below the window.
     let spread = counts.last().unwrap_or(&0) - counts.first().unwrap_or(&0);
@@ -133,8 +135,8 @@ pub fn ticks(symbol: &str, from: f64, to: f64, count: usize) -> Ticks {
     let offset = number(decimal_value(base.abs(), e));
     let sign = if base < 0 { '+' } else { '−' };
     let quantity = match -e {
-        0 => format!("{symbol} {sign} {offset}"),
-        power => format!("({symbol} {sign} {offset})·10{}", superscript(power)),
+        0 => format!("{symbol} {sign} {offset}{unit}"),
+        power => format!("({symbol} {sign} {offset})·10{}{unit}", superscript(power)),
     };
     Ticks { values, labels, quantity }
 }

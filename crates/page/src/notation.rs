@@ -70,10 +70,27 @@ pub fn value_text(name: &str, text: &str, digits: usize) -> String {
 
 /// True where that many digits are all that a number has.
 fn is_exact(text: &str, digits: usize) -> bool {
-    let is_plain = text.contains('.') && !text.contains(['e', 'E', '/']);
-    let least = if is_plain { text.trim_end_matches('0').trim_end_matches('.') } else { text };
-    let shown = shortened(text, digits);
-    shown == number(text) || shown == number(least)
+    let written = || match text.trim_start_matches('-').split_once('/') {
+        Some((p, q)) => decimal_digits(p.parse().ok()?, q.parse().ok()?),
+        None => {
+            let mantissa = text.split(['e', 'E']).next().unwrap_or(text);
+            Some(mantissa.replace(['-', '+', '.'], ""))
+        }
+    };
+    let has_no_more = |written: String| written.trim_matches('0').len() <= digits;
+    shortened(text, digits) == number(text) || written().is_some_and(has_no_more)
+}
+
+/// The decimal digits of p/q; none where it has infinitely many, or too many for these integers.
+fn decimal_digits(p: u128, q: u128) -> Option<String> {
+    let mut scaled = Some(p);
+    while let Some(p) = scaled.filter(|_| q > 0) {
+        if p % q == 0 {
+            return Some((p / q).to_string());
+        }
+        scaled = p.checked_mul(10);
+    }
+    None
 }
 
 /// The text of a number if it is short, else rounded to this many significant digits.

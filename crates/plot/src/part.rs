@@ -3,8 +3,8 @@
 use bifdiag_schema::PartDocument;
 
 use bifdiag_page::{
-    Anchor, Canvas, FAINT_INK, INK, Ink, Legend, POLE, Picture, PlotError, Point, Rect, Symbol, Taken, Theme, number,
-    render, rgb, round_point, short, short_number, text_width,
+    Anchor, Canvas, FAINT_INK, INK, Ink, Legend, POLE, Picture, PlotError, Point, Rect, Symbol, Taken, Theme, render,
+    rgb, round_point, short_number, text_width,
 };
 
 const VIEW: f64 = 250.0;
@@ -169,7 +169,7 @@ fn draw_view(
     canvas.ring(at(0.0, 0.0), 4.6, FIXED);
     canvas.text(names[0], [corner[0] + VIEW, corner[1] + VIEW + 16.0], TEXT, INK, Anchor::End);
     canvas.text(names[1], [corner[0] - 6.0, corner[1] + 10.0], TEXT, INK, Anchor::End);
-    let width = number(short(2.0 * half));
+    let width = short_number(2.0 * half, 3);
     canvas.text(&format!("width {width} {unit}"), [corner[0], corner[1] + VIEW + 16.0], TEXT, FAINT_INK, Anchor::Start);
 }
 
@@ -198,7 +198,7 @@ fn legend(canvas: &Canvas, part: &PartDocument, ellipsoid: &Ellipsoid) {
     let (mass, length) = (units.next().unwrap_or_default(), units.next().unwrap_or_default());
     for k in 0..3 {
         let moment = short_number(part.principal_com.moments[k], 6);
-        let semi = number(short(ellipsoid.semi[k]));
+        let semi = short_number(ellipsoid.semi[k], 3);
         let text = format!(
             "axis {}: moment about the centre of mass {moment} {mass} {length}², semi-axis {semi} {length}",
             k + 1

@@ -61,7 +61,7 @@ pub struct RangeDocument {
     pub from: String,
     /// Upper end.
     pub to: String,
-    /// Number of values of a grid, both ends included; without it, the range is sampled.
+    /// Number of values in equal steps, both ends included; without it, the range is sampled, or halved by `scan border`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub steps: Option<u32>,
 }

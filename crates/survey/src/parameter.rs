@@ -43,7 +43,7 @@ pub struct ParameterRange {
     pub from: Number,
     /// Upper end.
     pub to: Number,
-    /// Number of values of a grid, both ends included; without it, the range is sampled.
+    /// Number of values in equal steps, both ends included; without it, the range is sampled, or halved by `scan border`.
     pub steps: Option<u32>,
 }
 

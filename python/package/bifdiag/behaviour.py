@@ -27,9 +27,12 @@ class Classification:
         )
 
     def _repr_html_(self: Any) -> str:
-        rows = [("status", self.status), ("region", self.region or "–"), ("sections", sections(self.components))]
-        rows.append(("distance to the nearest curve", f"{self.margin.h:.6g} to {self.margin.nearest}"))
-        return table([("(h, l)", f"({self.h}, {self.l})"), *rows])
+        rows = [("(h, l)", f"({self.h}, {self.l})"), ("status", self.status)]
+        if self.components is None:
+            rows.append(("candidates", ", ".join(found.region or found.status for found in self.candidates)))
+        else:
+            rows += [("region", self.region or "–"), _sections_row(self.components, "nothing")]
+        return table([*rows, ("distance to the nearest curve", f"{self.margin.h:.6g} to {self.margin.nearest}")])
 
 
 class Sample:
@@ -92,7 +95,7 @@ class Region(Drawn):
 
     def _repr_html_(self: Any) -> str:
         at = f"({self.sample.h:.6g}, {self.sample.l:.6g})"
-        return table([("region", self.id), ("sections", sections(self.components)), ("sample (h, l), rounded", at)])
+        return table([("region", self.id), _sections_row(self.components), ("sample (h, l), rounded", at)])
 
 
 class Curve(Drawn):
@@ -122,11 +125,15 @@ def public(record: Any) -> list[str]:
     return [field.name for field in fields(record) if field.name[0] != "_"]
 
 
-def sections(components: Any) -> str:
-    """The sections of components in words; where there are none, the parts of U."""
-    if components is None:
-        return "not decided"
-    return " + ".join(component.section or component.accessible_region for component in components) or "nothing"
+def sections(components: Any, empty: str = "not decided") -> str:
+    """The sections of components in words, or without sections the parts of U; ``empty`` if there are no components."""
+    return " + ".join(component.section or component.accessible_region for component in components) or empty
+
+
+def _sections_row(components: Any, empty: str = "not decided") -> tuple[str, str]:
+    """The same with its heading: without weight there is no section."""
+    of_accessible_region = any(component.section is None for component in components)
+    return "U" if of_accessible_region else "sections", sections(components, empty)
 
 
 def infinite(value: float | None) -> float:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, SupportsIndex, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from .behaviour import sections
+from .behaviour import counted, sections
 from .errors import InputError
 from .optional import needed
 from .tables import arrow_of, frame_of, marked
@@ -162,7 +162,7 @@ class Regions(Collection[Item]):
     }
 
     def __repr__(self) -> str:
-        return "\n".join([f"{len(self)} regions", *map(_line, self)])
+        return "\n".join([counted(len(self), "region"), *map(_line, self)])
 
 
 def _neighbours(region: Any) -> list[str]:
@@ -191,7 +191,7 @@ class Events(Collection[Item]):
         def line(name: str, event: Any) -> str:
             return f"  {name}: {event.kind} at (h, l) = ({event.h:.6g}, {event.l:.6g}), curves {', '.join(event.curves)}"
 
-        return "\n".join([f"{len(self)} events", *map(line, self.ids, self)])
+        return "\n".join([counted(len(self), "event"), *map(line, self.ids, self)])
 
 
 class Curves(Collection[Item]):
@@ -222,7 +222,7 @@ class Curves(Collection[Item]):
             stability = ", ".join(_runs(part.stability for part in curve.stability))
             return f"  {curve.id}: {curve.kind}, l from {low:.6g} to {high:.6g}" + (stability and f", {stability}")
 
-        return "\n".join([f"{len(self)} curves", *map(line, self)])
+        return "\n".join([counted(len(self), "curve"), *map(line, self)])
 
 
 class Changes(Collection[Item]):
@@ -240,7 +240,7 @@ class Changes(Collection[Item]):
         def line(change: Any) -> str:
             return f"  {change.kind} at (h, l) = ({change.h:.6g}, {change.l:.6g}), curve {change.curve}"
 
-        return "\n".join([f"{len(self)} changes", *map(line, self)])
+        return "\n".join([counted(len(self), "change"), *map(line, self)])
 
 
 def _texts(lists: list[Any]) -> npt.NDArray[np.object_]:

@@ -35,7 +35,7 @@ class Witness:
     margin : Margin or None
         The distance to the nearest curve.
     tried : int
-        Number of bodies tried; 0 if the answer was known.
+        Number of bodies tried; 0 also if the answer was known.
     document : dict
         Everything that the command line prints with ``--json``.
     """

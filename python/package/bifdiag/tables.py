@@ -121,7 +121,7 @@ class Table:
 
     def _head(self, *beside: str) -> str:
         """What it is, how many rows it has and what can be asked of it: the first line of a repr."""
-        return f"{type(self).__name__}: {len(self)} rows [{', '.join((*self.columns, *beside, 'meta'))}]"
+        return f"{type(self).__name__}: {counted(len(self), 'row')} [{', '.join((*self.columns, *beside, 'meta'))}]"
 
     def flat(self) -> dict[str, npt.NDArray[Any]]:
         """The columns, with vectors and complex numbers split: ``gamma_1``, ``gamma_2``, ``gamma_3``."""

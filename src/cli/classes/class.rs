@@ -81,11 +81,11 @@ fn find(name: &str) -> Result<ClassDocument, Failure> {
                 "NAME {name}: {count} classes begin with it, {first} and {others}; give more digits"
             )))
         }
-        (None, _) if name.is_empty() => Err(Failure::input("NAME is empty; `bifdiag classes` lists the names")),
+        (None, _) if name.is_empty() => Err(Failure::input("NAME is empty; `bifdiag classes --json` lists the names")),
         (None, _) => Err(Failure::input(format!(
             "NAME {name}: no built-in class begins with it{}; a name is computed from the structure of a diagram and \
             cannot be turned back into a body: `bifdiag classes --at --body …` (or --A … --r …) gives the class of a \
-            body and the neighbouring classes, and `bifdiag classes` lists those that are known",
+            body and the neighbouring classes, and `bifdiag classes --json` lists those that are known",
             nearest(&digits, &all)
         ))),
     }
@@ -164,7 +164,7 @@ fn report(class: &ClassDocument, document: &AtlasDocument, written: &[PathBuf]) 
     }
     report.line("");
     if class.distance == 0.0 {
-        report.line("the neighbouring classes, and their distances from this body:");
+        report.line("what is known of the borders around this body:");
         report.line(format!("  bifdiag classes --at --A {moments} --r {center}"));
     } else if class.neighbours.is_empty() {
         report.line("no neighbouring class is known");

@@ -151,7 +151,9 @@ fn at_spin(
     let found = found.map_err(|error| match error {
         CriticalError::Spin { smallest, largest, spin: asked } => {
             let size = if asked < smallest { "slow" } else { "fast" };
-            let [smallest, largest] = [smallest, largest].map(|omega| significant(omega * subject.second(), 6));
+            // No number beyond these can be given.
+            let can_be_given = |omega: f64| significant((omega * subject.second()).clamp(1e-150, 1e150), 6);
+            let [smallest, largest] = [smallest, largest].map(can_be_given);
             Failure::input(format!(
                 "--spin {spin} is too {size} for this body in f64; use a spin from {smallest} to {largest} rad/s, or 0"
             ))

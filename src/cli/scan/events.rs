@@ -6,7 +6,7 @@ use bifdiag_plot::{Figure, draw_map};
 use bifdiag_schema::EventTracksDocument;
 use bifdiag_survey::border::{BodySegment, BorderOptions};
 use bifdiag_survey::events::follow;
-use bifdiag_survey::with_values;
+use bifdiag_survey::{ParameterRange, with_values};
 
 use super::arguments::EventsArguments;
 use crate::cli::export::{Columns, DataFormat, DataTarget, FileSet, Values, answer, directory};
@@ -39,7 +39,8 @@ pub fn run(arguments: &EventsArguments, timings: &Timings) -> Result<(), Failure
     let tracks = timings.stage("events", || follow(&segment, bodies as usize, &BorderOptions::default()));
     let text = format!("{}={}:{}:{bodies}", vary.parameter, vary.from.text(), vary.to.text());
     let command = subject.command("scan events").option("vary", text);
-    let document = bifdiag_documents::event_tracks(&tracks, &segment, vary, command);
+    let walked = ParameterRange { steps: Some(bodies), ..vary.clone() };
+    let document = bifdiag_documents::event_tracks(&tracks, &segment, &walked, command);
     let directory = directory(arguments.out.as_deref(), !(arguments.json || to_stdout))?.filter(|_| !arguments.no_plot);
     let mut files = FileSet::new(directory.as_deref().unwrap_or_else(|| std::path::Path::new(".")));
     if let Some(DataTarget::File { path, format }) = &arguments.data {

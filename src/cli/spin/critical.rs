@@ -23,7 +23,8 @@ Examples:
   bifdiag critical-spin --A 2,1.1,1 --r 0,0,1 --axis 0,0,1 --json
   bifdiag critical-spin --body paper
 
-Without --axis: every steady axis, the spins at which it appears and changes its stability, and how many there are.";
+Without --axis: every steady axis, the spins at which it appears and changes its stability, and how many there are; with ± or \
+--tolerance only the axis that is permanent at every spin, if there is one alone.";
 
 /// `bifdiag critical-spin`.
 #[derive(Debug, Args)]
@@ -31,7 +32,7 @@ pub struct CriticalSpinArguments {
     #[command(flatten)]
     pub body: BodyArguments,
     /// Axis of rotation: x, y, z or a direction; a permanent axis within 0.5 degrees of it is used instead (default:
-    /// all steady axes, and every spin at which one appears or changes)
+    /// all steady axes, and every spin at which one appears or changes; with ± or --tolerance the one permanent axis)
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "Rotation")]
     pub axis: Option<AxisArgument>,
     /// Uncertainty of moments and weight: 1%, or axis=0.5%,across=1%,weight=2% (moments for the first two); gives

@@ -246,7 +246,9 @@ fn other_text(
         AxisKind::AtOneSpin(_) => {
             let given = bifdiag_documents::nearest_axis(subject, &kind);
             if let Some((spin, up)) = given.and_then(|given| given.spin.zip(given.up)) {
-                let [_, rpm] = told_apart([document.spin.rpm, spin.rpm], 8);
+                let asked = document.spin.rpm;
+                let is_asked = (spin.rpm - asked).abs() <= 4.0 * f64::EPSILON * asked;
+                let [_, rpm] = told_apart([asked, if is_asked { asked } else { spin.rpm }], 8);
                 let end = if up == AxisEnd::Minus { "its other end" } else { "this end" };
                 report
                     .line(format!("rotation about the vertical is steady at one spin only: {rpm} rpm, with {end} up"));

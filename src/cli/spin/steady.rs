@@ -59,7 +59,7 @@ pub fn changes(report: &mut Report, steady: &SteadyDocument, spin: SpinDocument,
         return;
     }
     let of_regions = |change: &SpinChangeDocument| change.kind == "region";
-    let change = |name: &str, change: &Option<SpinChangeDocument>| match change {
+    let change = |[next, any]: [&str; 2], change: &Option<SpinChangeDocument>| match change {
         Some(change) => {
             let what = if of_regions(change) {
                 "regions change".to_owned()
@@ -68,16 +68,21 @@ pub fn changes(report: &mut Report, steady: &SteadyDocument, spin: SpinDocument,
             };
             let [_, rpm] = told_apart([spin.rpm, change.spin.rpm], 8);
             let [_, rad_per_s] = told_apart([spin.rad_per_s, change.spin.rad_per_s], 8);
-            format!("next change at {name} spin: {rpm} rpm = {rad_per_s} rad/s, {what}")
+            format!("next change {next}: {rpm} rpm = {rad_per_s} rad/s, {what}")
         }
-        None if atlas => format!("no change at any {name} spin"),
-        None => format!("no change of stability at any {name} spin; the regions are not known"),
+        None if atlas => format!("no change {any}"),
+        None => format!("no change of stability {any}; the regions are not known"),
     };
     match &steady.at {
         Some(at) if of_regions(at) => report.line("the regions change at this spin, or within rounding of it"),
         Some(at) => report.line(format!("this spin is a threshold: {} below, {} above", at.from.word(), at.to.word())),
         None => {}
     }
-    report.line(change("smaller", &steady.below));
-    report.line(change("larger", &steady.above));
+    // The slowest spins may have another type than rest.
+    if spin.rad_per_s == 0.0 {
+        report.line(change(["above the slowest spins"; 2], &steady.above));
+    } else {
+        report.line(change(["at smaller spin", "at any smaller spin above 0"], &steady.below));
+        report.line(change(["at larger spin", "at any larger spin"], &steady.above));
+    }
 }

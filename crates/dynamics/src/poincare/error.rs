@@ -6,6 +6,7 @@ use crate::section::SectionError;
 use bifdiag_diagram::fast::FastError;
 use bifdiag_diagram::topology::merge::MergeError;
 use bifdiag_equilibria::critical::CriticalError;
+use bifdiag_numbers::Number;
 
 /// What a point is too near to in the bifurcation diagram.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -40,7 +41,7 @@ pub enum Near {
 
 /// What is said of a lowest energy that, rounded, is not above h.
 fn rounding(h: &str, lowest: f64) -> &'static str {
-    if h.parse::<f64>().is_ok_and(|h| h < lowest) { "" } else { ", rounded" }
+    if h.parse::<Number>().is_ok_and(|h| h.to_f64() < lowest) { "" } else { ", rounded" }
 }
 
 /// Why there is no section at a point, or why it could not be computed.

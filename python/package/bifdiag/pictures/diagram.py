@@ -46,7 +46,8 @@ def diagram(
     legend: bool | None = None,
     **line: Any,
 ) -> "Axes":
-    """The bifurcation diagram as the command draws it: the same colours, lines, marks, names, insets and legend.
+    """The bifurcation diagram as the command draws it: the same colours, lines, marks, names, insets and legend, but for
+    the dots at the samples.
 
     Each type of component, by U and P, has one tint, the same in every diagram; a region of several components has
     stripes, of two shades where these are alike. A colour is a branch of relative equilibria. Curves are solid where the
