@@ -121,6 +121,11 @@ impl Given {
         }
         // In m/s², whatever the units are.
         let gravity = self.read(gravity, Dimension::ACCELERATION, &Units::default())?;
+        if gravity < RBig::ZERO {
+            return Err(errors::wrong(
+                "g must not be negative: give the magnitude of the acceleration of gravity".to_owned(),
+            ));
+        }
         let subject = Subject::of_part(&Part { properties, gravity, units }).map_err(|error| errors::body(&error))?;
         Ok(Body { subject, is_measured: self.is_measured })
     }

@@ -196,13 +196,14 @@ pub struct CommonArguments {
     #[arg(long, value_name = "N", global = true, allow_hyphen_values = true, value_parser = values::threads)]
     #[arg(hide_short_help = true)]
     pub threads: Option<NonZeroUsize>,
-    /// Report on stderr the time of each stage, and how many questions f64, intervals and algebra decided
+    /// Report on stderr how long it took, stage by stage where there are several, and how many questions f64, intervals and
+    /// algebra decided where there were any
     #[arg(long, global = true, hide_short_help = true)]
     pub timings: bool,
     /// Suppress warnings and progress
     #[arg(short, long, global = true, conflicts_with = "verbose", hide_short_help = true)]
     pub quiet: bool,
-    /// Report on stderr what is being done; repeat for details
+    /// Report on stderr what `atlas` computes; with -vv also which bodies `find` rejected
     #[arg(short, long, global = true, action = ArgAction::Count, hide_short_help = true)]
     pub verbose: u8,
 }

@@ -13,7 +13,7 @@ use super::atlas::{STRAY, inner_sample, strays, width_error};
 use super::explain::explanation;
 use super::failure::{Failure, failed};
 use super::input::{BodyArguments, head, values};
-use super::terminal::{Report, bound, print, significant, told_apart};
+use super::terminal::{Report, all_apart, bound, print, significant, told_apart};
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -312,9 +312,11 @@ fn show_curve(report: &mut Report, atlas: &Atlas, document: &AtlasDocument, curv
 
 /// The points of a curve at which a hypothesis of Arnold's theorem fails: the verdict beside them is not theirs.
 fn isolated(report: &mut Report, document: &AtlasDocument, curve: &CurveDocument) {
-    for change in document.verdict_changes.iter().flatten().filter(|change| change.curve == curve.id) {
+    let changes: Vec<_> = document.verdict_changes.iter().flatten().filter(|change| change.curve == curve.id).collect();
+    let momenta = all_apart(&changes.iter().map(|change| change.l).collect::<Vec<_>>(), DIGITS);
+    for (change, l) in changes.into_iter().zip(momenta) {
         let exception = words::exception(change.kind, change.verdict, change.why);
-        report.line(format!("  at l = {} alone {exception}", significant(change.l, DIGITS)));
+        report.line(format!("  at l = {l} alone {exception}"));
     }
     let by_arnold = curve.stability.iter().any(|span| span.nonlinear.why == Reason::Arnold);
     if by_arnold && document.verdict_changes.is_none() {

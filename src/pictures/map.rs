@@ -294,7 +294,9 @@ pub fn areas(
     let seen = subdivision.seen.iter().filter_map(|(shown, at)| Some((entry(shown)?, *at))).collect();
     let legend = match show {
         Shown::Class => "borders between classes, as scan border finds them",
-        Shown::Regions | Shown::CriticalPoints => "borders at which the number changes",
+        Shown::Regions => "borders at which the number changes",
+        // It may change without the class, whose borders are found.
+        Shown::CriticalPoints => "borders at which the number changes, to within a cell of the grid",
     };
     MapBodies::Areas { pieces, seen, borders: subdivision.borders.clone(), legend: legend.to_owned() }
 }

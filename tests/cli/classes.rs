@@ -88,7 +88,7 @@ fn a_body_beside_a_border_or_on_it_is_reported_so() {
     assert!(0.2 * straight < beside && beside < straight, "{beside} {straight}");
     assert!(nearest("0.75") < 1e-15);
     let reply = bifdiag("classes --at --A 1,1.4,0.75 --r 1,0,0 --lines 6").succeeds();
-    reply.printing("distance at most").printing("\n0               ").printing("axes by rising moments");
+    reply.printing("distance at most").printing("\n1e-13           ").printing("axes by rising moments");
 }
 
 /// Borders that whole bisection found, without the two bodies that take longest.
@@ -148,7 +148,7 @@ fn a_body_on_a_border_has_both_of_its_classes() {
     ] {
         let found = bifdiag(&format!("classes --at {body}")).succeeds();
         found
-            .printing(&format!("\n0                 {beyond}  the cusp of "))
+            .printing(&format!("\n1e-13             {beyond}  the cusp of "))
             .printing("the body is on a border of its class");
     }
 }
@@ -159,7 +159,7 @@ fn a_border_may_be_at_a_body() {
     bifdiag("compare A=2,3,4;r=1,1,1 A=2,3,4;r=1,1,1.001").succeeds().printing("\n0   7b9223626649  J_r passes A2");
     for body in ["--A 2,3,4 --r 1,1,1", "--A 1,2,3 --r 1,1,1", "--A 3,4,5 --r 1,0,1", "--A 3,5,7 --r 2,1,2"] {
         let standing = bifdiag(&format!("classes --at {body}")).succeeds();
-        standing.printing("\n0   ").printing("J_r passes A2").printing("the body is on a border of its class");
+        standing.printing("\n1e-13  ").printing("J_r passes A2").printing("the body is on a border of its class");
     }
     for (z, distance) in
         [("1.00000000001", "1.659e-12"), ("1.000000000001", "1.658e-13"), ("0.99999999999", "1.659e-12")]

@@ -12,7 +12,7 @@ fn coincidences_of_a_part_survive_the_rounding_of_its_principal_form() {
     bifdiag(&format!("critical-spin {cube}"))
         .succeeds()
         .printing("95.492966 (fold)  95.505691      saddle-centre")
-        .printing("2 up to 95.492966 rpm, 6 at faster spins");
+        .printing("2 below 95.492966 rpm, 6 at faster spins");
     let axes = bifdiag(&format!("critical {cube} --spin")).and("10 rad/s").and("--json").succeeds().json();
     let axes = axes["axes"].as_array().unwrap();
     assert_eq!(axes.len(), 3);

@@ -21,7 +21,7 @@ const REFUSED: &[(&str, &[&str])] = &[
     // The moments.
     ("--A", &["a value is required for '--A <A1,A2,A3>'"]),
     ("--A --r 1,0,0", &["--A has no value (--r follows it)", "--A A1,A2,A3"]),
-    ("--A= --r 1,0,0", &["'--A <A1,A2,A3>'", "1 given", "such as 2,1.1,1"]),
+    ("--A= --r 1,0,0", &["'--A <A1,A2,A3>'", "0 given", "such as 2,1.1,1"]),
     ("--A 2,1.1 --r 1,0,0", &["'2,1.1' for '--A <A1,A2,A3>'", "three moments of inertia, 2 given", "such as 2,1.1,1"]),
     ("--A 2,1,1,1 --r 1,0,0", &["'2,1,1,1' for '--A", "4 given"]),
     ("--A 2,0,1 --r 1,0,0", &["'2,0,1' for '--A", "A2 = 0 is not positive", "greater than zero"]),

@@ -63,7 +63,7 @@ fn document(subject: &Subject, found: &Steady) -> SteadyDocument {
         nonlinear,
         friction: friction(&judged.friction, &judged.eigenvalues.pairs),
         frequencies_hz: found.frequencies.map(|frequency| Spin::hertz(frequency * second)),
-        growth_time_s: found.growth.map(|growth| 1.0 / (growth * second)),
+        growth_time_s: found.growth.map(|growth| 1.0 / (growth * second)).filter(|time| time.is_finite()),
         at,
         below,
         above,

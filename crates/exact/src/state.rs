@@ -80,6 +80,7 @@ impl State {
         let h = 0.5 * dot(omega, momentum) + dot(up, r);
         let is_level = symmetric::dot(&body.angular_momentum_as_given(along), &question.exact_up).is_zero();
         let l = if is_level { 0.0 } else { dot(momentum, up) };
+        [h, l].into_iter().filter(|x| !x.is_finite()).try_for_each(|x| Number::from_f64(x).map(drop))?;
         let is_upright = norm(cross(omega, up)) <= UPRIGHT * norm(omega);
         let found = Steady::nearest(solver, question);
         let unknown = solver.atlas().is_none().then_some(UnknownOfState::Regions);

@@ -114,7 +114,7 @@ impl Steady {
     /// Rotation about another axis, which is permanent at this spin.
     fn beyond(solver: &Solver, omega: &RBig, found: SteadyRotation) -> Self {
         let SteadyRotation { gamma, angle, place: [h, l], is_exact, equilibrium, as_near } = found;
-        let multiplicity = equilibrium.multiplicity;
+        let (multiplicity, curve) = (equilibrium.multiplicity, equilibrium.curve);
         let judged = Judged::from(equilibrium);
         let pairs = judged.eigenvalues.pairs;
         Self {
@@ -127,9 +127,17 @@ impl Steady {
             frequencies: by_size(pairs.map(|pair| pair[1])),
             growth: Some(pairs.iter().map(|pair| pair[0]).fold(0.0, f64::max)).filter(|growth| *growth > 0.0),
             changes: [None, None, None],
-            beside: beside(solver, [&h, &l], size(solver.body(), &l, omega), is_exact),
+            beside: along(solver, curve, l.to_f64())
+                .or_else(|| beside(solver, [&h, &l], size(solver.body(), &l, omega), is_exact)),
         }
     }
+}
+
+/// The regions beside a curve at l > 0, from the order of the curves.
+fn along(solver: &Solver, curve: Option<CurveName>, l: f64) -> Option<[Spot; 2]> {
+    let atlas = solver.atlas().filter(|_| l > 0.0)?;
+    let regions = atlas.beside(curve?, l)?;
+    Some(regions.map(|region| region.map_or(Spot::Forbidden, Spot::Region)))
 }
 
 /// 0 where the angle is one of rounding.
@@ -159,8 +167,9 @@ fn changes_beside(changes: &[RotationChange], squared: &RBig) -> [Option<Rotatio
 /// Else that curve is still the nearest one there, so no other lies between, to a rounding; where the point cannot be classified, as
 /// where the body's numbers are roots known to finitely many digits, no curve is its own, and the distance decides again.
 fn beside(solver: &Solver, [h, l]: [&Number; 2], size: f64, is_exact: bool) -> Option<[Spot; 2]> {
-    /// By how much of the step a point may miss its curve.
+    /// By how much of the step a point may miss its curve, and by how much of the size.
     const MISSED: f64 = 1e-3;
+    const ROUNDING: f64 = 1e-14;
     let here = solver.classify(h, l).ok();
     let is_on_curve = here.as_ref().is_some_and(|found| matches!(found.answer, Answer::Critical(_)));
     let curve = here.and_then(|found| found.margin.nearest);
@@ -169,7 +178,7 @@ fn beside(solver: &Solver, [h, l]: [&Number; 2], size: f64, is_exact: bool) -> O
         let h = Number::from_rational(h.value() + step);
         let is_beside = |margin: &Margin| match curve {
             Some(curve) => margin.nearest.as_ref() == Some(curve),
-            None => (margin.h - distance).abs() <= MISSED * distance,
+            None => (margin.h - distance).abs() <= (MISSED * distance).min(ROUNDING * size),
         };
         let found = solver.classify(&h, l).ok().filter(|found| is_beside(&found.margin))?;
         Some(solver.spot(&h, l, &found.answer)).filter(|spot| matches!(spot, Spot::Region(_) | Spot::Forbidden))

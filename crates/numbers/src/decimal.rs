@@ -146,7 +146,16 @@ pub fn all_apart(numbers: &[f64], digits: usize) -> Vec<String> {
         let from_others = numbers.iter().map(|&other| told_apart([x, other], digits)[0].clone());
         from_others.max_by_key(String::len).unwrap_or_else(|| significant(x, digits))
     };
-    numbers.iter().map(written).collect()
+    let mut texts: Vec<String> = numbers.iter().map(written).collect();
+    // Two that differ with few digits may round to one text with more.
+    for digits in digits..=17 {
+        let places = 0..numbers.len();
+        let is_alike = |&x: &usize| places.clone().any(|y| texts[x] == texts[y] && numbers[x] != numbers[y]);
+        for place in places.clone().filter(is_alike).collect::<Vec<_>>() {
+            texts[place] = significant(numbers[place], digits);
+        }
+    }
+    texts
 }
 
 /// A number with the word for one of them or for several.

@@ -6,6 +6,7 @@ use plotters::style::RGBColor;
 
 use super::color::{Theme, rgb};
 use super::legend::Symbol;
+use super::path::Dash;
 use super::perception::lab;
 use super::picture::Picture;
 use super::tikz::tex;
@@ -75,13 +76,17 @@ pub fn color_name(color: RGBColor) -> &'static str {
 
 /// The names of some colours, each once.
 fn names(colors: impl IntoIterator<Item = RGBColor>) -> String {
-    let mut names: Vec<&str> = Vec::new();
-    for name in colors.into_iter().map(color_name) {
-        if !names.contains(&name) {
-            names.push(name);
+    each_once(colors.into_iter().map(|color| color_name(color).to_owned()))
+}
+
+fn each_once(names: impl Iterator<Item = String>) -> String {
+    let mut each: Vec<String> = Vec::new();
+    for name in names {
+        if !each.contains(&name) {
+            each.push(name);
         }
     }
-    names.join(" and ")
+    each.join(" and ")
 }
 
 impl Caption {
@@ -125,17 +130,24 @@ impl Caption {
 
     /// A symbol in words.
     fn words(&self, symbol: &Symbol) -> String {
-        let shown = |color: &RGBColor| self.theme.color(*color);
+        let line = |pattern: &[Dash]| pattern.iter().filter_map(|dash| dash.0).collect::<Vec<_>>();
         match symbol {
             Symbol::None => String::new(),
             // Paler in print, of the same name.
             Symbol::Swatch(colors) if self.theme == Theme::Print => names(colors.iter().copied()),
-            Symbol::Swatch(colors) => names(colors.iter().map(|color| self.theme.ground(*color))),
-            Symbol::Line(pattern, _) => {
-                format!("{} line", names(pattern.iter().filter_map(|dash| dash.0.as_ref()).map(shown)))
-            }
-            Symbol::Dots(colors) => format!("{} dots", names(colors.iter().map(shown))),
+            Symbol::Swatch(colors) => self.called(colors, Theme::ground),
+            Symbol::Line(pattern, _) => format!("{} line", self.called(&line(pattern), Theme::color)),
+            Symbol::Dots(colors) => format!("{} dots", self.called(colors, Theme::color)),
             Symbol::Mark(name, _) => (*name).to_owned(),
+        }
+    }
+
+    /// What colours are called that a theme shows: the names are those of the light one.
+    fn called(&self, colors: &[RGBColor], shown: impl Fn(Theme, RGBColor) -> RGBColor) -> String {
+        let hex = |RGBColor(red, green, blue): RGBColor| format!("#{red:02X}{green:02X}{blue:02X}");
+        match self.theme {
+            Theme::Light => names(colors.iter().copied()),
+            theme => each_once(colors.iter().map(|color| hex(shown(theme, *color)))),
         }
     }
 

@@ -10,6 +10,8 @@ use bifdiag_page::{
 const VIEW: f64 = 250.0;
 const MARGIN: f64 = 34.0;
 const TEXT: f64 = 12.0;
+/// Of the largest moment, less is rounding.
+const ROUNDING: f64 = 1e-12;
 const OUTLINE: Ink = Ink { color: rgb(0x12_50_a8), width: 1.8 };
 const FIXED: Ink = Ink { color: POLE, width: 2.2 };
 const MESH: Ink = Ink { color: rgb(0xc8_c8_c8), width: 0.6 };
@@ -29,8 +31,9 @@ pub struct PartScene {
 }
 
 /// The solid ellipsoid with the mass and the tensor of the part: its semi-axes √(5 (I_j + I_k − I_i) / (2 m)) about the
-/// centre of mass; 0 where the part cannot exist.
+/// centre of mass; 0 where the part cannot exist, and no ellipsoid `fits`.
 struct Ellipsoid {
+    fits: bool,
     center: [f64; 3],
     axes: [[f64; 3]; 3],
     semi: [f64; 3],
@@ -40,11 +43,11 @@ impl Ellipsoid {
     fn of(part: &PartDocument) -> Self {
         let mass = value(&part.mass);
         let moments = part.principal_com.moments;
-        let semi = std::array::from_fn(|i| {
-            let second = moments[(i + 1) % 3] + moments[(i + 2) % 3] - moments[i];
-            (2.5 * second.max(0.0) / mass).sqrt()
-        });
-        Self { center: part.com.each_ref().map(|c| value(c)), axes: part.principal_com.axes, semi }
+        let second: [f64; 3] = std::array::from_fn(|i| moments[(i + 1) % 3] + moments[(i + 2) % 3] - moments[i]);
+        let largest = moments.into_iter().fold(0.0, f64::max);
+        let fits = second.into_iter().all(|second| second >= -ROUNDING * largest);
+        let semi = second.map(|second| (2.5 * second.max(0.0) / mass).sqrt());
+        Self { fits, center: part.com.each_ref().map(|c| value(c)), axes: part.principal_com.axes, semi }
     }
 
     /// The outline of its projection on two coordinates: c + Σ a_k cos(…) of an orthonormal pair in the plane, from the
@@ -187,10 +190,15 @@ fn legend(canvas: &Canvas, part: &PartDocument, ellipsoid: &Ellipsoid) {
     let top = VIEW + 2.0 * MARGIN + 6.0;
     let fixed = |canvas: &Canvas, at| canvas.ring(at, 4.6, FIXED);
     let center = |canvas: &Canvas, at| canvas.disc(at, 3.6, INK);
+    let described = if ellipsoid.fits {
+        "solid ellipsoid with this mass and this tensor"
+    } else {
+        "no ellipsoid has this tensor: drawn without its negative squares of semi-axes"
+    };
     let entries = [
         (Symbol::Mark("ring", Box::new(fixed)), "fixed point"),
         (Symbol::Mark("disc", Box::new(center)), "centre of mass"),
-        (Symbol::solid(OUTLINE), "solid ellipsoid with this mass and this tensor"),
+        (Symbol::solid(OUTLINE), described),
     ];
     let entries = entries.into_iter().map(|(symbol, text)| (symbol, text.to_owned())).collect();
     Legend::new(entries, 3.0 * VIEW + 2.0 * MARGIN).draw(canvas, [MARGIN, top]);

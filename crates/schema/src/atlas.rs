@@ -356,7 +356,8 @@ pub struct ViewDocument {
 /// The drawing of a curve.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct CurveDrawing {
-    /// Points [h, l] by rising l, from end to end; an unbounded curve at least up to l₁, the largest of 1.6 times the l of the
+    /// Points [h, l] by rising l, from end to end (none of a curve that has no l in common with the window, if one was asked
+    /// for, and of a pole line not those where it runs along such a curve); an unbounded curve at least up to l₁, the largest of 1.6 times the l of the
     /// last event and 3√(A |r|) with the largest A (|r| here at least the unit of energy of the certificate). No chord leaves
     /// its curve by more than 1/800 of l₁²/(2A) + 2|r| in h, measured across the chord in units of that height and of l₁.
     pub polyline: Vec<[f64; 2]>,

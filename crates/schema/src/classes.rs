@@ -78,7 +78,7 @@ pub struct ClassBorderDocument {
     /// What happens on it, in axes by rising moments, numbered as in the body on both sides.
     pub event: String,
     /// How far the nearest body on it is that was found: √(|ΔA|² + ∠²), for A with the sum 2 and the angle between the
-    /// two r.
+    /// two r; 0 where it is no farther than 1e-13.
     pub distance: f64,
     /// That body, in the axes of A1 ≤ A2 ≤ A3 with the sum 2, and r of length 1; where moments are equal, the axes of these
     /// are chosen so that r has fewest components, and may be turned from those of the distance.

@@ -85,7 +85,7 @@ pub struct ClassificationDocument {
     pub margin: MarginDocument,
     /// The components of U_hl (none when forbidden); null when critical or undecided.
     pub components: Option<Vec<ComponentDocument>>,
-    /// The sections' names joined by `+`; null when r = 0 or no single class is known.
+    /// The sections' names joined by `+`; null when r = 0, when forbidden, and when no single class is known.
     pub signature: Option<String>,
     /// Each region that meets at a critical or undecided point, once; without an atlas, each class.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

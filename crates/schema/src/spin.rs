@@ -220,7 +220,7 @@ pub struct CriticalSpinDocument {
     pub body: GivenBody,
     /// The axis of the question, a unit vector in the part's frame (without a part: in principal axes).
     pub axis: [f64; 3],
-    /// Rotation about it is permanent at every spin.
+    /// Rotation about it, or about the axis `nearest` within 0.5° of it, is permanent at every spin.
     pub permanent: bool,
     /// The permanent axis used if `permanent` is true and the given axis is not exactly permanent; otherwise the
     /// nearest axis of Staude's cone, with two equal moments outside of their plane; without weight, and with three, the

@@ -35,7 +35,7 @@ pub struct SteadyDocument {
     /// and
     /// for a pair of zeros, the same twice for a complex quadruple.
     pub frequencies_hz: [f64; 2],
-    /// The time in which a deviation grows by a factor of e, in s; `null` when none does.
+    /// The time in which a deviation grows by a factor of e, in s; `null` when none does, and beyond doubles.
     pub growth_time_s: Option<f64>,
     /// The change at exactly this spin (of regions only: within rounding).
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -8,8 +8,8 @@ use super::{AxisEnd, SpinType};
 /// Changes of stability when the moments and the weight, or the numbers of a part, are known to within tolerances.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ToleranceDocument {
-    /// The relative tolerances of the moment about the axis, of the two others and of the weight times its distance; absent
-    /// where each number has its own.
+    /// The relative tolerances of the moment about the axis, of the two others and of the weight times its distance; with
+    /// `moving` the same four times, that of every moment and of every component of r; absent where each number has its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub relative: Option<[String; 4]>,
     /// The numbers of the part that have an uncertainty; empty with `relative`.
@@ -23,7 +23,7 @@ pub struct ToleranceDocument {
     /// `moving`, to that of the nominal part at the same spin; absent where that axis is permanent for all of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tilt_deg: Option<f64>,
-    /// How many parts were tried for `classes`, and with `relative` for `between` and `most`.
+    /// How many parts were tried for `classes`, and with `relative`, but for `moving`, for `between`.
     pub sampled_parts: usize,
     /// The classes of the diagrams of these parts, the most frequent first.
     pub classes: Vec<SampledClassDocument>,
@@ -66,7 +66,8 @@ pub struct SpinRangeDocument {
     pub to: Option<SpinType>,
     /// Bounds in rpm; an infinite end is `null`.
     pub rpm: [Option<f64>; 2],
-    /// Types other than these that some of the sampled parts have inside.
+    /// Types other than these that some of the sampled parts have inside; empty where not sought: with ± on single numbers,
+    /// and with `moving`.
     pub between: Vec<SpinType>,
     /// The single input that moves the change most: with `relative` that of the nominal part (the last of several), when it
     /// alone is at either end of its tolerance, else by bounds; `null` if there is none.

@@ -61,7 +61,7 @@ fn oriented(body: &Body, other: Option<&Body>) -> Oriented {
     let unit = if largest.is_zero() { RBig::ONE } else { largest };
     let [moments, own] = [order.map(|k| &a[k] / &half), order.map(|k| &r[k] / &unit)];
     let center = turned.map_or_else(|| own.clone(), |other| values(other.center()));
-    let is_turned = if turned.is_some() { center != own } else { is_turned };
+    let is_turned = is_turned || center != own;
     // Scaled by positive numbers, moments stay positive.
     let body = Body::new(moments.map(Number::from_rational), center.map(Number::from_rational))
         .unwrap_or_else(|_| body.clone());

@@ -1,6 +1,7 @@
 """Atlases as pictures: their lines in numbers, with matplotlib, as SVG and as the explorer's page."""
 
 import json
+import math
 from contextlib import suppress
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal, cast
@@ -51,7 +52,7 @@ class AtlasDrawing(AtlasDocument):
         Raises
         ------
         InputError
-            If there is no such curve, or the range is invalid.
+            If there is no such curve, the range is invalid, or more than 10⁷ points were needed.
 
         Examples
         --------
@@ -61,12 +62,21 @@ class AtlasDrawing(AtlasDocument):
         >>> len(points) > 100, points[[0, -1], 1].tolist()
         (True, [2.1, 2.2])
         """
-        if curve not in {known.id for known in self.curves}:
-            raise InputError(f"curve = {curve!r}: the curves are {', '.join(known.id for known in self.curves)}")
+        known = {known.id: known for known in self.curves}
+        if curve not in known:
+            raise InputError(f"curve = {curve!r}: the curves are {', '.join(known)}")
         finest = exact.real(tolerance, "tolerance")
         if finest <= 0:
             raise InputError(f"tolerance = {tolerance}: a positive number is needed")
-        points = self._inner.polyline(curve, exact.span(l, "l"), finest)
+        span = exact.span(l, "l")
+        first, last = known[curve].l_range
+        length = min(span[1], last) - max(span[0], first)
+        # Far out h = l²/(2A), which needs this many chords.
+        if length > 1e7 * math.sqrt(8 * finest * max(self.body.moments)):
+            raise InputError(
+                f"l = {l}: more than 10 million points at this tolerance; give a larger one, or a smaller range"
+            )
+        points = self._inner.polyline(curve, span, finest)
         return np.empty((0, 2)) if points is None else points
 
     def outlines(self, h: Span, l: Span) -> tuple[tuple[npt.NDArray[np.float64], ...], ...]:
@@ -135,7 +145,7 @@ class AtlasDrawing(AtlasDocument):
         """
         exact.unmasked(h, "h")
         exact.unmasked(l, "l")
-        first, second = np.broadcast_arrays(np.asarray(h, dtype=np.float64), np.asarray(l, dtype=np.float64))
+        first, second = np.broadcast_arrays(exact.floats(h, "h"), exact.floats(l, "l"))
         flat = [np.ascontiguousarray(array).reshape(-1) for array in (first, second)]
         return self._straightened.positions(*flat).reshape(*first.shape, 2)
 

@@ -1,7 +1,7 @@
 """What records do beside holding their fields: how they are printed, and what was drawn of them."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import fields
 from typing import Any, TypeVar
 
@@ -91,7 +91,7 @@ class Region(Drawn):
     def __repr__(self: Any) -> str:
         names = ", ".join(["polygon", "h_width", *public(self)])
         shown = self.signature or sections(self.components)
-        return f"Region {self.id}: {shown} at (h, l) = ({self.sample.h:.6g}, {self.sample.l:.6g}) [{names}]"
+        return f"Region {self.id}: {shown} near (h, l) = ({self.sample.h:.6g}, {self.sample.l:.6g}) [{names}]"
 
     def _repr_html_(self: Any) -> str:
         at = f"({self.sample.h:.6g}, {self.sample.l:.6g})"
@@ -110,7 +110,8 @@ class Curve(Drawn):
         No chord between them leaves the curve by more than 1/800 of the size of the whole diagram, whose l reaches up to
         l₁, the largest of 1.6 times the l of the last event and 3√(A|r|) with the largest A, and its h up to l₁²/(2A) +
         2|r|, where without weight 1 stands for the length of r. An unbounded curve goes on beyond the last one.
-        `Atlas.polyline` gives finer ones. Of a file without a drawing there are none.
+        `Atlas.polyline` gives finer ones. Of a file without a drawing there are none, and of one with a window none
+        of a curve that has no l in common with it.
         """
         drawn = getattr(self, "_drawn", None)
         return np.array(drawn["polyline"] if drawn else [], dtype=float).reshape(-1, 2)
@@ -150,6 +151,13 @@ def span(ends: list[float | None]) -> tuple[float, float]:
 def maybe(make: Callable[[Any], Made], value: Any) -> Made | None:
     """What a function makes of a value; None of None."""
     return None if value is None else make(value)
+
+
+def all_apart(numbers: Iterable[float]) -> list[str]:
+    """Numbers with six digits, or with as many more as needed to tell apart all that differ."""
+    numbers = list(numbers)
+    texts = ([f"{number:.{digits}g}" for number in numbers] for digits in range(6, 18))
+    return next(told for told in texts if len({*told}) == len({*numbers}))
 
 
 def counted(count: int, one: str, several: str | None = None) -> str:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, SupportsIndex, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from .behaviour import counted, sections
+from .behaviour import all_apart, counted, sections
 from .errors import InputError
 from .optional import needed
 from .tables import arrow_of, frame_of, marked
@@ -53,16 +53,14 @@ class Collection(Generic[Item]):
             ids = self.ids
             if key in ids:
                 return self._item(ids.index(key))
-            told = (
-                f"the ids are {', '.join(ids)}" if ids or not len(self) else "these records have no ids; take them by place"
-            )
-            raise InputError(f"there is no {key!r}; {told}")
+            listed = f"the ids are {', '.join(ids)}" if ids else "these records have no ids; take them by place"
+            raise InputError(f"there is no {key!r}; {listed if len(self) else 'the list is empty'}")
         if isinstance(key, slice):
             return type(self)(self._sources[key], self._make, None if self._ids is None else self._ids[key])
         try:
             return self._item(range(len(self))[key])
         except IndexError:
-            raise IndexError(f"there is no record {key}; there are {len(self)}, from 0 on") from None
+            raise IndexError(f"there is no record {key} of {len(self)}, from 0 on") from None
 
     def _item(self, place: int) -> Item:
         if place not in self._made:
@@ -165,13 +163,18 @@ class Regions(Collection[Item]):
         return "\n".join([counted(len(self), "region"), *map(_line, self)])
 
 
+def _places(points: Iterable[Any]) -> tuple[list[str], list[str]]:
+    """The energies and the momenta of points, as texts that differ where they do."""
+    return all_apart([point.h for point in points]), all_apart([point.l for point in points])
+
+
 def _neighbours(region: Any) -> list[str]:
     return [beside.region or "forbidden" for beside in region.neighbours]
 
 
 def _line(region: Any) -> str:
-    at = f"({region.sample.h:.6g}, {region.sample.l:.6g})"
-    return f"  {region.id}: {region.signature or sections(region.components)} at (h, l) = {at}"
+    near = f"({region.sample.h:.6g}, {region.sample.l:.6g})"
+    return f"  {region.id}: {region.signature or sections(region.components)} near (h, l) = {near}"
 
 
 class Events(Collection[Item]):
@@ -188,10 +191,10 @@ class Events(Collection[Item]):
     LISTS: ClassVar[dict[str, Callable[[Any], Any]]] = {"curves": lambda event: event.curves}
 
     def __repr__(self) -> str:
-        def line(name: str, event: Any) -> str:
-            return f"  {name}: {event.kind} at (h, l) = ({event.h:.6g}, {event.l:.6g}), curves {', '.join(event.curves)}"
+        def line(name: str, event: Any, h: str, l: str) -> str:
+            return f"  {name}: {event.kind} at (h, l) = ({h}, {l}), curves {', '.join(event.curves)}"
 
-        return "\n".join([counted(len(self), "event"), *map(line, self.ids, self)])
+        return "\n".join([counted(len(self), "event"), *map(line, self.ids, self, *_places(self))])
 
 
 class Curves(Collection[Item]):
@@ -218,9 +221,9 @@ class Curves(Collection[Item]):
 
     def __repr__(self) -> str:
         def line(curve: Any) -> str:
-            low, high = curve.l_range
+            low, high = all_apart(curve.l_range)
             stability = ", ".join(_runs(part.stability for part in curve.stability))
-            return f"  {curve.id}: {curve.kind}, l from {low:.6g} to {high:.6g}" + (stability and f", {stability}")
+            return f"  {curve.id}: {curve.kind}, l from {low} to {high}" + (stability and f", {stability}")
 
         return "\n".join([counted(len(self), "curve"), *map(line, self)])
 
@@ -237,10 +240,10 @@ class Changes(Collection[Item]):
     }
 
     def __repr__(self) -> str:
-        def line(change: Any) -> str:
-            return f"  {change.kind} at (h, l) = ({change.h:.6g}, {change.l:.6g}), curve {change.curve}"
+        def line(change: Any, h: str, l: str) -> str:
+            return f"  {change.kind} at (h, l) = ({h}, {l}), curve {change.curve}"
 
-        return "\n".join([counted(len(self), "change"), *map(line, self)])
+        return "\n".join([counted(len(self), "change"), *map(line, self, *_places(self))])
 
 
 def _texts(lists: list[Any]) -> npt.NDArray[np.object_]:

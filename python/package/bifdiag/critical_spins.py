@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import spin_rows
+from .behaviour import all_apart
 from .tables import Table
 
 Document = dict[str, Any]
@@ -22,11 +23,12 @@ class SpinRanges(Table):
     Attributes
     ----------
     up : array (n,) of str
-        Which end of the axis of the question is up: ``"+axis"`` or ``"-axis"``; ``""`` where all axes are meant.
+        Which end of the axis of the question is up: ``"+axis"`` or ``"-axis"``, of a circle of axes, which has both, the
+        former; ``""`` where all axes are meant.
     family : array (n,) of int
-        Steady axes that move together: their place in ``meta["families"]``; −1 of a single axis that is permanent.
+        Steady axes that move together: their place in ``meta["families"]``; −1 of the permanent axis that was asked for.
     branch : array (n,) of str
-        Id of the branch of relative equilibria; ``""`` for a single axis that is permanent.
+        Id of the branch of relative equilibria; ``""`` for the permanent axis that was asked for.
     axis_up : array (n, 3)
         The end of the axis that is up, at the slowest of these spins, in the frame of the question.
     rpm_from, rpm_to : array (n,)
@@ -61,7 +63,7 @@ class SpinRanges(Table):
     def __repr__(self) -> str:
         lines = [self._head()]
         for row in self:
-            low, high = _apart(row["rpm_from"], row["rpm_to"])
+            low, high = all_apart([row["rpm_from"], row["rpm_to"]])
             told = f"{low} to {high} rpm: {row['stability']}, {_word(row['stable'])}"
             lines.append(f"  {_name(row)}, {told}")
         return "\n".join(lines)
@@ -81,7 +83,7 @@ class SpinBounds(Table):
     rpm_from, rpm_to : array (n,)
         The range, perhaps to ``inf``.
     between : array (n,) of str
-        Types that some sampled part has inside.
+        Types that some sampled part has inside; ``""`` with ± on single numbers, where they are not sought.
     widest_by : array (n,) of str
         The number that alone moves the spin most, with ± by bounds; ``""`` where none does or that was not found.
     widest_rpm : array (n,)
@@ -109,7 +111,7 @@ class SpinBounds(Table):
 
 
 class CriticalSpins(Table):
-    """The spins at which a steady rotation changes, a row for each; made by `Body.critical_spin`.
+    """The spins at which a steady rotation begins or changes, a row for each; made by `Body.critical_spin`.
 
     Columns are attributes; an array of bools, a slice or a list of numbers selects rows, ``found[found.stable_above].rpm``;
     what is masked is not selected, nor is its ``~``. `to_pandas`, `to_arrow` and `to_xarray` hand them on.
@@ -117,11 +119,12 @@ class CriticalSpins(Table):
     Attributes
     ----------
     up : array (n,) of str
-        Which end of the axis of the question is up: ``"+axis"`` or ``"-axis"``; ``""`` where all axes are meant.
+        Which end of the axis of the question is up: ``"+axis"`` or ``"-axis"``, of a circle of axes, which has both, the
+        former; ``""`` where all axes are meant.
     family : array (n,) of int
-        Steady axes that move together: their place in ``meta["families"]``; −1 of a single axis that is permanent.
+        Steady axes that move together: their place in ``meta["families"]``; −1 of the permanent axis that was asked for.
     branch : array (n,) of str
-        Id of the branch of relative equilibria; ``""`` for a single axis that is permanent.
+        Id of the branch of relative equilibria; ``""`` for the permanent axis that was asked for.
     axis_up : array (n, 3)
         The end of the axis that is up, in the frame of the question; NaN where it moves and ``kind`` is ``"isolated"``. The
         axis of the question is meant as it was given, also where a permanent one within 0.5° of it is followed.
@@ -132,7 +135,8 @@ class CriticalSpins(Table):
     kind : array (n,) of str
         What changes: ``"stability"``, ``"region"`` (of the diagram beside it), ``"stability-and-region"``; ``"start"``
         where the rotation itself begins; ``"isolated"`` where at this spin alone the usual conditions of Arnold's theorem
-        fail.
+        fail. Of an axis that moves with the spin, or was not asked for, only the stability is looked at, not the regions
+        beside it.
     event : array (n,) of str
         What happens: ``"fork"``, ``"crossing"``, ``"cusp"``, ``"fold"`` of curves, ``"hamiltonian-hopf"``,
         ``"real-collision"``, ``"zero"`` of eigenvalues, ``"1:2"``, ``"D4"``, … of an isolated spin; ``""`` where only the
@@ -184,8 +188,8 @@ class CriticalSpins(Table):
     def bounds(self) -> SpinBounds | None:
         """Bounds on the critical spins of every part within the tolerance.
 
-        None without a tolerance, and where no bounds are given: ``meta["note"]`` then says why. Without rows where no spin
-        depends on it.
+        None without a tolerance, with ± on the density of a mesh alone, on which no spin depends, and where no bounds are
+        given: ``meta["note"]`` then says why. Without rows where no spin depends on it.
         """
         told = self.meta.get("tolerance")
         if told is None:
@@ -220,12 +224,6 @@ def _table(rows: list[Document], kind: type[Table]) -> dict[str, npt.NDArray[Any
 
 def _name(row: np.void) -> str:
     return f"{row['branch'] or 'axis'} {row['up']}".strip()
-
-
-def _apart(*spins: float) -> list[str]:
-    """Spins with six digits, or with as many more as needed to tell them apart."""
-    texts = ([f"{spin:.{digits}g}" for spin in spins] for digits in range(6, 18))
-    return next(told for told in texts if len({*told}) == len({*spins}))
 
 
 def _word(stable: bool | None) -> str:

@@ -83,7 +83,8 @@ class Diagrams(Given):
         return Equilibria._compute(self._exactly(), l, threads, invalid)
 
     def critical_spin(self, axis: Axis | None = None, *, tolerance: str | None = None) -> CriticalSpins:
-        """The spins at which the stability or the region of a steady rotation changes, like ``bifdiag critical-spin``.
+        """The spins at which a steady rotation begins or changes its stability, or about a permanent axis its region, like
+        ``bifdiag critical-spin``.
 
         It is the question for parts whose numbers are known to within so much only, as ``"1.2±0.01"``: bounds hold for
         every part within them.

@@ -103,7 +103,7 @@ class Classifications:
 
     @property
     def signature(self) -> npt.NDArray[np.object_]:
-        """The signature of each point; None where it lies in no region."""
+        """The signature of each point; None where it lies in no region, and without weight."""
         return self._told(self.signatures, {})
 
     @property

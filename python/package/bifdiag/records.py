@@ -130,7 +130,7 @@ class Classification(behaviour.Classification):
     components : tuple[Component, ...] or None
         The components of U_hl (none when forbidden); None when critical or undecided.
     signature : str or None
-        The sections' names joined by ``+``; None when r = 0 or no single class is known.
+        The sections' names joined by ``+``; None when r = 0, when forbidden, and when no single class is known.
     candidates : tuple[Candidate, ...]
         Each region that meets at a critical or undecided point, once; without an atlas, each class.
     note : str or None

@@ -98,7 +98,7 @@ def find(
     signature : str, optional
         The sections of a region, such as ``"S2+T2"``, in any order.
     critical_points : int, optional
-        At least this number of isolated relative equilibria at one l.
+        At least this number of isolated relative equilibria at one l, from 3 on.
     physical : bool
         Only physical bodies: A_i + A_j > A_k, or equality and r_k = 0 (see `Body.physical`).
     samples : int
@@ -138,7 +138,7 @@ def find(
         "circles": None if circles is None else exact.whole(circles, "circles", 0, 2**32 - 1),
         "poles": None if poles is None else exact.whole(poles, "poles", 0, 2),
         "signature": signature,
-        "critical_points": None if critical_points is None else exact.whole(critical_points, "critical_points", 0, 99),
+        "critical_points": None if critical_points is None else exact.whole(critical_points, "critical_points", 3, 99),
     }
     found = _core.find(
         wanted,

@@ -70,7 +70,7 @@ class Table:
             # What is masked is not known to be True.
             kept = np.ma.filled(key, False) if isinstance(key, np.ma.MaskedArray) else np.asarray(key)
             if kept.ndim == 0 and not -len(self) <= exact.whole(key, "row", -(2**53)) < len(self):
-                raise IndexError(f"there is no row {key}; there are {len(self)}, from 0 on")
+                raise IndexError(f"there is no row {key} of {len(self)}, from 0 on")
             key = kept.astype(bool if kept.dtype == bool else np.intp) if kept.size == 0 else kept
             if kept.ndim == 0 or not self.SELECTS:
                 return np.asarray(self)[key]

@@ -108,12 +108,17 @@ fn witness(class: &ClassDocument) -> Result<(Atlas, AtlasDocument), Failure> {
     Ok((atlas, document))
 }
 
-/// Its share of bodies in percent, or that it is too small to be known.
+/// Its share of bodies in percent, or that no body of a sample has it.
 pub fn share(class: &ClassDocument) -> String {
     if class.measure == 0.0 {
-        return format!("< {}%", significant(100.0 * class.measure_error, 1));
+        return format!("0/{}", sampled(class));
     }
     format!("{}%", significant(100.0 * class.measure, 3))
+}
+
+/// How many bodies the sample has: the error of a share that it shows to be all or nothing is that of one body.
+fn sampled(class: &ClassDocument) -> String {
+    significant(1.0 / class.measure_error, 6)
 }
 
 /// The same, and how it is known.
@@ -123,9 +128,8 @@ fn share_in_words(class: &ClassDocument) -> String {
         return format!("{share}, because they differ only in scale");
     }
     match class.measure {
-        0.0 => share,
-        // The error of a sample that has nothing else is the share of one body.
-        1.0 => format!("{share} of a sample of {} bodies", significant(1.0 / error, 6)),
+        0.0 => format!("none of a sample of {} bodies", sampled(class)),
+        1.0 => format!("{share} of a sample of {} bodies", sampled(class)),
         _ => format!("{share} (± {}%)", significant(100.0 * error, 1)),
     }
 }

@@ -183,8 +183,8 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
         table.row([distance(border.distance), border.class.clone(), border.event.clone()]);
     }
     report.line(table.text());
-    if document.borders[0].distance < ROUNDING {
-        report.line("the body is on a border of its class, or within rounding of one");
+    if document.borders[0].distance == 0.0 {
+        report.line(format!("the body is on a border of its class, or within {HERE} of one"));
     }
     report.line(
         "axes by rising moments, numbered as in this body beyond a border too; what makes the body special (equal moments, zeros of r) is kept on the way, and classes \
@@ -192,10 +192,9 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
     );
 }
 
-/// A few roundings of A with the sum 2 and of r with the length 1.
-const ROUNDING: f64 = 1e-15;
+/// What is no farther away than this is not told from the body itself.
+const HERE: &str = "1e-13";
 
-/// A distance, 0 within the body's own rounding.
 fn distance(distance: f64) -> String {
-    if distance < ROUNDING { "0".to_owned() } else { bound(distance, 4) }
+    if distance == 0.0 { HERE.to_owned() } else { bound(distance, 4) }
 }

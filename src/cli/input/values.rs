@@ -64,7 +64,7 @@ pub fn to_direction(v: [f64; 3]) -> Result<[f64; 3], Failure> {
 }
 
 fn parts(text: &str) -> Vec<&str> {
-    text.split(',').collect()
+    if text.is_empty() { Vec::new() } else { text.split(',').collect() }
 }
 
 pub fn number(text: &str) -> Result<Number, Failure> {

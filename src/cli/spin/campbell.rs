@@ -31,9 +31,9 @@ Examples:
 pub struct CampbellArguments {
     #[command(flatten)]
     pub body: BodyArguments,
-    /// Axis of rotation, pointing up: x, y, z or a direction; a permanent axis within 0.5° of it is used instead. Where
-    /// there is none, the steady rotation is followed whose axis is nearest to it at fast spins; refused if that axis is
-    /// itself permanent
+    /// Axis of rotation, pointing up: x, y, z or a direction; an axis within 0.5° of it that is permanent at every spin is
+    /// used instead. Where there is none, the steady rotation is followed whose axis is nearest to it at fast spins; refused
+    /// if that axis is itself permanent
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "Rotation")]
     pub axis: AxisArgument,
     /// Largest spin, with its unit: rpm, Hz, rad/s, deg/s
@@ -234,8 +234,8 @@ fn not_permanent(subject: &Subject, given: &AxisArgument, families: &[SteadyFami
                 .collect();
             let are = if axes.len() > 1 { "permanent axes are" } else { "permanent axis is" };
             Failure::input(format!(
-                "--axis: rotation about it is steady at {}, so there are no frequencies to plot against the spin; the \
-                nearest {are} {}, {}° away",
+                "--axis: rotation about it is steady at {}, and the steady axis that is nearest to it at fast spins is permanent \
+                itself; the nearest {are} {}, {}° away",
                 steady_at(subject, given),
                 axes.join(" and "),
                 angle_text(angle)

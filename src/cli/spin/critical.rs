@@ -31,8 +31,9 @@ Without --axis: every steady axis, the spins at which it appears and changes its
 pub struct CriticalSpinArguments {
     #[command(flatten)]
     pub body: BodyArguments,
-    /// Axis of rotation: x, y, z or a direction; a permanent axis within 0.5 degrees of it is used instead (default:
-    /// all steady axes, and every spin at which one appears or changes; with ± or --tolerance the one permanent axis)
+    /// Axis of rotation: x, y, z or a direction; an axis within 0.5 degrees of it that is permanent at every spin is used
+    /// instead (default: all steady axes, and every spin at which one appears or changes its stability; with ± or
+    /// --tolerance the one permanent axis)
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "Rotation")]
     pub axis: Option<AxisArgument>,
     /// Uncertainty of moments and weight: 1%, or axis=0.5%,across=1%,weight=2% (moments for the first two); gives

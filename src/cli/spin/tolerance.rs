@@ -152,7 +152,7 @@ fn ranges(report: &mut Report, ranges: &[SpinRangeDocument], slow: Option<&[Spin
     if !ranges.is_empty() {
         report.line(table(ranges, inside));
         if !inside && ranges.iter().any(|range| range.from.is_some() && range.from == range.to) {
-            report.line("where `below` and `above` agree, nothing was shown of the rotations inside the range");
+            report.line("where `below` and `above` agree, the types inside the range were not found");
         }
         report.line("the ranges are those of the type; regions and frequencies may change at other spins");
     }

@@ -418,7 +418,7 @@ export interface View {
 
 /** The drawing of a curve. */
 export interface CurveDrawing {
-  /** Points [h, l] by rising l, from end to end; an unbounded curve at least up to l₁, the largest of 1.6 times the l of the last event and 3√(A |r|) with the largest A (|r| here at least the unit of energy of the certificate). No chord leaves its curve by more than 1/800 of l₁²/(2A) + 2|r| in h, measured across the chord in units of that height and of l₁. */
+  /** Points [h, l] by rising l, from end to end (none of a curve that has no l in common with the window, if one was asked for, and of a pole line not those where it runs along such a curve); an unbounded curve at least up to l₁, the largest of 1.6 times the l of the last event and 3√(A |r|) with the largest A (|r| here at least the unit of energy of the certificate). No chord leaves its curve by more than 1/800 of l₁²/(2A) + 2|r| in h, measured across the chord in units of that height and of l₁. */
   polyline: [number, number][];
 }
 
@@ -588,7 +588,7 @@ export interface Classification {
   margin: Margin;
   /** The components of U_hl (none when forbidden); null when critical or undecided. */
   components: Component[] | null;
-  /** The sections' names joined by `+`; null when r = 0 or no single class is known. */
+  /** The sections' names joined by `+`; null when r = 0, when forbidden, and when no single class is known. */
   signature: string | null;
   /** Each region that meets at a critical or undecided point, once; without an atlas, each class. */
   candidates?: Candidate[];

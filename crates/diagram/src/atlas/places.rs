@@ -91,6 +91,22 @@ impl Atlas {
         }
     }
 
+    /// The regions just below and just above a curve at l, of which `None` is the forbidden one. No answer where the curve is not
+    /// there, or where `f64` does not decide on which side of an event l lies at which they change.
+    #[must_use]
+    pub fn beside(&self, curve: CurveName, l: f64) -> Option<[Option<RegionId>; 2]> {
+        let set = &self.arrangement.set;
+        let x = abscissa(&set.frame, l).ok()?;
+        let in_slab = |slab| {
+            let strip = &self.arrangement.slabs[slab];
+            let place = strip.order.iter().position(|&other| CurveName::of(set, other) == curve)?;
+            Some([place.checked_sub(1).map(|below| strip.region_above[below]), Some(strip.region_above[place])])
+        };
+        let mut found = each(self.slabs_near(self.slab_at(x), x, true)).map(in_slab);
+        let first = found.next().flatten()?;
+        found.all(|other| other == Some(first)).then_some(first)
+    }
+
     /// The components of U_hl in a region, none in the forbidden one; `None` where they are not known.
     #[must_use]
     pub fn class(&self, place: Option<RegionId>) -> Option<&[Component]> {

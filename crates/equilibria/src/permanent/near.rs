@@ -131,7 +131,8 @@ pub fn settled_types_of_shares(body: &Body, share: &RBig, up: [f64; 3], rotation
 
 /// Bodies within a share of a nominal one; `None` for one that is no body.
 pub fn sampled_shares<'a>(body: &'a Body, share: &'a RBig) -> impl Iterator<Item = Option<Body>> + 'a {
-    (0..MEASURED_SAMPLES).map(move |number| {
+    let samples = if share.is_zero() { 1 } else { MEASURED_SAMPLES };
+    (0..samples).map(move |number| {
         let steps = deviations(number);
         let text = |(value, step): (&Number, &RBig)| (value.value() * (RBig::ONE + share * step)).to_string();
         let list = |numbers: &[Number; 3], steps: &[RBig]| -> [String; 3] {

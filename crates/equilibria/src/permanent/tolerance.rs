@@ -21,7 +21,7 @@ use bifdiag_schema::SpinType;
 pub const INPUTS: [&str; 4] =
     ["moment about the axis", "first other moment", "second other moment", "weight times distance"];
 
-/// Parts that are tried: each input less, nominal and more.
+/// Parts that are tried at most: each input less, nominal and more.
 pub const SAMPLES: usize = 81;
 
 /// Into how many pieces each moment is cut, so that the intervals are narrow.
@@ -53,15 +53,17 @@ pub fn spin_ranges(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> Vec<SpinR
     let whole = AxisBox::new(&ends, -lighter.hull(&heavier));
     let mut found = ranges_over(rotation, &[whole]);
     let nominal = rotation.changes();
-    let parts: Vec<AxisRotation> = (0..SAMPLES).map(|number| varied(rotation, steps(number), tolerances)).collect();
+    let parts: Vec<AxisRotation> = samples(tolerances).map(|steps| varied(rotation, steps, tolerances)).collect();
     let sampled: Vec<Vec<SpinChange>> = parts.iter().map(AxisRotation::changes).collect();
     for range in &mut found {
         let [low, high] = range.omega.map(|omega| omega * omega);
-        // A part that does not change inside has one type there.
-        let unchanged =
-            inside(low, high).into_iter().flat_map(|at| parts.iter().filter_map(move |part| part.type_at_spin(&at)));
         let omega = range.omega;
         let within = |change: &SpinChange| omega[0] <= change.omega && change.omega <= omega[1];
+        // A part that does not change inside has one type there.
+        let unchanged = parts.iter().zip(&sampled).filter(|(_, changes)| !changes.iter().any(within));
+        let unchanged = inside(low, high)
+            .into_iter()
+            .flat_map(|at| unchanged.clone().filter_map(move |(part, _)| part.type_at_spin(&at)).collect::<Vec<_>>());
         let mut between: Vec<SpinType> = sampled
             .iter()
             .flatten()
@@ -104,7 +106,13 @@ fn inside(low: f64, high: f64) -> Option<RBig> {
 
 /// The bodies of the sampled parts; `None` where one is no body.
 pub fn sampled_bodies(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> impl Iterator<Item = Option<Body>> {
-    (0..SAMPLES).map(|number| varied(rotation, steps(number), tolerances).body())
+    samples(tolerances).map(|steps| varied(rotation, steps, tolerances).body())
+}
+
+/// The steps of the sampled parts, each once: those of an exact input are 0.
+fn samples(tolerances: &[RBig; 4]) -> impl Iterator<Item = [i8; 4]> {
+    let is_known = |(step, tolerance): (&i8, &RBig)| *step == 0 || !tolerance.is_zero();
+    (0..SAMPLES).map(steps).filter(move |steps| steps.iter().zip(tolerances).all(is_known))
 }
 
 /// How many of the steps of a sampled part: −1, 0 or 1 tolerance for each input.

@@ -7,7 +7,7 @@ use super::panel::Panel;
 use super::scene::Scene;
 use super::stroke::{Stroke, curve_width};
 use super::trace::trace;
-use bifdiag_page::{Heading, Point, Symbol, body_line, clip_polyline, short_number, short_time, text_width};
+use bifdiag_page::{Heading, Point, Symbol, body_line, short_number, short_time, text_width};
 use bifdiag_schema::{AtlasDocument, CurveDocument, Reason, small_motions};
 
 /// Font size of the notes.
@@ -21,6 +21,8 @@ const INSIDE: f64 = 0.02;
 
 /// How far the points by which the end of what is seen is found may be off, relative to the window's extent in h.
 const FINE: f64 = 1e-7;
+/// A stretch of l that is a smaller share of the window only touches its edge.
+const EDGE: f64 = 1e-9;
 
 /// The body in a line of at most `width` pixels at this font size, its numbers rounded where that is needed, and all that
 /// is known of it for programs.
@@ -81,7 +83,8 @@ pub(super) fn units(atlas: &AtlasDocument) -> [String; 2] {
 /// What is true of a whole line by Arnold's theorem but for single l, which are not drawn.
 pub(super) fn exceptions(atlas: &AtlasDocument) -> Option<&'static str> {
     let mut spans = atlas.curves.iter().flat_map(|curve| &curve.stability);
-    spans.any(|span| span.nonlinear.why == Reason::Arnold).then_some(
+    let are_there = atlas.verdict_changes.as_ref().is_none_or(|changes| !changes.is_empty());
+    (are_there && spans.any(|span| span.nonlinear.why == Reason::Arnold)).then_some(
         "Stable by Arnold's theorem: but for single l at which its usual conditions fail; they are not marked.",
     )
 }
@@ -168,23 +171,23 @@ fn seen(scene: &Scene<'_>, panel: &Panel, stroke: &Stroke) -> Option<[f64; 2]> {
         let (first, last) = (points.first()?, points.last()?);
         return (first[1] < last[1]).then_some([first[1], last[1]]);
     }
-    let shown = |point: &[f64; 2]| panel.position(*point).is_some();
-    let (first, last) = (points.iter().position(shown)?, points.iter().rposition(shown)?);
-    // Between two points of which one is seen, by finer ones.
-    let between = |l: [f64; 2]| {
+    // h rises with l along every curve. Between two points it is found by finer ones.
+    let rises_through = |h: f64| {
+        let beyond = points.partition_point(|point| point[0] < h);
+        let (Some(before), Some(after)) = (beyond.checked_sub(1).map(|before| points[before]), points.get(beyond))
+        else {
+            return points.get(beyond).or(points.last()).map(|end| end[1]);
+        };
         let curve = &scene.atlas.curves[stroke.curve];
-        let fine = trace(scene, curve, l, FINE * (window.h[1] - window.h[0])).unwrap_or_default();
-        clip_polyline(&panel.view.positions(&fine.points), &panel.view.rect)
+        let fine = trace(scene, curve, [before[1], after[1]], FINE * (window.h[1] - window.h[0])).unwrap_or_default();
+        let next = fine.points.partition_point(|point| point[0] < h).clamp(1, fine.points.len().max(2) - 1);
+        let [from, to] = [*fine.points.get(next - 1)?, *fine.points.get(next)?];
+        let share = if to[0] > from[0] { ((h - from[0]) / (to[0] - from[0])).clamp(0.0, 1.0) } else { 0.0 };
+        Some(from[1] + share * (to[1] - from[1]))
     };
-    let l_of = |at: &Point| panel.view.point(*at)[1];
-    let enters = first.checked_sub(1).and_then(|before| {
-        between([points[before][1], points[first][1]]).first().and_then(|part| part.first()).map(l_of)
-    });
-    let leaves = points
-        .get(last + 1)
-        .and_then(|beyond| between([points[last][1], beyond[1]]).last().and_then(|part| part.last()).map(l_of));
-    let (start, end) = (enters.unwrap_or(points[first][1]), leaves.unwrap_or(points[last][1]));
-    (start < end).then_some([start, end])
+    let [start, end] = [rises_through(window.h[0])?.max(window.l[0]), rises_through(window.h[1])?.min(window.l[1])];
+    // A curve that only touches the edge is not seen.
+    (end - start > EDGE * (window.l[1] - window.l[0])).then_some([start, end])
 }
 
 fn cells(scene: &Scene<'_>, curve: &CurveDocument, l: [f64; 2]) -> Option<Vec<String>> {

@@ -75,9 +75,9 @@ fn symbol(mark: SphereMark) -> Symbol {
 }
 
 /// Significant digits of an energy, at least and at most.
-const DIGITS: [usize; 2] = [5, 12];
+const DIGITS: [usize; 2] = [5, 15];
 /// Energies are equal when they differ by less, relative to the largest: those of pairs do by rounding.
-const EQUAL: f64 = 1e-11;
+const EQUAL: f64 = 1e-14;
 
 /// As many digits as distinguish different energies, which are given in rising order.
 fn energies(h: &[f64]) -> Vec<String> {

@@ -127,14 +127,11 @@ pub enum MeshError {
         to: [f64; 3],
     },
     /// A surface that is inside out.
-    #[error(
-        "the mesh is inverted: a closed surface of {triangles} triangles encloses the volume {volume}, but lies in no other \
-         one; turn its normals outward"
-    )]
+    #[error("{}", inverted(*triangles, *volume))]
     Inverted {
         /// Triangles of the surface.
         triangles: usize,
-        /// Its negative volume, rounded.
+        /// Its volume, rounded, which is not positive.
         volume: f64,
     },
     /// A surface inside another one with the same orientation.
@@ -146,4 +143,16 @@ pub enum MeshError {
         /// Triangles of the inner surface.
         triangles: usize,
     },
+}
+
+fn inverted(triangles: usize, volume: f64) -> String {
+    if volume == 0.0 {
+        return format!(
+            "the mesh encloses no volume: that of a closed surface of {triangles} triangles is 0; leave it out"
+        );
+    }
+    format!(
+        "the mesh is inverted: a closed surface of {triangles} triangles encloses the volume {volume}, but lies in no other one; \
+         turn its normals outward"
+    )
 }

@@ -94,7 +94,6 @@ impl Atlas {
 
     /// The l at which the lowest curve from l = 0 reaches h = 0, at most `l_top`; 0 where it starts there.
     fn start_of_positive_energies(&self, l_top: f64) -> f64 {
-        const HALVINGS: usize = 40;
         let starting = self.arrangement.set.curves.iter().filter(|curve| curve.x()[0] == 0.0);
         let lowest = starting.min_by(|p, q| self.h_at(p, 0.0).total_cmp(&self.h_at(q, 0.0)));
         let Some((curve, [_, (end, h)])) = lowest.and_then(|curve| Some((curve, self.ends_below(curve, l_top)?)))
@@ -104,11 +103,17 @@ impl Atlas {
         if h < 0.0 {
             return 0.0;
         }
-        // h rises with l along every curve.
-        let (mut below, mut above) = (0.0, end);
+        self.rises_through(curve, 0.0, [0.0, end])
+    }
+
+    /// Where in a range of l a curve reaches an energy: h rises with l along every curve. The end where it is below everywhere, the
+    /// beginning where it is nowhere.
+    fn rises_through(&self, curve: &Curve, h: f64, [from, to]: [f64; 2]) -> f64 {
+        const HALVINGS: usize = 40;
+        let (mut below, mut above) = (from, to);
         for _ in 0..HALVINGS {
             let middle = 0.5 * (below + above);
-            if self.h_at(curve, middle) < 0.0 { below = middle } else { above = middle }
+            if self.h_at(curve, middle) < h { below = middle } else { above = middle }
         }
         above
     }
@@ -177,6 +182,13 @@ impl Atlas {
             let l = strip.x.map(|x| self.momentum(x));
             clipped |= l[0] < window.l[0] || l[1] > window.l[1];
             let Some([from, to]) = window.clip_l(l) else { continue };
+            let (lower, upper) =
+                (&set.curves[strip.order[position]], strip.order.get(position + 1).map(|&c| &set.curves[c]));
+            clipped |= self.h_at(lower, from) < window.h[0];
+            clipped |= upper.is_none_or(|upper| self.h_at(upper, to) > window.h[1]);
+            // Between these it is seen.
+            let from = upper.map_or(from, |upper| self.rises_through(upper, window.h[0], [from, to]));
+            let to = self.rises_through(lower, window.h[1], [from, to]);
             for place in 0..PLACES {
                 let at = from + (to - from) * (place as f64 + 0.5) / PLACES as f64;
                 let x = 0.5 * (at / unit) * (at / unit);
@@ -186,7 +198,6 @@ impl Atlas {
                 };
                 let (low, error_bound) = height(strip.order[position]);
                 let high = strip.order.get(position + 1).map_or(f64::INFINITY, |&c| height(c).0);
-                clipped |= low < window.h[0] || high > window.h[1];
                 let (low_seen, high_seen) = (low.max(window.h[0]), high.min(window.h[1]));
                 let half = 0.5 * (high_seen - low_seen);
                 if half <= 0.0 || best.as_ref().is_some_and(|place| half <= 0.5 * place.margin.h) {

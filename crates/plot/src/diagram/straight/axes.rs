@@ -5,7 +5,9 @@ use super::super::axes::AXIS_SIZE;
 use super::super::labels::{H, L};
 use super::super::plan::LEFT;
 use super::plane::Straight;
-use bifdiag_page::{Anchor, Canvas, FAINT_INK, INK, Ink, Point, TICK_SIZE, number, short_number, text_width};
+use bifdiag_page::{
+    Anchor, Canvas, FAINT_INK, INK, Ink, Point, TICK_SIZE, number, short_number, text_width, value_text,
+};
 
 /// Length of a tick.
 const TICK: f64 = 4.0;
@@ -169,6 +171,6 @@ impl Straight {
         let left = [rect.x - LEFT + 14.0, rect.y - 12.0];
         canvas.text(&format!("energy {H}{of_h} at {L} = 0"), left, AXIS_SIZE, INK, Anchor::Start);
         let right = [rect.right() + self.right, rect.y - 12.0];
-        canvas.text(&format!("{H} at {L} = {}", short_number(l_end, 3)), right, AXIS_SIZE, INK, Anchor::End);
+        canvas.text(&format!("{H} at {}", value_text(L, &l_end.to_string(), 6)), right, AXIS_SIZE, INK, Anchor::End);
     }
 }
