@@ -7,7 +7,7 @@ use super::panel::Panel;
 use super::scene::Scene;
 use super::stroke::{Stroke, curve_width};
 use super::trace::trace;
-use bifdiag_page::{Heading, Point, Symbol, body_line, short_number, short_time, text_width};
+use bifdiag_page::{Heading, Symbol, body_line, short_number, short_time, text_width};
 use bifdiag_schema::{AtlasDocument, CurveDocument, Reason, small_motions};
 
 /// Font size of the notes.
