@@ -203,7 +203,8 @@ fn counts(document: &SteadySpinsDocument, is_weightless: bool) -> String {
         let next = document.counts.get(number + 1).and_then(|next| next.from);
         let until = match (number, next) {
             (0, None) => format!(" at every {spin}"),
-            (_, Some(next)) => format!(" below {} rpm", spins.text(Some(next), "")),
+            (0, Some(next)) => format!(" below {} rpm", spins.text(Some(next), "")),
+            (_, Some(next)) => format!(" between that and {} rpm", spins.text(Some(next), "")),
             (_, None) => " at faster spins".to_owned(),
         };
         format!("{}{circles}{until}", count.axes)
