@@ -38,7 +38,7 @@ mod _core {
     #[pymodule_export]
     use crate::motion::motion;
     #[pymodule_export]
-    use crate::part::{body_of_file, body_of_tensor};
+    use crate::part::{body_of_file, body_of_tensor, in_units};
     #[pymodule_export]
     use crate::periodic::{periodic_families, periodic_orbits};
     #[pymodule_export]

@@ -80,6 +80,18 @@ pub fn body_of_file(
     given.of_properties(properties, gravity, units, unphysical)
 }
 
+/// Lengths or moments, each perhaps with its unit and ±, as numbers in the units of a part.
+#[pyfunction]
+pub fn in_units(texts: Vec<String>, of_length: bool, units: Option<&str>) -> PyResult<Vec<String>> {
+    let units = units.map(parsed).transpose()?.unwrap_or_default();
+    let dimension = if of_length { Dimension::LENGTH } else { Dimension::MOMENT };
+    let written = |text: &String| {
+        let Measured { value, within } = Given::default().measured(text, dimension, &units)?;
+        Ok(if within.is_zero() { value.to_string() } else { format!("{value}±{within}") })
+    };
+    texts.iter().map(written).collect()
+}
+
 /// The numbers of a part as they are read, each with its unit or in those of the part.
 #[derive(Default)]
 struct Given {

@@ -119,3 +119,15 @@ def test_changes_beside_an_axis_that_is_not_permanent_are_rows():
         assert list(changes.event) == ["real-collision", "hamiltonian-hopf", "zero", "zero"]
         ends = found.ranges.rpm_from[found.ranges.rpm_from > 0]
         assert sorted(ends) == pytest.approx(sorted(changes.rpm))
+
+
+def test_a_unit_of_one_number_is_not_that_of_the_others() -> None:
+    """The command takes a unit behind the last of some numbers for that of all."""
+    plain = bifdiag.Body.from_inertia([[1, 0, 0], [0, 2, 0], [0, 0, 2.5]], [0.01, 0, 0.03], 2, g=10)
+    moments = [["1 kg m2", 0, 0], [0, "20000 kg cm2", 0], [0, 0, 2.5]]
+    for com in ([0.01, 0, "3 cm"], ["1 cm", 0, 0.03]):
+        body = bifdiag.Body.from_inertia(moments, com, 2, g=10)
+        assert body == plain
+        assert body.critical_spin().meta["r"] == plain.critical_spin().meta["r"] == ["0.2", "0", "0.6"]
+    known = bifdiag.Body.from_inertia([[1, 0, 0], [0, 2, 0], [0, 0, 2.5]], [0, 0, "30±1 mm"], 2, g=10)
+    assert known.critical_spin("z").meta["part"]["com"] == ["0", "0", "0.03"]

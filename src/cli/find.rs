@@ -226,18 +226,28 @@ fn tried(document: &FindDocument) -> String {
         return "a built-in witness".to_owned();
     }
     let bodies = counted(drawn, "body", "bodies");
-    let show = if showing == 1 { "shows" } else { "show" };
-    match tried {
+    let it = match (document.found, showing) {
+        (false, 1) => "seemed to show it, which was not confirmed",
+        (false, 2..) => "seemed to show it, none of which was confirmed",
+        (_, 1) => "shows it",
+        _ => "show it",
+    };
+    let text = match tried {
         0 if drawn == 1 => {
             format!("{bodies} drawn, but it was not within the limits or not decided, so it was not tried")
         }
         0 => format!("{bodies} drawn, but none of them was within the limits and decided, so none was tried"),
         1 if drawn == 1 => {
-            format!("one body tried, {}", if showing == 1 { "which shows it" } else { "which does not show it" })
+            format!(
+                "one body tried, {}",
+                if showing == 1 { format!("which {it}") } else { "which does not show it".to_owned() }
+            )
         }
-        _ if tried == drawn => format!("{bodies} tried, {showing} of them {show} it"),
+        _ if tried == drawn => format!("{bodies} tried, {showing} of them {it}"),
         _ => format!(
-            "{bodies} drawn, {tried} of them tried (the rest is outside the limits or undecided), {showing} {show} it"
+            "{bodies} drawn, {tried} of them tried (the rest is outside the limits or undecided), {showing} {it}"
         ),
-    }
+    };
+    let is_changed = document.found && showing == 0;
+    text + if is_changed { "; the witness was found by changing those that came nearest" } else { "" }
 }

@@ -135,3 +135,14 @@ fn scaled_ticks_do_not_change_the_unit() {
         .unwrap();
     bifdiag("body --part sheet.obj --mass 1").inside(place.path()).refused().telling("the mesh encloses no volume");
 }
+
+/// A place in so narrow a range of l that few digits leave it is confirmed with more.
+#[test]
+fn what_shows_what_is_sought_is_found() {
+    let narrow = bifdiag("find --critical-points 8 --physical --moment-ratio 1.5").succeeds();
+    narrow.printing("isolated relative equilibria at this l").printing(", 1 shows it\n");
+    let signature = bifdiag("find --signature S2+T2+T2 --search --seed 532 --samples 500 --physical").succeeds();
+    signature.printing("S2+T2+T2 is shown by");
+    let changed = bifdiag("find --type k2n0 --search --seed 100 --samples 5 --moment-ratio 3").succeeds();
+    changed.printing("0 show it; the witness was found by changing those that came nearest");
+}

@@ -126,11 +126,11 @@ pub fn ticks(name: &str, from: f64, to: f64, count: usize) -> Ticks {
     }
     // Labels count from a round number below the window.
     let spread = counts.last().unwrap_or(&0) - counts.first().unwrap_or(&0);
-    let mut unit = 10;
-    while unit <= spread {
-        unit *= 10;
+    let mut round = 10;
+    while round <= spread {
+        round *= 10;
     }
-    let base = counts.first().unwrap_or(&0).div_euclid(unit) * unit;
+    let base = counts.first().unwrap_or(&0).div_euclid(round) * round;
     let labels = counts.iter().map(|k| number(k - base)).collect();
     let offset = number(decimal_value(base.abs(), e));
     let sign = if base < 0 { '+' } else { '−' };
@@ -157,6 +157,8 @@ mod tests {
     fn a_strong_magnification_counts_from_a_round_number() {
         let ticks = ticks("l", 3.147_225_01, 3.147_225_04, 4);
         assert_eq!(ticks.quantity, "(l − 3.147225)·10⁸");
+        let ticks = super::ticks("spin in rpm", 0.0, 3e6, 6);
+        assert_eq!(ticks.quantity, "spin·10⁻⁵ in rpm");
         assert_eq!(ticks.labels, ["1", "2", "3", "4"]);
         assert_eq!(ticks.values[0], 3.147_225_01);
     }

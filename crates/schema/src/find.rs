@@ -73,7 +73,7 @@ pub struct FindDocument {
     pub drawn: u64,
     /// Of these, bodies that were tried: those inside the limits that are decided.
     pub tried: u64,
-    /// Of these, bodies that show it.
+    /// Of these, bodies that show it as f64 sees it; the witness alone is confirmed.
     pub showing: u64,
     /// Where nothing was found: the body that came nearest.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -188,8 +188,8 @@ class CriticalSpins(Table):
     def bounds(self) -> SpinBounds | None:
         """Bounds on the critical spins of every part within the tolerance.
 
-        None without a tolerance, with ± on the density of a mesh alone, on which no spin depends, and where no bounds are
-        given: ``meta["note"]`` then says why. Without rows where no spin depends on it.
+        None without a tolerance, with ± on the density or mass of a mesh alone, on which no spin depends, and where no
+        bounds are given: ``meta["note"]`` then says why. Without rows where no spin depends on it.
         """
         told = self.meta.get("tolerance")
         if told is None:

@@ -65,7 +65,8 @@ class RealParts(Given):
         arguments = (rows, place, weight, gravity, about == "centre of mass", units, unphysical)
         upper = [_told_entry(rows[i][k], rows[k][i]) for i, k in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
         option = "--inertia-com" if about == "centre of mass" else "--inertia"
-        given = [f"{option}={','.join(upper)}", "--products=tensor", f"--com={','.join(place)}", f"--mass={weight}"]
+        moments, lengths = (_in_units(texts, of_length, units) for texts, of_length in ((upper, False), (place, True)))
+        given = [f"{option}={moments}", "--products=tensor", f"--com={lengths}", f"--mass={weight}"]
         given += [f"--g={gravity}", f"--units={units}", *(["--unphysical"] if unphysical else [])]
         return cls._of_part(("body_of_tensor", arguments), tuple(given))
 
@@ -109,7 +110,7 @@ class RealParts(Given):
         arguments = (absolute, weight, link, place, gravity, units, unphysical)
         named = [("density", weight[0]), ("mass", weight[1]), ("link", link), ("units", units)]
         options = [f"--{name}={value}" for name, value in named if value is not None]
-        given = [f"--part={absolute}", *options, f"--pivot={','.join(place)}", f"--g={gravity}"]
+        given = [f"--part={absolute}", *options, f"--pivot={_in_units(place, True, units)}", f"--g={gravity}"]
         return cls._of_part(("body_of_file", arguments), (*given, *(["--unphysical"] if unphysical else [])))
 
     @classmethod
@@ -128,6 +129,13 @@ class RealParts(Given):
         return cls.from_inertia(
             part["inertia"], part["com"], part["mass"], part["g"], units=part["units"], unphysical=not part["physical"]
         )
+
+
+def _in_units(texts: Iterable[str], of_length: bool, units: str | None) -> str:
+    """Numbers of one option, in which a unit behind the last would be that of all."""
+    given = [*texts]
+    have_units = any(sign.isalpha() and sign not in "eE" for text in given for sign in text)
+    return ",".join(_core.in_units(given, of_length, units) if have_units else given)
 
 
 def _told_entry(above: str, below: str) -> str:

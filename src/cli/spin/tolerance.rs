@@ -112,9 +112,9 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
     report.line(classes(tolerance));
     if !tolerance.ranges.is_empty() {
         report.line(format!(
-            "what is found inside a range comes from {} sampled parts; \"matters most\" and \"moves it by\" are of the \
+            "what is found inside a range comes from {}; \"matters most\" and \"moves it by\" are of the \
             nominal part's last change in that range",
-            tolerance.sampled_parts
+            counted(tolerance.sampled_parts, "sampled part", "sampled parts")
         ));
     }
 }

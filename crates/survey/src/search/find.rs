@@ -6,7 +6,7 @@ use super::exclusion::Exclusion;
 use super::improve::improve;
 use super::score::{Score, ScoredPoint, look, sample};
 use super::target::Target;
-use super::witness::{KnownPoint, Witness, known_witness};
+use super::witness::{KnownPoint, Witness, WitnessError, known_witness};
 use super::{NearestBody, SearchAnswer, SearchOptions, SearchResult};
 use crate::parallel::each;
 
@@ -39,39 +39,57 @@ pub fn find(
     }
 }
 
-/// Samples bodies, improves the best of them and confirms the winner; the same for any number of threads. `watch` gets
-/// the number of bodies drawn since, and may stop the search.
+/// Samples bodies, improves the best of them and confirms the winner, as soon as one shows it; the same for any number of
+/// threads. `watch` gets the number of bodies drawn since, and may stop the search.
 pub fn search(target: &Target, options: &SearchOptions, watch: &mut dyn FnMut(u64) -> ControlFlow<()>) -> SearchResult {
     let mut best: Vec<ScoredBody> = Vec::new();
     let (mut drawn, mut tried, mut showing) = (0, 0, 0);
-    while drawn < options.samples && (showing == 0 || options.all) {
+    let mut refused = Vec::new();
+    let mut nearest = None;
+    while drawn < options.samples {
         let to = options.samples.min(drawn + BLOCK);
         let numbers: Vec<u64> = (drawn..to).collect();
         let found = each(&numbers, |n| seen(sample(*n, options.seed, options.domain.physical), target, options));
         let found: Vec<ScoredBody> = found.into_iter().flatten().collect();
         tried += found.len() as u64;
-        showing += found.iter().filter(|(_, seen)| matches!(seen.score, Score::Shown(_))).count() as u64;
+        let shown = found.iter().filter(|(_, seen)| matches!(seen.score, Score::Shown(_))).count() as u64;
+        showing += shown;
         best.extend(found.into_iter().filter(|(_, seen)| seen.score != Score::Nothing));
         sort(&mut best);
         best.truncate(CANDIDATES);
         let more = to - drawn;
         drawn = to;
         if watch(more).is_break() {
-            return SearchResult { answer: SearchAnswer::Stopped, drawn, tried, showing, refused: Vec::new() };
+            return SearchResult { answer: SearchAnswer::Stopped, drawn, tried, showing, refused };
+        }
+        if drawn < options.samples && (shown == 0 || options.all) {
+            continue;
+        }
+        match confirmed(&best, target, options, &mut refused) {
+            Ok(witness) => {
+                let answer = SearchAnswer::Found(Box::new(witness));
+                return SearchResult { answer, drawn, tried, showing, refused };
+            }
+            Err(best) => nearest = best,
         }
     }
-    let better = each(&best, |(values, _)| seen(improve(*values, target, &options.domain, STEPS), target, options));
-    let mut improved: Vec<ScoredBody> = better.into_iter().flatten().chain(best).collect();
+    SearchResult { answer: SearchAnswer::NotFound { nearest }, drawn, tried, showing, refused }
+}
+
+/// The best of some bodies, improved and confirmed; else the one that came nearest.
+fn confirmed(
+    best: &[ScoredBody],
+    target: &Target,
+    options: &SearchOptions,
+    refused: &mut Vec<([[f64; 3]; 2], WitnessError)>,
+) -> Result<Witness, Option<NearestBody>> {
+    let better = each(best, |(values, _)| seen(improve(*values, target, &options.domain, STEPS), target, options));
+    let mut improved: Vec<ScoredBody> = better.into_iter().flatten().chain(best.iter().copied()).collect();
     sort(&mut improved);
-    let mut refused = Vec::new();
     let witness = improved.iter().find_map(|(values, _)| {
         Witness::of_body(*values, target, options.accuracy).map_err(|error| refused.push((*values, error))).ok()
     });
-    let answer = match witness {
-        Some(witness) => SearchAnswer::Found(Box::new(witness)),
-        None => SearchAnswer::NotFound { nearest: improved.first().map(nearest) },
-    };
-    SearchResult { answer, drawn, tried, showing, refused }
+    witness.ok_or_else(|| improved.first().map(nearest))
 }
 
 fn seen(values: [[f64; 3]; 2], target: &Target, options: &SearchOptions) -> Option<ScoredBody> {

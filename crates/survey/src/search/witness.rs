@@ -96,8 +96,8 @@ impl Witness {
         Ok(Self { target, body, h, l, components, margin, critical_points })
     }
 
-    /// Makes a witness of a body: the place where it shows best what is sought, with h and l rounded to a few digits,
-    /// is [confirmed](Self::confirm).
+    /// Makes a witness of a body: the place where it shows best what is sought is [confirmed](Self::confirm), with h and l
+    /// rounded to as few digits as leave most of its margin, where such a place is confirmed too.
     ///
     /// # Errors
     /// [`WitnessError`].
@@ -107,31 +107,22 @@ impl Witness {
             return Err(WitnessError::NotShown);
         };
         let body = Body::from_f64(values[0], values[1])?;
-        let (point, answer) = plain_point(&body, at, accuracy)?;
-        Self::confirm_answer(body, point, &answer, target)
+        let number = |x: f64| Number::from_f64(x).map_err(|_out_of_range| WitnessError::NotShown);
+        let rounded_to = |digits: usize| {
+            let [h, l] = at.map(|x| rounded(x, digits));
+            Self::confirm(body.clone(), [number(h)?, number(l)?], target, accuracy)
+        };
+        let exact = rounded_to(ALL_DIGITS)?;
+        let is_as_good = |rough: &Self| rough.components == exact.components && rough.margin.h >= KEPT * exact.margin.h;
+        Ok((2..ALL_DIGITS).find_map(|digits| rounded_to(digits).ok().filter(is_as_good)).unwrap_or(exact))
     }
 }
 
-/// A point (h, l) with as few digits as leave most of its margin.
-fn plain_point(body: &Body, at: [f64; 2], accuracy: Accuracy) -> Result<([Number; 2], Classification), WitnessError> {
-    /// The share of the margin that must be left.
-    const KEPT: f64 = 0.8;
-    let number = |x: f64| Number::from_f64(x).map_err(|_out_of_range| WitnessError::NotShown);
-    let point = |digits: usize| {
-        let [h, l] = at.map(|x| rounded(x, digits));
-        let (h, l) = (number(h)?, number(l)?);
-        let answer = classify(body, &h, &l, accuracy)?;
-        Ok::<_, WitnessError>(([h, l], answer))
-    };
-    let exact = point(DIGITS)?;
-    for digits in 2..DIGITS {
-        let rough = point(digits)?;
-        if rough.1.answer == exact.1.answer && rough.1.margin.h >= KEPT * exact.1.margin.h {
-            return Ok(rough);
-        }
-    }
-    Ok(exact)
-}
+/// The share of the margin that is left where h and l are rounded.
+const KEPT: f64 = 0.8;
+
+/// Significant digits of a double.
+const ALL_DIGITS: usize = 17;
 
 /// A body and a point with the components of U_hl there.
 #[derive(Clone, Debug, PartialEq)]
@@ -161,7 +152,7 @@ pub fn known_witness(
     })
 }
 
-/// Significant digits of the numbers of a body and of a point.
+/// Significant digits of the numbers of a body.
 pub(super) const DIGITS: usize = 6;
 
 /// The nearest number with a few significant digits.
