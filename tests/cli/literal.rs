@@ -146,3 +146,36 @@ fn what_shows_what_is_sought_is_found() {
     let changed = bifdiag("find --type k2n0 --search --seed 100 --samples 5 --moment-ratio 3").succeeds();
     changed.printing("0 show it; the witness was found by changing those that came nearest");
 }
+
+/// Of events that are near to each other those are named whose order changes across the border.
+#[test]
+fn borders_are_named_by_the_events_that_change_places() {
+    let beside = |body: &str, class: &str, event: &str| {
+        let text = bifdiag(&format!("classes --at {body}")).succeeds().stdout();
+        let row = text.lines().find(|line| line.contains(class)).unwrap_or_else(|| panic!("{text}"));
+        assert!(row.ends_with(event), "{row}");
+    };
+    beside(
+        "--A 0.02498,0.5549,0.1008 --r=0.0273,0.127,0.0313",
+        "8bad287eccc6",
+        "the curves G0, G1, P- meet in one point",
+    );
+    beside(
+        "--A 0.1869,0.003841,0.7235 --r=0.331,-0.0214,1.4",
+        "19fd16c21e93",
+        "the curves G0, G1, P- meet in one point",
+    );
+}
+
+/// Beside the line to the centre of mass the one spin of an axis is small, and none of its digits is lost.
+#[test]
+fn the_one_spin_of_an_axis_has_its_digits() {
+    let axis = "--A 1,2,3 --r 1,1,0 --axis 1,1.000000000001,0";
+    let found = bifdiag(&format!("state {axis} --spin")).and("1 rad/s").succeeds();
+    found.printing("steady at one spin only: 1.1356091e-5 rpm");
+    bifdiag(&format!("critical-spin {axis}")).succeeds().printing("1.1356091e-5");
+    let far = bifdiag("state --A 2,3,4 --r 1,1,1 --axis 1,0,0 --spin").and("1000 rad/s").succeeds();
+    far.printing("(G0.1, error bound ");
+    let four = bifdiag("critical --A=128/45,133/45,17/5 --r=1/15,0,16/45 --l 16/5").succeeds();
+    four.printing("more where a cusp lies at a pitchfork");
+}

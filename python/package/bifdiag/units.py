@@ -25,7 +25,7 @@ class Units:
     Attributes
     ----------
     name : str
-        As it was given, such as ``"kg,mm,s"``.
+        The units of mass, length and time, such as ``"kg,mm,s"``.
     mass, length, time : float
         The units in kg, m and s.
     moment : float

@@ -144,7 +144,7 @@ fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriu
     if points.iter().any(|point| matches!(point.multiplicity, Multiplicity::Points(2..))) {
         report.line(
             "mult 2: degenerate; several critical points meet in it: two at a cusp, three at a pitchfork (or a circle \
-             and one)",
+             and one), more where a cusp lies at a pitchfork",
         );
     }
     match points.iter().filter(|point| point.multiplicity == Multiplicity::Circle).count() {

@@ -4,7 +4,7 @@ use bifdiag_body::Number;
 use bifdiag_body::part::Spin;
 use bifdiag_documents::{CommandLine, StateQuestion, Subject};
 use bifdiag_equilibria::critical::ExactSpin;
-use bifdiag_equilibria::permanent::{AxisKind, angle_between};
+use bifdiag_equilibria::permanent::{AxisKind, OneSpin, angle_between};
 use bifdiag_exact::{self as exact, Accuracy, Solver, SpinQuestion};
 use bifdiag_numbers::symmetric;
 use bifdiag_schema::{AxisEnd, SpinChangeDocument, SpinDocument, StateDocument, SteadyDocument};
@@ -17,7 +17,7 @@ use crate::cli::export::answer;
 use crate::cli::failure::{Failure, failed, incomplete};
 use crate::cli::input::values::{self, Triple};
 use crate::cli::input::{BodyArguments, head};
-use crate::cli::terminal::{Report, Timings, all_apart, significant, told_apart};
+use crate::cli::terminal::{Report, Timings, all_apart, bound, significant, told_apart};
 
 pub const STATE_EXAMPLES: &str = "\
 Examples:
@@ -231,8 +231,14 @@ fn other_text(
         format!("the motion is not a steady rotation about the vertical; {place}")
     });
     if let (Some(_), Some(margin)) = (&document.region, &document.margin) {
+        // An error that reaches the printed digits is told.
+        let error = if margin.error_bound > 1e-6 * margin.h {
+            format!(", error bound {}", bound(margin.error_bound, 2))
+        } else {
+            String::new()
+        };
         report.line(format!(
-            "the nearest curve is at a distance of {} in h ({})",
+            "the nearest curve is at a distance of {} in h ({}{error})",
             significant(margin.h, 6),
             margin.nearest
         ));
@@ -243,9 +249,11 @@ fn other_text(
         AxisKind::AtOneSpin(axis) if axis.squared_spin == Some(0.0) => {
             report.line(rests("the vertical"));
         }
-        AxisKind::AtOneSpin(_) => {
-            let given = bifdiag_documents::nearest_axis(subject, &kind);
-            if let Some((spin, up)) = given.and_then(|given| given.spin.zip(given.up)) {
+        AxisKind::AtOneSpin(axis) => {
+            let exactly = OneSpin::of(&subject.body, &axis, &question.exact_up)
+                .map(|one| (bifdiag_documents::spin(one.omega * subject.second()), one.end));
+            let rounded = || bifdiag_documents::nearest_axis(subject, &kind).and_then(|near| near.spin.zip(near.up));
+            if let Some((spin, up)) = exactly.or_else(rounded) {
                 let asked = document.spin.rpm;
                 let is_asked = (spin.rpm - asked).abs() <= 4.0 * f64::EPSILON * asked;
                 let [_, rpm] = told_apart([asked, if is_asked { asked } else { spin.rpm }], 8);

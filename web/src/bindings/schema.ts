@@ -647,7 +647,7 @@ export interface RelativeEquilibrium {
   omega: number;
   /** Negative eigenvalues of the Hessian of U_l, the Morse index: 0 minimum, 1 saddle, 2 maximum (unless it is degenerate, which `multiplicity` 2 says); for a circle, of its one normal direction (0 also where that is degenerate, at a cusp). */
   index: number;
-  /** 1: a critical point; 2: a degenerate one, exactly at a cusp, where two meet in it, or at a pitchfork, where three do, or one and a circle; `circle` or `sphere`: all points of one, of which `gamma` is one. */
+  /** 1: a critical point; 2: a degenerate one, exactly at a cusp, where two meet in it, at a pitchfork, where three do, or one and a circle, or where a cusp lies at a pitchfork, where more do; `circle` or `sphere`: all points of one, of which `gamma` is one. */
   multiplicity: Multiplicity;
   /** Linear type of the flow reduced by l. */
   stability: Stability;

@@ -39,7 +39,7 @@ pub(crate) fn between(below: &Arrangement, above: &Arrangement) -> (BorderEvent,
     let is_between = offsets[0] * offsets[1] < 0.0 && vanish.len() == appear.len();
     let is_passed = is_between || (offsets[0] == 0.0) != (offsets[1] == 0.0);
     let Finding { kind, group, vanishing } = if vanish.is_empty() && appear.is_empty() {
-        exchange(below)
+        exchange(below, above)
     } else if is_passed && pole_lines_differ() {
         let kind = BorderEventKind::PoleLinesAtInfinity { axis: axis_of_body(&below.set, Axis::ALL[1]) };
         Finding::nowhere(kind, Vanishing::MiddleMoment)

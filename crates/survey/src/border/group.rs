@@ -79,9 +79,11 @@ pub(super) fn nearest(candidates: &[Event]) -> Option<[Event; 2]> {
     best.map(|(_, pair)| pair)
 }
 
-/// The events that are nearest to each other change places.
-pub(super) fn exchange(side: &Arrangement) -> Finding<'_> {
-    let Some(near) = nearest_cluster(side) else {
+/// Of the events that change their order, or are told differently, those that are nearest to each other change places.
+pub(super) fn exchange<'a>(side: &'a Arrangement, other: &Arrangement) -> Finding<'a> {
+    let ranks = ranks(side, other);
+    let changes = |k: usize, m: usize| ranks[k].zip(ranks[m]).is_none_or(|(k, m)| k > m);
+    let Some(near) = nearest_cluster(side, changes).or_else(|| nearest_cluster(side, |_, _| true)) else {
         return Finding::nowhere(BorderEventKind::Unexplained, Vanishing::Nothing);
     };
     let labels: Vec<EventLabel> = near.iter().map(|event| label(side, event)).collect();
@@ -108,8 +110,28 @@ pub(super) fn exchange(side: &Arrangement) -> Finding<'_> {
     Finding { kind, group: EventGroup::new(side, near), vanishing }
 }
 
-/// The two events with a common branch that are nearest to each other, and those that are as near to both.
-fn nearest_cluster(side: &Arrangement) -> Option<Vec<Event>> {
+/// The number that each event of a side has on the other one, of the same kind and curves; none where these are not met there.
+fn ranks(side: &Arrangement, other: &Arrangement) -> Vec<Option<usize>> {
+    let keys = |side: &Arrangement| -> Vec<_> {
+        let name = |curve| CurveName::of(&side.set, curve);
+        let key = |event: &Event| {
+            (std::mem::discriminant(&event.change), event.change.curves().into_iter().map(name).collect::<Vec<_>>())
+        };
+        side.events.iter().map(key).collect()
+    };
+    let (own, others) = (keys(side), keys(other));
+    let same = |keys: &[_], k: usize| keys.iter().filter(|key| **key == own[k]).count();
+    // Curves that cross twice do so in the same order.
+    let rank = |k: usize| {
+        let earlier = same(&own[..k], k);
+        (0..others.len()).filter(|&m| others[m] == own[k]).nth(earlier)
+    };
+    (0..own.len()).map(rank).collect()
+}
+
+/// The two events with a common branch that are nearest to each other, and those that are as near to both, among pairs by their
+/// numbers that `changes` takes.
+fn nearest_cluster(side: &Arrangement, changes: impl Fn(usize, usize) -> bool) -> Option<Vec<Event>> {
     let labels: Vec<EventLabel> = side.events.iter().map(|event| label(side, event)).collect();
     let mut best: Option<(f64, [Event; 2])> = None;
     for (k, event) in side.events.iter().enumerate() {
@@ -117,7 +139,8 @@ fn nearest_cluster(side: &Arrangement) -> Option<Vec<Event>> {
             let labels = [labels[k], labels[m]];
             let shared = labels[0].branches().iter().any(|name| labels[1].branches().contains(name));
             let apart = distance(event, other);
-            if shared && !have_both_pole_lines(&labels) && best.is_none_or(|(least, _)| apart < least) {
+            if shared && changes(k, m) && !have_both_pole_lines(&labels) && best.is_none_or(|(least, _)| apart < least)
+            {
                 best = Some((apart, [*event, *other]));
             }
         }
