@@ -82,6 +82,7 @@ pub fn body_of_file(
 
 /// Lengths or moments, each perhaps with its unit and ±, as numbers in the units of a part.
 #[pyfunction]
+#[expect(clippy::needless_pass_by_value, reason = "what was taken out of sequences")]
 pub fn in_units(texts: Vec<String>, of_length: bool, units: Option<&str>) -> PyResult<Vec<String>> {
     let units = units.map(parsed).transpose()?.unwrap_or_default();
     let dimension = if of_length { Dimension::LENGTH } else { Dimension::MOMENT };

@@ -70,12 +70,12 @@ pub fn value_text(name: &str, text: &str, digits: usize) -> String {
 
 /// True where that many digits are all that a number has.
 fn is_exact(text: &str, digits: usize) -> bool {
-    let written = || match text.trim_start_matches('-').split_once('/') {
-        Some((p, q)) => decimal_digits(p.parse().ok()?, q.parse().ok()?),
-        None => {
-            let mantissa = text.split(['e', 'E']).next().unwrap_or(text);
-            Some(mantissa.replace(['-', '+', '.'], ""))
+    let written = || {
+        if let Some((p, q)) = text.trim_start_matches('-').split_once('/') {
+            return decimal_digits(p.parse().ok()?, q.parse().ok()?);
         }
+        let mantissa = text.split(['e', 'E']).next().unwrap_or(text);
+        Some(mantissa.replace(['-', '+', '.'], ""))
     };
     let has_no_more = |written: String| written.trim_matches('0').len() <= digits;
     shortened(text, digits) == number(text) || written().is_some_and(has_no_more)
