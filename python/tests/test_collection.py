@@ -21,7 +21,7 @@ def test_records_have_names_and_places(atlas):
         atlas.regions["R12"]
     with pytest.raises(bifdiag.InputError, match="no ids; take them by place"):
         atlas.stability_changes["cusp"]
-    with pytest.raises(IndexError, match="no record 99; there are 9"):
+    with pytest.raises(IndexError, match="no record 99 of 9"):
         atlas.regions[99]
     again = pickle.loads(pickle.dumps(atlas.regions))
     assert again == atlas.regions and again["R5"] == atlas.regions["R5"]

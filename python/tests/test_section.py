@@ -323,7 +323,7 @@ def test_rows_of_tables_are_selected(paper, section):
     motion = paper.orbit([0.6, 0, 0.8], omega=[1, 0.3, 1], t=np.arange(5))
     assert motion[[0, 2]].time.tolist() == [0, 2] and len(motion[[]]) == 0
     assert motion[["time", "theta"]].dtype.names == ("time", "theta")
-    with pytest.raises(IndexError, match="no row 9; there are 5"):
+    with pytest.raises(IndexError, match="no row 9 of 5"):
         motion[9]
     with pytest.raises(KeyError, match="no column 'thetta'"):
         motion["thetta"]

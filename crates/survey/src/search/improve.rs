@@ -5,7 +5,10 @@ use argmin::solver::neldermead::NelderMead;
 
 use super::score::{Score, SearchDomain, look};
 use super::target::Target;
-use super::witness::{DIGITS, rounded};
+use super::witness::rounded;
+
+/// Significant digits of the numbers of a body.
+const DIGITS: usize = 6;
 
 /// First steps of the simplex in logarithms.
 const STEP: f64 = 0.08;

@@ -152,9 +152,6 @@ pub fn known_witness(
     })
 }
 
-/// Significant digits of the numbers of a body.
-pub(super) const DIGITS: usize = 6;
-
 /// The nearest number with a few significant digits.
 pub(super) fn rounded(x: f64, digits: usize) -> f64 {
     format!("{x:.*e}", digits.saturating_sub(1)).parse().unwrap_or(x)
