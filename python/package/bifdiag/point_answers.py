@@ -70,7 +70,7 @@ class PointAnswers(AtlasDocument):
         >>> atlas.region([0, 3.8, float("nan")], 3.25)
         array([-1,  4, -4])
         >>> atlas.regions[4]
-        Region R5: S2+T2 at ...
+        Region R5: S2+T2 near ...
         """
         exact.threads(threads)
         if _is_plain(h) and _is_plain(l):
