@@ -157,8 +157,7 @@ mod tests {
     fn a_strong_magnification_counts_from_a_round_number() {
         let ticks = ticks("l", 3.147_225_01, 3.147_225_04, 4);
         assert_eq!(ticks.quantity, "(l − 3.147225)·10⁸");
-        let ticks = super::ticks("spin in rpm", 0.0, 3e9, 6);
-        assert_eq!(ticks.quantity, "spin·10⁻⁸ in rpm");
+        assert_eq!(super::ticks("spin in rpm", 0.0, 3e9, 6).quantity, "spin·10⁻⁸ in rpm");
         assert_eq!(ticks.labels, ["1", "2", "3", "4"]);
         assert_eq!(ticks.values[0], 3.147_225_01);
     }
