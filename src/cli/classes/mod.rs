@@ -6,7 +6,7 @@ use bifdiag_diagram::class::Class;
 use bifdiag_exact::Accuracy;
 use bifdiag_schema::{ClassDocument, ClassesDocument, StandingDocument};
 use bifdiag_survey::border::class_of;
-use bifdiag_survey::nearest::{NearestOptions, nearest};
+use bifdiag_survey::nearest::{HERE, NearestOptions, nearest};
 use bifdiag_survey::space::{BodySet, ReducedBody};
 use bifdiag_survey::strata::BESIDE;
 use clap::Args;
@@ -184,7 +184,7 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
     }
     report.line(table.text());
     if document.borders[0].distance == 0.0 {
-        report.line(format!("the body is on a border of its class, or within {HERE} of one"));
+        report.line(format!("the body is on a border of its class, or within {} of one", distance(0.0)));
     }
     report.line(
         "axes by rising moments, numbered as in this body beyond a border too; what makes the body special (equal moments, zeros of r) is kept on the way, and classes \
@@ -192,9 +192,7 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
     );
 }
 
-/// What is no farther away than this is not told from the body itself.
-const HERE: &str = "1e-13";
-
+/// A distance; 0 stands for all that are not told from the body itself.
 fn distance(distance: f64) -> String {
-    if distance == 0.0 { HERE.to_owned() } else { bound(distance, 4) }
+    bound(if distance == 0.0 { HERE } else { distance }, 4)
 }

@@ -102,9 +102,9 @@ fn cone_of(difference: [f64; 3], r: [f64; 3]) -> Matrix3<f64> {
 }
 
 /// The other axes of Staude's cone that are as near to a direction as `nearest`, about which rotation is steady at some
-/// spin, if it is about this one. On a quadratic cone only a direction in a plane of symmetry has several nearest lines: a line and its reflection in
-/// that plane. With two equal moments the cone is a pair of planes, of which only that of r and the third axis counts, and
-/// one axis of it is nearest.
+/// spin, if it is about this one. On a quadratic cone only a direction in a plane of symmetry has several nearest lines: a
+/// line and its reflection in that plane. With two equal moments the cone is a pair of planes, of which only that of r and
+/// the third axis counts, and one axis of it is nearest.
 #[must_use]
 pub fn equally_near(body: &Body, up: [f64; 3], nearest: [f64; 3]) -> Vec<[f64; 3]> {
     /// Angles and cosines that are smaller are 0.

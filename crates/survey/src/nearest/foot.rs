@@ -14,7 +14,7 @@ pub(super) struct Level {
 }
 
 /// A place this near to the body is the body itself, within rounding.
-pub(super) const HERE: f64 = 1e-13;
+pub const HERE: f64 = 1e-13;
 
 /// Bodies around one, as coordinates in its basis.
 pub(super) struct Surroundings {

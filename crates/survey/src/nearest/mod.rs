@@ -18,6 +18,8 @@ use bifdiag_diagram::class::{Class, ClassName};
 use bifdiag_exact::Accuracy;
 use foot::{Level, Surroundings};
 
+pub use foot::HERE;
+
 /// How borders are sought.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearestOptions {
@@ -208,7 +210,7 @@ impl BorderSearch {
             let body = body_at(&line, s)?;
             class_of(&body, Accuracy::Fast).or_else(|_open| class_of(&body, Accuracy::Exact)).ok()
         };
-        let is_here = place.norm() <= foot::HERE;
+        let is_here = place.norm() <= HERE;
         let [s, unit] =
             if is_here { [0.0, BESIDE * line.reach()[0].min(line.reach()[1]).min(1.0)] } else { [place.norm(); 2] };
         let side = (SIDE * unit).max(LEAST);
