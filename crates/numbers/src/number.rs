@@ -51,7 +51,9 @@ pub enum ParseNumberError {
     },
     /// Beyond the supported range of magnitudes or of digits.
     #[error(
-        "`{text}` is out of range; use units in which it lies between 1e-150 and 1e150 and has at most 1000 digits"
+        "`{text}` is out of range; use units in which it lies between {smallest:e} and {largest:e} and has at most 1000 digits",
+        smallest = Number::SMALLEST,
+        largest = Number::LARGEST
     )]
     OutOfRange {
         /// What was written, shortened.
@@ -60,6 +62,12 @@ pub enum ParseNumberError {
 }
 
 impl Number {
+    /// The smallest magnitude but 0.
+    pub const SMALLEST: f64 = 1e-150;
+
+    /// The largest magnitude.
+    pub const LARGEST: f64 = 1e150;
+
     /// The exact value.
     #[must_use]
     pub fn value(&self) -> &RBig {
@@ -82,7 +90,7 @@ impl Number {
     ///
     /// # Errors
     /// [`ParseNumberError::NotFinite`] for infinities and NaN, [`ParseNumberError::OutOfRange`] for
-    /// magnitudes outside 1e-150 … 1e150.
+    /// magnitudes outside [`Number::SMALLEST`] … [`Number::LARGEST`].
     pub fn from_f64(value: f64) -> Result<Self, ParseNumberError> {
         if value.is_finite() {
             format!("{value:?}").parse()
@@ -187,7 +195,7 @@ impl FromStr for Number {
         };
         // For a decimal the standard library finds the nearest double, faster than by division.
         let nearest = trimmed.parse().unwrap_or_else(|_rational| value.to_f64().value());
-        let in_range = (1e-150..=1e150).contains(&nearest.abs()) || value.is_zero();
+        let in_range = (Self::SMALLEST..=Self::LARGEST).contains(&nearest.abs()) || value.is_zero();
         if in_range {
             Ok(Self { text: trimmed.to_owned(), value, nearest })
         } else {

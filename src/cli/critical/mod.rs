@@ -152,7 +152,8 @@ fn at_spin(
         CriticalError::Spin { smallest, largest, spin: asked } => {
             let size = if asked < smallest { "slow" } else { "fast" };
             // No number beyond these can be given.
-            let can_be_given = |omega: f64| significant((omega * subject.second()).clamp(1e-150, 1e150), 6);
+            let can_be_given =
+                |omega: f64| significant((omega * subject.second()).clamp(Number::SMALLEST, Number::LARGEST), 6);
             let [smallest, largest] = [smallest, largest].map(can_be_given);
             Failure::input(format!(
                 "--spin {spin} is too {size} for this body in f64; use a spin from {smallest} to {largest} rad/s, or 0"

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use bifdiag_numbers::Number;
+
 use crate::cli::failure::Failure;
 use crate::cli::input::{read, values};
 
@@ -46,7 +48,7 @@ impl Times {
         let end = |name: &str, text: &str| {
             values::float(text).map_err(|_not_a_number| {
                 let shape = "a range of times is written t0:t1:n, such as 0:10:101";
-                Failure::input(format!("{name} = `{text}` is not a number {RANGE}; {shape}"))
+                Failure::input(format!("{name} = `{text}` is not a number {}; {shape}", range()))
             })
         };
         let (from, to) = (end("t0", from)?, end("t1", to)?);
@@ -75,7 +77,9 @@ impl Times {
 }
 
 /// What is read as a time.
-const RANGE: &str = "(0, or between 1e-150 and 1e150 in magnitude)";
+fn range() -> String {
+    format!("(0, or between {:e} and {:e} in magnitude)", Number::SMALLEST, Number::LARGEST)
+}
 
 /// Empty lines, lines that start with # and a header are skipped; the first of several columns is used.
 fn of_file(path: &Path) -> Result<Vec<f64>, Failure> {
@@ -96,8 +100,9 @@ fn of_file(path: &Path) -> Result<Vec<f64>, Failure> {
         }
         let Ok(time) = values::float(cell) else {
             return Err(wrong(format!(
-                ", line {}: `{cell}` is not a number {RANGE}; write one time on each line",
-                i + 1
+                ", line {}: `{cell}` is not a number {}; write one time on each line",
+                i + 1,
+                range()
             )));
         };
         if let Some(&before) = times.last().filter(|&&before| before > time) {
