@@ -50,9 +50,9 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("classify --body paper --h 1 --l 1 --certificate --no-region", &["--certificate", "leave --no-region out"]),
     ("orbit --body paper --euler 9,0,0 --omega 1,0,0", &["--euler: theta = 9", "from 0 to pi"]),
     // Pictures.
-    ("--body paper --width 86", &["'86' for '--width <LENGTH>'", "no unit", "such as 86mm or 246pt"]),
-    ("--body paper --width 2in", &["50.8 mm", "from 80mm to 500mm"]),
-    ("sphere --body paper --region R1 --width widemm", &["widemm: not a number with a unit"]),
+    ("--body paper --width 86", &["'86' for '--width <LENGTH>'", "none of the units", "such as 86mm or 246pt"]),
+    ("--body paper --width 2in", &["50.8 mm is out of range", "from 80mm to 500mm"]),
+    ("sphere --body paper --region R1 --width widemm", &["'widemm' for", "before its unit is not a number"]),
     ("--body paper --dpi 10", &["'10' for '--dpi <N>'", "between 30 and 2400"]),
     ("--body paper --legend above", &["'above' for '--legend", "auto, none, below, file"]),
     // Named bodies.

@@ -174,13 +174,12 @@ fn width(text: &str) -> Result<Width, Failure> {
     let [least, most] = Width::RANGE;
     let wrong = |why: &str| {
         Failure::input(format!(
-            "{text}: {why}; a width is a length from {least}mm to {most}mm with its unit (mm, cm, in, pt), such as 86mm or 246pt"
+            "{why}; a width is a length from {least}mm to {most}mm with its unit (mm, cm, in, pt), such as 86mm or 246pt"
         ))
     };
     let unit = UNITS.into_iter().find_map(|(unit, size)| Some((text.trim().strip_suffix(unit)?, size)));
-    let (number, size) =
-        unit.ok_or_else(|| wrong(if float(text).is_ok() { "no unit" } else { "no length in one of its units" }))?;
-    let length = float(number.trim()).map_err(|_| wrong("not a number with a unit"))?;
+    let (number, size) = unit.ok_or_else(|| wrong("it has none of the units of a width"))?;
+    let length = float(number.trim()).map_err(|_| wrong("what stands before its unit is not a number"))?;
     let millimetres = (length * size * 1e3).round() / 1e3;
-    Width::new(millimetres).ok_or_else(|| wrong(&format!("{millimetres} mm")))
+    Width::new(millimetres).ok_or_else(|| wrong(&format!("{millimetres} mm is out of range")))
 }
