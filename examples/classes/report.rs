@@ -112,7 +112,8 @@ fn depth(known: &Known) -> String {
     let middle = distances[distances.len() / 2];
     let thin = distances.iter().filter(|distance| **distance < 1e-8).count();
     format!(
-        "Distances from the borders range from {largest:.2} to {least:.0e}; their median is {middle:.0e}; {thin} are below 1e-8."
+        "Distances to the nearest body of another class that the survey found range from {largest:.2} to {least:.0e}; their \
+         median is {middle:.0e}; {thin} are below 1e-8. `classes --at` finds a nearer one from some of the witnesses."
     )
 }
 
@@ -144,7 +145,7 @@ fn kind(event: &str) -> Option<(usize, String)> {
         let words: Vec<&str> = event.split_whitespace().collect();
         Some(format!("{} through {}", words.get(3)?, event.split("through ").nth(1)?))
     };
-    if let Some((_, branch)) = event.split_once("swallowtail is born or vanishes on branch ") {
+    if let Some((_, branch)) = event.split_once(" on branch ").filter(|_| event.starts_with("a swallowtail is born")) {
         return Some((0, branch.to_owned()));
     }
     if event.starts_with("the cusp of ") && event.contains("passes through") {

@@ -92,3 +92,41 @@ fn the_legend_lists_what_is_drawn() {
     let drawn = fs::read_to_string(directory.path().join("c/campbell.svg")).unwrap();
     assert!(drawn.contains("the type changes"));
 }
+
+/// The line of an unstable rotation begins where its type changes: at no rate of growth, not at a row of the table beside it.
+#[test]
+fn lines_of_the_picture_end_where_the_type_changes() {
+    let directory = tempfile::tempdir().unwrap();
+    for body in ["--A 3,2,1.5 --r 0,0,1", "--A 3,2,1.5 --r 0.4,0,0.9"] {
+        bifdiag(&format!("campbell {body} --axis=-z --to")).and("20 rpm").inside(directory.path()).succeeds();
+        let picture = fs::read_to_string(directory.path().join("bifdiag-out/campbell.svg")).unwrap();
+        let paths = |dashes: &str| -> Vec<String> {
+            let is_dashed = |line: &&str| line.contains(&format!("stroke-dasharray=\"{dashes}\""));
+            picture.lines().filter(is_dashed).map(|line| line.replace("<path d=\"M", "")).collect()
+        };
+        let numbers =
+            |path: &str| -> Vec<u32> { path.split(['l', ' ', '"']).map_while(|number| number.parse().ok()).collect() };
+        // The marks of the two changes in the last panel, but for that in the legend: x, the top and the height.
+        let marks = paths("20 40");
+        let [x, top, _, height] = numbers(&marks[marks.len() - 3])[..] else { panic!("{marks:?}") };
+        let begins_there = |path: &String| {
+            let [from, at, ..] = numbers(path)[..] else { return false };
+            from.abs_diff(x) <= 1 && (top + height).abs_diff(at) <= height / 100
+        };
+        assert!(paths("70 50").iter().any(begins_there), "{body}: {x}");
+    }
+}
+
+/// Where all steady axes are perpendicular at fast spins none is nearest, though some are permanent.
+#[test]
+fn an_axis_across_all_fast_ones_is_near_to_none() {
+    let none = "at fast spins all steady axes are perpendicular to the given one, so that none is nearest to it";
+    let body = "--A 3,3,5 --r 1,0,0 --axis y";
+    bifdiag(&format!("critical-spin {body}")).succeeds().printing(none);
+    bifdiag(&format!("campbell {body} --to")).and("3 rad/s").refused().telling(none).telling("give one of (");
+    for axis in ["1,0,0", "0,0,1"] {
+        let again = format!("campbell --A 3,3,5 --r 1,0,0 --axis {axis} --no-plot --out");
+        let directory = tempfile::tempdir().unwrap();
+        bifdiag(&again).and("x").and("--to").and("3 rad/s").inside(directory.path()).succeeds();
+    }
+}

@@ -80,7 +80,7 @@ fn a_part_may_lie_exactly_on_a_threshold() {
     bifdiag(&format!("critical {fold} --spin"))
         .and("1 rad/s")
         .succeeds()
-        .printing("on G1.2: two steady axes meet at this spin");
+        .printing("on G1.2: steady axes meet at this spin");
     for (numbers, expected) in [
         ("--inertia 4,4,5,0,1,1/2 --com 1/10,1/20,157/770 --mass 1", "unstable (1:2 resonance)"),
         ("--inertia 6,6,7,0,1,1 --com 1/10,1/10,1/4 --mass 1", "double-elliptic"),

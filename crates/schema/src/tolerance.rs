@@ -19,8 +19,9 @@ pub struct ToleranceDocument {
     /// fast spins, since no rotation about the given axis is permanent.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub moving: bool,
-    /// Outside the ranges each part has at every spin a steady rotation nearer than this, in degrees, to the permanent axis that is judged or, with
-    /// `moving`, to that of the nominal part at the same spin; absent where that axis is permanent for all of them.
+    /// Outside the ranges each part has at every spin a steady rotation nearer than this, in degrees, to the permanent axis
+    /// that is judged or, with `moving`, to that of the nominal part at the same spin; absent where that axis is found
+    /// permanent for all of them: along x, y or z, or where the numbers with a ± only scale the weight.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tilt_deg: Option<f64>,
     /// How many parts were tried for `classes`, and with `relative`, but for `moving`, for `between`.

@@ -16,7 +16,7 @@ from .real_parts import RealParts
 
 UNPHYSICAL = (
     "no mass distribution has these moments and this centre of mass "
-    "(it needs Ai + Aj > Ak, or Ai + Aj = Ak with rk = 0); the equations are solved all the same"
+    "(it needs Ai + Aj > Ak, or Ai + Aj = Ak with rk = 0); the equations hold all the same"
 )
 
 

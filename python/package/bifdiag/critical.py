@@ -41,8 +41,8 @@ class Equilibria(Table):
         Negative eigenvalues of the Hessian of U_l: 0 minimum, 1 saddle, 2 maximum, unless ``multiplicity`` is ``"2"``.
         Of a circle in its one normal direction: 0 minima, 1 maxima; 0 also where that is degenerate, at a cusp.
     multiplicity : array (n,) of str
-        ``"1"``; ``"2"``: degenerate, where two meet (a cusp) or three, or one and a circle (a pitchfork); ``"circle"`` and
-        ``"sphere"`` of them. Two that are mirror images are two rows.
+        ``"1"``; ``"2"``: degenerate, where two meet (a cusp) or three, or one and a circle (a pitchfork), more where a cusp
+        lies at a pitchfork; ``"circle"`` and ``"sphere"`` of them. Two that are mirror images are two rows.
     stability : array (n,) of str
         Linear type: ``"elliptic"`` (two imaginary pairs), ``"saddle-centre"`` (one real, one imaginary), ``"saddle"`` (two
         real), ``"complex"`` (a quadruple), ``"double-elliptic"``, ``"double-real"`` (a double pair), ``"zero"`` (an

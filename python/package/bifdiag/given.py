@@ -72,7 +72,7 @@ class Given(metaclass=Concise):
         """Whether a distribution of mass can have these moments and this centre of mass.
 
         It needs A_i + A_j > A_k, or equality and r_k = 0; for a part, about its centre of mass. If False, the
-        equations are solved all the same.
+        equations hold all the same.
         """
         return self._inner.physical()
 

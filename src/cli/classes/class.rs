@@ -10,6 +10,7 @@ use bifdiag_plot::draw_figure;
 use bifdiag_schema::{AtlasDocument, ClassDocument, ClassesDocument};
 use clap::Args;
 
+use super::special;
 use crate::Curves;
 use crate::cli::export::{DiagramArguments, FileSet, PictureArguments, answer, directory};
 use crate::cli::failure::{Failure, failed};
@@ -144,7 +145,7 @@ fn report(class: &ClassDocument, document: &AtlasDocument, written: &[PathBuf]) 
     report.line(format!("class {}: {}; {whose}", class.name, counted(class.regions, "region", "regions")));
     let among = match &class.stratum {
         Some(stratum) => {
-            report.line(format!("special bodies: {stratum} (axes by rising moments)"));
+            report.line(format!("special bodies: {}", special(stratum)));
             "such special "
         }
         None => "",
@@ -163,7 +164,8 @@ fn report(class: &ClassDocument, document: &AtlasDocument, written: &[PathBuf]) 
     if class.distance > 0.0 {
         let distance = significant(class.distance, 3);
         report.line(format!(
-            "  the nearest body of another class that the survey found, special bodies included, is {distance} away"
+            "  the nearest body of another class that the survey found, special bodies included, is {distance} away; \
+             there may be nearer ones"
         ));
     }
     report.line("");

@@ -98,6 +98,9 @@ fn table(ClassesDocument { classes, others, .. }: &ClassesDocument) -> String {
     }
     let mut report = Report::default();
     report.line(table.text());
+    report.line(
+        "distance: from the class's example to the nearest body of another class that the survey found; there may be nearer ones",
+    );
     let existing = classes.iter().filter(|class| class.physical).count();
     report.line(format!("{}, {existing} of them of physical bodies", counted(classes.len(), "class", "classes")));
     let special = others.iter().filter(|class| class.stratum.is_some()).count();
@@ -155,7 +158,7 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
         report.line("  it is not a built-in class, so `bifdiag class` does not know it");
     }
     if let Some(stratum) = &document.stratum {
-        report.line(format!("a special body: {stratum} (axes by rising moments)"));
+        report.line(format!("a special body: {}", special(stratum)));
         let beside: Vec<String> = document
             .generic
             .iter()
@@ -190,6 +193,12 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
         "axes by rising moments, numbered as in this body beyond a border too; what makes the body special (equal moments, zeros of r) is kept on the way, and classes \
         of more special bodies, such as those on a border, are not counted",
     );
+}
+
+/// What is special about a body, and how its axes are numbered where that names some.
+pub fn special(stratum: &str) -> String {
+    let names_axes = stratum.contains("ax") || stratum.contains('A');
+    format!("{stratum}{}", if names_axes { " (axes by rising moments)" } else { "" })
 }
 
 /// A distance; 0 stands for all that are not told from the body itself.

@@ -73,6 +73,10 @@ pub fn run(arguments: &ClassifyArguments, timings: &Timings, quiet: bool) -> Res
         if let Some((option, _)) = replaced.into_iter().find(|(_, given)| *given) {
             return Err(Failure::input(format!("--grid and {option} both give the points; leave out one of them")));
         }
+        let idle = [("--no-region", arguments.no_region), ("--json", arguments.json)];
+        if let Some((option, _)) = idle.into_iter().find(|(_, given)| *given) {
+            return Err(Failure::input(format!("--grid writes the region of each point to --out; leave {option} out")));
+        }
         let out = many::target(arguments.out.as_deref())?;
         return many::grid(&arguments.body.subject()?, grid, accuracy, out, timings);
     }

@@ -167,7 +167,7 @@ fn at_spin(
             let columns = table::at_spin(&subject.body, &document, &found)?;
             written(&columns, out, timings)
         }
-        None => answer(json, &document, || report::steady_axes(subject, &document)),
+        None => answer(json, &document, || report::steady_axes(subject, spin, &document)),
     }
 }
 

@@ -2,12 +2,14 @@
 
 use std::path::PathBuf;
 
+use bifdiag_body::part::Spin;
 use bifdiag_schema::{
     CriticalDocument, Damped, FrictionDocument, Multiplicity, RelativeEquilibriumDocument, SteadyAxesDocument,
     SteadyAxisDocument, eigenvalues_in_words, small_motions,
 };
 
 use crate::cli::input::head;
+use crate::cli::spin::{SPIN_DIGITS, as_given};
 use crate::cli::terminal::{Report, Table, all_apart, bound, fixed, significant};
 use bifdiag_documents::Subject;
 use bifdiag_documents::codes::multiplicity_word;
@@ -51,7 +53,7 @@ pub fn text(subject: &Subject, document: &CriticalDocument) -> String {
 }
 
 /// Every axis about which a body turns steadily at a spin.
-pub fn steady_axes(subject: &Subject, document: &SteadyAxesDocument) -> String {
+pub fn steady_axes(subject: &Subject, spin: &Spin, document: &SteadyAxesDocument) -> String {
     let mut places = Table::new(&["axis (up)", "h", "l", "index", "mult", "curve", "branch"]);
     let heights = energies(document.axes.iter().map(|axis| &axis.equilibrium), document.error_bound);
     for (SteadyAxisDocument { axis, l, equilibrium: point, .. }, h) in document.axes.iter().zip(heights) {
@@ -67,9 +69,9 @@ pub fn steady_axes(subject: &Subject, document: &SteadyAxesDocument) -> String {
     }
     let mut report = Report::default();
     head(subject, &mut report);
-    let [rpm, rad_per_s] = [document.spin.rpm, document.spin.rad_per_s].map(|x| significant(x, 8));
+    let [rpm, rad_per_s] = [document.spin.rpm, document.spin.rad_per_s].map(|x| significant(x, SPIN_DIGITS));
     let rest = if document.spin.rad_per_s == 0.0 { " (at rest)" } else { "" };
-    report.line(format!("steady axes at {rpm} rpm = {rad_per_s} rad/s{rest}"));
+    report.line(format!("steady axes at {rpm} rpm = {rad_per_s} rad/s{rest}{}", as_given(spin, [&rpm, &rad_per_s])));
     report.line("");
     report.line(places.text());
     let points: Vec<&RelativeEquilibriumDocument> = document.axes.iter().map(|axis| &axis.equilibrium).collect();
@@ -79,7 +81,7 @@ pub fn steady_axes(subject: &Subject, document: &SteadyAxesDocument) -> String {
     report.line(format!("axis: the end that points up, {frame}; gamma in the JSON points down, in principal axes"));
     for axis in document.axes.iter().filter(|axis| axis.fold) {
         report.line(format!(
-            "on {}: two steady axes meet at this spin; at slightly slower spins they do not exist",
+            "on {}: steady axes meet at this spin; at slightly slower spins they do not exist",
             axis.equilibrium.branch
         ));
     }

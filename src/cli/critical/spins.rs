@@ -70,7 +70,11 @@ impl Output {
         let format = match path.extension().and_then(|extension| extension.to_str()) {
             Some("svg") => PictureFormat::Svg,
             Some("png") => PictureFormat::Png,
-            _ => return DataTarget::parse(text).map(Self::Data),
+            _ => {
+                let unknown =
+                    |error| Failure::input(format!("{error}; FILE.svg or FILE.png for a picture of a range of spins"));
+                return DataTarget::parse(text).map(Self::Data).map_err(unknown);
+            }
         };
         Ok(Self::Picture { path, format })
     }

@@ -204,9 +204,9 @@ fn warn(subject: &Subject) {
     if subject.body.flags().unphysical {
         tracing::warn!(
             "no mass distribution has these moments and this centre of mass (it needs Ai + Aj > Ak, or Ai + Aj = Ak \
-            with rk = 0); the equations are solved all the same"
+            with rk = 0); the equations hold all the same"
         );
     } else if subject.part.as_ref().is_some_and(|part| !part.physical) {
-        tracing::warn!("no mass distribution has these mass properties; the equations are solved all the same");
+        tracing::warn!("no mass distribution has these mass properties; the equations hold all the same");
     }
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use bifdiag_body::part::Spin;
 use bifdiag_diagram::region_changes::rotation_changes;
 use bifdiag_documents::Subject;
-use bifdiag_equilibria::critical::{Multiplicity, RelativeEquilibria, SteadyFamily};
+use bifdiag_equilibria::critical::{Multiplicity, RelativeEquilibria};
 use bifdiag_equilibria::nonlinear::NonlinearVerdict;
 use bifdiag_equilibria::permanent::{
     AxisKind, AxisRotation, PermanentAxis, angle_between, fastest_along, permanent_axis,
@@ -74,7 +74,7 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
         AxisKind::Permanent { axis, .. } => permanent(&subject, axis, &kind, &arguments.to)?,
         _ => moving(&subject, &arguments.axis, &arguments.to)?,
     };
-    let Followed { rows, crossings, start, changes, notes } = followed;
+    let Followed { rows, beside, crossings, start, changes, notes } = followed;
     if rows.iter().any(|row| row.frequencies.into_iter().chain([row.growth]).any(f64::is_infinite)) {
         let right = "at such a spin the frequencies overflow; give a smaller one";
         return Err(Failure::input(format!("--to {}: {right}", arguments.to)));
@@ -85,8 +85,10 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
     let (changes, beyond): (Vec<_>, Vec<_>) =
         changes.into_iter().partition(|(rpm, ..)| *rpm <= top * (1.0 + 4.0 * f64::EPSILON));
     if !arguments.no_plot {
+        let mut drawn = [rows, beside].concat();
+        drawn.sort_by(|row, other| row.rpm.total_cmp(&other.rpm));
         let scene =
-            Campbell { rows: modes(&rows, &crossings), changes: changes.iter().map(|(rpm, ..)| *rpm).collect() };
+            Campbell { rows: modes(&drawn, &crossings), changes: changes.iter().map(|(rpm, ..)| *rpm).collect() };
         let picture = draw_campbell(&scene, bifdiag_plot::Theme::Light)?;
         files.pictures("campbell", &picture, &PictureArguments::plain(PictureFormat::Svg), timings)?;
     }
@@ -116,6 +118,8 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
 /// A steady rotation over the spin.
 struct Followed {
     rows: Vec<Row>,
+    /// Just below and above each change, where lines of the picture end.
+    beside: Vec<Row>,
     /// In rpm, where the frequencies of two modes cross.
     crossings: Vec<f64>,
     /// In rpm, where the rotation begins, if it is not permanent.
@@ -136,8 +140,10 @@ fn permanent(subject: &Subject, axis: PermanentAxis, kind: &AxisKind, largest: &
         let [from, to] = change.types.map(|kind| kind.word().to_owned());
         (Spin::rpm(change.omega * second), from, to)
     });
+    let changes: Vec<_> = changes.collect();
     let nearest = bifdiag_documents::nearest_axis(subject, kind).filter(|nearest| nearest.angle_deg > REPORTED);
-    let rows = rows(&rotation, largest, subject);
+    let at = |spin: &Spin| row(&rotation, spin, subject);
+    let rows: Vec<Row> = (1..=STEPS).map(|k| at(&largest.part(k, STEPS))).collect();
     let pair = |spin: &Spin| {
         let omega = spin.exact_rad_per_s() * subject.unit_of_time();
         rotation.frequencies_and_growth(&(&omega * &omega)).0
@@ -145,8 +151,9 @@ fn permanent(subject: &Subject, axis: PermanentAxis, kind: &AxisKind, largest: &
     Ok(Followed {
         crossings: crossings(&rows, largest, pair),
         rows,
+        beside: beside(largest, changes.iter().map(|(rpm, ..)| *rpm)).iter().map(at).collect(),
         start: None,
-        changes: changes.collect(),
+        changes,
         notes: nearest.iter().map(followed_text).collect(),
     })
 }
@@ -158,7 +165,14 @@ fn moving(subject: &Subject, given: &AxisArgument, largest: &Spin) -> Result<Fol
     let near = fastest_along(&subject.body, &families, subject.to_principal(given.direction));
     let family = match &near[..] {
         [family] if !family.is_permanent => family,
-        near if near.iter().all(|family| family.is_permanent) => return Err(not_permanent(subject, given, &families)),
+        [] => {
+            return Err(Failure::input(format!(
+                "--axis: {}; give one of {}",
+                bifdiag_documents::NONE_NEAREST,
+                bifdiag_documents::fast_axes(subject, &families)
+            )));
+        }
+        near if near.iter().all(|family| family.is_permanent) => return Err(not_permanent(subject, given)),
         _ => {
             return Err(Failure::input(format!(
                 "--axis: at fast spins the steady axes {} are equally near to it; give an axis that is nearer to one \
@@ -168,23 +182,22 @@ fn moving(subject: &Subject, given: &AxisArgument, largest: &Spin) -> Result<Fol
         }
     };
     let second = subject.second();
-    let mut rows = Vec::new();
     let at = |spin: &Spin| {
         let omega = spin.exact_rad_per_s() * subject.unit_of_time();
         let found = prepared.at_spin(&omega).map_err(failed(NOT_FOUND))?;
         Ok::<_, Failure>(found.list.into_iter().find(|point| family.holds(&subject.body, point)))
     };
-    for k in 1..=STEPS {
-        let spin = largest.part(k, STEPS);
-        let Some(point) = at(&spin)? else { continue };
+    let row = |spin: &Spin| {
+        let Some(point) = at(spin)? else { return Ok(None) };
         let [[growth, p], [other, q]] = point.eigenvalues.pairs;
-        rows.push(Row {
+        Ok::<_, Failure>(Some(Row {
             rpm: spin.in_rpm(),
             frequencies: frequencies([p, q], second),
             growth: if point.stability.is_unstable() { growth.max(other) * second } else { 0.0 },
             known: known(point.nonlinear.verdict, point.friction.survives),
-        });
-    }
+        }))
+    };
+    let rows = (1..=STEPS).filter_map(|k| row(&largest.part(k, STEPS)).transpose()).collect::<Result<Vec<_>, _>>()?;
     let rpm = |omega: f64| Spin::rpm(omega * second);
     let start = rpm(family.slowest());
     let pairs = family.stretches.windows(2).filter(|pair| pair[0].kind != pair[1].kind);
@@ -211,43 +224,38 @@ fn moving(subject: &Subject, given: &AxisArgument, largest: &Spin) -> Result<Fol
         at(spin).ok().flatten().map_or([f64::NAN; 2], |point| point.eigenvalues.pairs.map(|pair| pair[1]))
     };
     let crossings = crossings(&rows, largest, pair);
-    Ok(Followed { rows, crossings, start: Some(start), changes, notes: vec![note] })
+    let ends = std::iter::once(start).chain(changes.iter().map(|(rpm, ..)| *rpm));
+    let beside = beside(largest, ends).iter().filter_map(|spin| row(spin).transpose()).collect::<Result<_, _>>()?;
+    Ok(Followed { rows, beside, crossings, start: Some(start), changes, notes: vec![note] })
 }
 
-/// Why an axis has no frequencies over the spin.
-fn not_permanent(subject: &Subject, given: &AxisArgument, families: &[SteadyFamily]) -> Failure {
+/// Why an axis has no frequencies over the spin where the steady axes that are nearest to it are permanent.
+fn not_permanent(subject: &Subject, given: &AxisArgument) -> Failure {
     let direction = given.direction;
-    match permanent_axis(&subject.body, subject.to_principal(direction)) {
-        Some(nearest) => {
-            let axis = subject.to_given(nearest.direction);
-            let angle = angle_between(axis, direction).to_degrees();
-            let mut near = if subject.body.is_euler() { principal_near(subject, direction, angle) } else { Vec::new() };
-            if near.is_empty() {
-                near.push(axis);
-            }
-            let axes: Vec<String> = near
-                .iter()
-                .map(|axis| {
-                    let circle = one_of(subject, *axis).map_or("", |_| ", one of a circle of such axes");
-                    format!("{}{circle}", listed(*axis))
-                })
-                .collect();
-            let are = if axes.len() > 1 { "permanent axes are" } else { "permanent axis is" };
-            Failure::input(format!(
-                "--axis: rotation about it is steady at {}, and the steady axis that is nearest to it at fast spins is permanent \
-                itself; the nearest {are} {}, {}° away",
-                steady_at(subject, given),
-                axes.join(" and "),
-                angle_text(angle)
-            ))
-        }
-        // Then no family is permanent, and none is nearest.
-        None => Failure::input(format!(
-            "--axis: {}; give an axis that is nearer to one of {}",
-            bifdiag_documents::NONE_NEAREST,
-            bifdiag_documents::fast_axes(subject, families)
-        )),
+    let Some(nearest) = permanent_axis(&subject.body, subject.to_principal(direction)) else {
+        return Failure::work(NOT_FOUND);
+    };
+    let axis = subject.to_given(nearest.direction);
+    let angle = angle_between(axis, direction).to_degrees();
+    let mut near = if subject.body.is_euler() { principal_near(subject, direction, angle) } else { Vec::new() };
+    if near.is_empty() {
+        near.push(axis);
     }
+    let axes: Vec<String> = near
+        .iter()
+        .map(|axis| {
+            let circle = one_of(subject, *axis).map_or("", |_| ", one of a circle of such axes");
+            format!("{}{circle}", listed(*axis))
+        })
+        .collect();
+    let are = if axes.len() > 1 { "permanent axes are" } else { "permanent axis is" };
+    Failure::input(format!(
+        "--axis: rotation about it is steady at {}, and the steady axis that is nearest to it at fast spins is permanent itself; \
+        the nearest {are} {}, {}° away",
+        steady_at(subject, given),
+        axes.join(" and "),
+        angle_text(angle)
+    ))
 }
 
 /// At how many spins rotation about an axis is steady that is not permanent.
@@ -265,6 +273,7 @@ fn steady_at(subject: &Subject, given: &AxisArgument) -> &'static str {
 }
 
 /// Frequencies at one spin.
+#[derive(Clone, Copy)]
 struct Row {
     rpm: f64,
     /// The slower one first; NaN for pairs of eigenvalues that are real or zero.
@@ -273,23 +282,31 @@ struct Row {
     known: Steadiness,
 }
 
-fn rows(rotation: &AxisRotation, largest: &Spin, subject: &Subject) -> Vec<Row> {
+fn row(rotation: &AxisRotation, spin: &Spin, subject: &Subject) -> Row {
     let second = subject.second();
-    let row = |k: u32| {
-        let spin = largest.part(k, STEPS);
-        let omega = spin.exact_rad_per_s() * subject.unit_of_time();
-        let (frequencies, growth) = rotation.frequencies_and_growth(&(&omega * &omega));
-        let judged = rotation.stability_at_spin(&omega);
-        let known = judged.map_or(Steadiness::Open, |judged| known(judged.nonlinear.verdict, judged.friction.survives));
-        let grows = judged.is_none_or(|judged| judged.kind.is_unstable());
-        Row {
-            rpm: spin.in_rpm(),
-            frequencies: self::frequencies(frequencies, second),
-            growth: if grows { growth * second } else { 0.0 },
-            known,
-        }
-    };
-    (1..=STEPS).map(row).collect()
+    let omega = spin.exact_rad_per_s() * subject.unit_of_time();
+    let (frequencies, growth) = rotation.frequencies_and_growth(&(&omega * &omega));
+    let judged = rotation.stability_at_spin(&omega);
+    let known = judged.map_or(Steadiness::Open, |judged| known(judged.nonlinear.verdict, judged.friction.survives));
+    let grows = judged.is_none_or(|judged| judged.kind.is_unstable());
+    Row {
+        rpm: spin.in_rpm(),
+        frequencies: self::frequencies(frequencies, second),
+        growth: if grows { growth * second } else { 0.0 },
+        known,
+    }
+}
+
+/// Into how many parts the largest spin is cut where one of the table's is too coarse: so fine that a gap which vanishes is less
+/// than `CROSSED`.
+const FINE: u32 = 1 << 24;
+
+/// The spins just below and just above some in rpm, as far as they lie between 0 and the largest.
+fn beside(largest: &Spin, spins: impl Iterator<Item = f64>) -> Vec<Spin> {
+    let parts = spins.map(|rpm| rpm / largest.in_rpm() * f64::from(FINE));
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 1 to FINE")]
+    let spin = |part: f64| (1.0..=f64::from(FINE)).contains(&part).then(|| largest.part(part as u32, FINE));
+    parts.flat_map(|part| [part.ceil() - 1.0, part.floor() + 1.0]).filter_map(spin).collect()
 }
 
 /// Frequencies that come so near to each other, in parts of their sum, cross: they do not turn away from each other.
@@ -298,8 +315,6 @@ const CROSSED: f64 = 1e-6;
 /// The spins in rpm at which the frequencies of a rotation without growth are equal: least gaps between three spins of the table
 /// that vanish. `pair` are the frequencies at a spin, in any unit.
 fn crossings(rows: &[Row], largest: &Spin, pair: impl Fn(&Spin) -> [f64; 2]) -> Vec<f64> {
-    // So fine that a gap which vanishes is less than CROSSED.
-    const FINE: u32 = 1 << 24;
     // In parts of their sum.
     let gap = |[p, q]: [f64; 2]| (p - q).abs() / (p + q);
     let top = largest.in_rpm();

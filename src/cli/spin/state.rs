@@ -12,6 +12,7 @@ use clap::Args;
 use dashu_ratio::RBig;
 
 use super::axis::{AxisArgument, as_near, axis, listed, rests};
+use super::given::{SPIN_DIGITS, as_given};
 use super::steady::{changes, report_steady};
 use crate::cli::export::answer;
 use crate::cli::failure::{Failure, failed, incomplete};
@@ -78,7 +79,7 @@ pub fn run(arguments: &StateArguments, timings: &Timings) -> Result<(), Failure>
     });
     let found = found.map_err(failed("the state overflows"))?;
     let document = bifdiag_documents::state(&subject, state.asked(&subject), &found);
-    answer(arguments.json, &document, || text(&subject, &document, &question, &found))
+    answer(arguments.json, &document, || text(&subject, &document, state.given(), (&question, &found)))
 }
 
 impl<'a> State<'a> {
@@ -147,6 +148,13 @@ impl<'a> State<'a> {
         }
     }
 
+    fn given(&self) -> Option<&Spin> {
+        match self.turning {
+            Turning::About { spin, .. } => Some(spin),
+            Turning::Omega(_) => None,
+        }
+    }
+
     fn asked(&self, subject: &Subject) -> StateQuestion {
         let spin = match self.turning {
             Turning::About { spin, .. } => bifdiag_documents::asked_spin(&spin.absolute()),
@@ -156,7 +164,12 @@ impl<'a> State<'a> {
     }
 }
 
-fn text(subject: &Subject, document: &StateDocument, question: &SpinQuestion, found: &exact::State) -> String {
+fn text(
+    subject: &Subject,
+    document: &StateDocument,
+    given: Option<&Spin>,
+    (question, found): (&SpinQuestion, &exact::State),
+) -> String {
     let mut report = Report::default();
     head(subject, &mut report);
     let spin = &document.spin;
@@ -164,9 +177,12 @@ fn text(subject: &Subject, document: &StateDocument, question: &SpinQuestion, fo
         document.steady.as_ref().map_or([None, None], |found| [&found.below, &found.above].map(Option::as_ref));
     let apart = |value: fn(&SpinDocument) -> f64| {
         let neighbour = |found: Option<&SpinChangeDocument>, none| found.map_or(none, |found| value(&found.spin));
-        all_apart(&[neighbour(below, f64::NEG_INFINITY), value(spin), neighbour(above, f64::INFINITY)], 8)[1].clone()
+        all_apart(&[neighbour(below, f64::NEG_INFINITY), value(spin), neighbour(above, f64::INFINITY)], SPIN_DIGITS)[1]
+            .clone()
     };
-    report.line(format!("spin {} rpm = {} rad/s", apart(|spin| spin.rpm), apart(|spin| spin.rad_per_s)));
+    let [rpm, rad_per_s] = [apart(|spin| spin.rpm), apart(|spin| spin.rad_per_s)];
+    let given = given.map_or_else(String::new, |given| as_given(given, [&rpm, &rad_per_s]));
+    report.line(format!("spin {rpm} rpm = {rad_per_s} rad/s{given}"));
     report.line(format!(
         "h = {}, l = {} about the upward vertical",
         significant(document.h, 10),

@@ -215,6 +215,18 @@ impl SpinUnit {
 }
 
 impl Spin {
+    /// The number that was given, in its unit.
+    #[must_use]
+    pub fn number(&self) -> &Number {
+        &self.value
+    }
+
+    /// Its unit.
+    #[must_use]
+    pub fn unit(&self) -> SpinUnit {
+        self.unit
+    }
+
     /// In rad/s, rounded once.
     #[must_use]
     pub fn rad_per_s(&self) -> f64 {

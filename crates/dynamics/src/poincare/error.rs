@@ -44,6 +44,11 @@ fn rounding(h: &str, lowest: f64) -> &'static str {
     if h.parse::<Number>().is_ok_and(|h| h.to_f64() < lowest) { "" } else { ", rounded" }
 }
 
+/// The shortest decimal of a double, with an exponent where zeros would be written out.
+fn shortest(x: f64) -> String {
+    if x == 0.0 || (1e-4..1e7).contains(&x.abs()) { format!("{x}") } else { format!("{x:e}") }
+}
+
 /// Why there is no section at a point, or why it could not be computed.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum PoincareError {
@@ -55,7 +60,8 @@ pub enum PoincareError {
     WeightlessBody,
     /// h is below the minimum of the effective potential.
     #[error(
-        "(h, l) = ({h}, {l}) is forbidden: the lowest energy at l = {l} is {lowest}{} (curve {branch}); choose h above it",
+        "(h, l) = ({h}, {l}) is forbidden: the lowest energy at l = {l} is {}{} (curve {branch}); choose h above it",
+        shortest(*lowest),
         rounding(h, *lowest)
     )]
     Forbidden {
