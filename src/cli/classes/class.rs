@@ -10,7 +10,6 @@ use bifdiag_plot::draw_figure;
 use bifdiag_schema::{AtlasDocument, ClassDocument, ClassesDocument};
 use clap::Args;
 
-use super::special;
 use crate::Curves;
 use crate::cli::export::{DiagramArguments, FileSet, PictureArguments, answer, directory};
 use crate::cli::failure::{Failure, failed};
@@ -107,6 +106,12 @@ fn witness(class: &ClassDocument) -> Result<(Atlas, AtlasDocument), Failure> {
         bifdiag_exact::atlas(&body, Accuracy::Exact).map_err(failed("the witness of the class has no atlas"))?;
     let document = bifdiag_documents::atlas::document(&atlas, &DocumentOptions::default());
     Ok((atlas, document))
+}
+
+/// What is special about a body, and how its axes are numbered where that names some.
+pub fn special(stratum: &str) -> String {
+    let names_axes = stratum.contains("ax") || stratum.contains('A');
+    format!("{stratum}{}", if names_axes { " (axes by rising moments)" } else { "" })
 }
 
 /// Its share of bodies in percent, or that no body of a sample has it.

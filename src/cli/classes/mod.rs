@@ -15,7 +15,7 @@ use super::export::answer;
 use super::failure::Failure;
 use super::input::{PlainBodyArguments, head};
 use super::terminal::{Report, Table, bound, counted, significant};
-use class::share;
+use class::{share, special};
 
 pub use class::{CLASS_EXAMPLES, ClassArguments, run as class};
 
@@ -193,12 +193,6 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
         "axes by rising moments, numbered as in this body beyond a border too; what makes the body special (equal moments, zeros of r) is kept on the way, and classes \
         of more special bodies, such as those on a border, are not counted",
     );
-}
-
-/// What is special about a body, and how its axes are numbered where that names some.
-pub fn special(stratum: &str) -> String {
-    let names_axes = stratum.contains("ax") || stratum.contains('A');
-    format!("{stratum}{}", if names_axes { " (axes by rising moments)" } else { "" })
 }
 
 /// A distance; 0 stands for all that are not told from the body itself.
