@@ -98,7 +98,7 @@ fn an_empty_batch_has_no_answers() {
 #[test]
 fn unphysical_bodies_are_counted_unless_quiet() {
     let batch = "{\"A\":[9,1,1],\"r\":[1,0,0],\"l\":1}\n{\"A\":[2,1.5,1],\"r\":[1,0,0],\"l\":1}\n";
-    bifdiag("critical --batch -").reading(batch).succeeds().telling("warning: the bodies of 1 of 2 lines cannot exist");
+    bifdiag("critical --batch -").reading(batch).succeeds().telling("warning: the body of 1 of 2 lines cannot exist");
     bifdiag("critical -q --batch -").reading(batch).succeeds().telling_nothing();
 }
 

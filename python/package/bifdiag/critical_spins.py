@@ -135,8 +135,8 @@ class CriticalSpins(Table):
     kind : array (n,) of str
         What changes: ``"stability"``, ``"region"`` (of the diagram beside it), ``"stability-and-region"``; ``"start"``
         where the rotation itself begins; ``"isolated"`` where at this spin alone the usual conditions of Arnold's theorem
-        fail. Of an axis that moves with the spin, or was not asked for, only the stability is looked at, not the regions
-        beside it.
+        fail. Of an axis that moves with the spin, or that is not the one that was asked for, only the stability is looked
+        at, not the regions beside it; without ``axis`` all permanent ones are asked for.
     event : array (n,) of str
         What happens: ``"fork"``, ``"crossing"``, ``"cusp"``, ``"fold"`` of curves, ``"hamiltonian-hopf"``,
         ``"real-collision"``, ``"zero"`` of eigenvalues, ``"1:2"``, ``"D4"``, … of an isolated spin; ``""`` where only the

@@ -175,7 +175,8 @@ impl Batch<'_> {
         let &Tally { lines, bad, unanswered, unphysical, ref ignored, .. } = tally;
         if unphysical > 0 {
             tracing::warn!(
-                "the bodies of {unphysical} of {} cannot exist: neither Ai + Aj > Ak nor Ai + Aj = Ak with rk = 0",
+                "the {} of {unphysical} of {} cannot exist: neither Ai + Aj > Ak nor Ai + Aj = Ak with rk = 0",
+                if unphysical == 1 { "body" } else { "bodies" },
                 counted(lines, "line", "lines")
             );
         }

@@ -186,6 +186,8 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
         table.row([distance(border.distance), border.class.clone(), border.event.clone()]);
     }
     report.line(table.text());
+    report
+        .line("there may be more borders, and nearer ones; --lines N looks along N random lines through the body too");
     if document.borders[0].distance == 0.0 {
         report.line(format!("the body is on a border of its class, or within {} of one", distance(0.0)));
     }

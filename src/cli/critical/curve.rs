@@ -28,7 +28,9 @@ pub fn draw(
         return Err(Failure::input("--out: without weight there is no angle from the centre of mass to draw"));
     }
     if ends[0].exact_rad_per_s() == ends[1].exact_rad_per_s() {
-        return Err(Failure::input("--spin: a picture needs two spins that differ; give FROM:TO:N, or --out FILE.csv"));
+        return Err(Failure::input(
+            "--spin: a picture needs two spins that differ; give \"a:b:n UNIT\" with a below b, or --out FILE.csv",
+        ));
     }
     let scene = timings.stage("critical", || scene(subject, ends, count))?;
     let picture = draw_steady(&scene, Theme::Light)?;

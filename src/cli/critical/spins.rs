@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use bifdiag_body::part::Spin;
+use bifdiag_body::part::{Spin, SpinUnit};
 
 use crate::cli::export::{DataTarget, PictureFormat};
 use crate::cli::failure::Failure;
@@ -31,12 +31,14 @@ impl Spins {
         }
         let parts: Vec<&str> = text.split(':').map(str::trim).collect();
         let [from, to, last] = parts[..] else { return Err(Failure::input(RANGE)) };
-        let digits = last.find(|letter: char| !letter.is_ascii_digit()).unwrap_or(last.len());
-        let (count, unit) = last.split_at(digits);
-        let end = |number: &str| {
-            format!("{number} {unit}").parse::<Spin>().map_err(|error| Failure::input(format!("{error}; {RANGE}")))
+        let Some((count, unit)) = SpinUnit::at_end(last) else {
+            return Err(Failure::input(format!("`{last}` has none of the units rpm, Hz, rad/s and deg/s; {RANGE}")));
         };
-        let (from, to) = (end(from)?, end(to)?);
+        let end = |name: &str, number: &str| match number.parse() {
+            Ok(number) => Ok(Spin::new(number, unit)),
+            Err(error) => Err(Failure::input(format!("{name}: {error}; {RANGE}"))),
+        };
+        let (from, to): (Spin, Spin) = (end("a", from)?, end("b", to)?);
         if from.rad_per_s() < 0.0 || from.rad_per_s() > to.rad_per_s() {
             return Err(Failure::input(format!(
                 "from {from} to {to}: write the smaller spin first, not below 0; {RANGE}"
@@ -94,6 +96,14 @@ mod tests {
         assert!(wrong("0:3000:301").contains("has none of the units"));
         assert!(wrong("0:3000 rpm").starts_with("a range of spins is written"));
         assert!(wrong("9:3:4 rpm").contains("write the smaller spin first"));
-        assert!(wrong("1:3:1 rpm").starts_with("n = `1` is not a whole number"));
+        for (text, count) in
+            [("1:3:1 rpm", "1"), ("0:60:11/2 rpm", "11/2"), ("0:6:2.5 Hz", "2.5"), ("0:6:ten rpm", "ten")]
+        {
+            assert!(wrong(text).starts_with(&format!("n = `{count}` is not a whole number")), "{}", wrong(text));
+        }
+        // One unit, behind n.
+        assert!(wrong("0 rpm:20 Hz:11").contains("`11` has none of the units"));
+        assert!(wrong("0 rpm:20 Hz:11 Hz").starts_with("a: `0 rpm` is not a number"));
+        assert!(wrong("0:60:10 kHz").contains("`10 kHz` has none of the units"));
     }
 }

@@ -32,7 +32,7 @@ impl Numbers {
         if from > to {
             return Err(Failure::input(format!("a = {from} is above b = {to}; write the smaller number first")));
         }
-        match count.parse() {
+        match count.trim().parse() {
             Ok(count) if (1..=MOST).contains(&count) => Ok(Self::Range { from, to, count }),
             _ => Err(Failure::input(format!("n = `{count}` is not a whole number from 1 to {MOST}"))),
         }

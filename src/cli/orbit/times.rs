@@ -55,7 +55,7 @@ impl Times {
         if from > to {
             return Err(Failure::input(format!("t0 = {from} is above t1 = {to}; write the earlier time first")));
         }
-        match count.parse() {
+        match count.trim().parse() {
             Ok(count) if (1..=MOST).contains(&count) => Ok(Self::Range { from, to, count }),
             _ => Err(Failure::input(format!("n = `{count}` is not a whole number from 1 to {MOST}"))),
         }

@@ -20,6 +20,7 @@ pub struct AxisArgument {
 
 /// Reads a direction; its length does not matter.
 pub fn axis(text: &str) -> Result<AxisArgument, Failure> {
+    let text = text.trim();
     let given = values::triple(match text.strip_prefix('+').unwrap_or(text) {
         "x" => "1,0,0",
         "y" => "0,1,0",

@@ -104,9 +104,9 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
         let known =
             [(axis, "the moment about the axis"), (first, "the two moments across the axis"), (weight, "the weight")];
         let loose = known.iter().filter(|(share, _)| *share != "0");
-        let loose: Vec<String> = loose.map(|(share, what)| format!("1 ± {share} of {what}")).collect();
+        let loose: Vec<String> = loose.map(|(share, what)| format!("{what} times 1 ± {share}")).collect();
         let exact = if loose.len() < known.len() { "; what is not named is exact" } else { "" };
-        format!("every part within {} (bounds, not samples{exact}):", loose.join(", "))
+        format!("every part with {} (bounds, not samples{exact}):", loose.join(", "))
     });
     ranges(report, &tolerance.ranges, document.slow.as_ref(), true);
     report.line(classes(tolerance));

@@ -194,6 +194,16 @@ pub enum SpinError {
 impl SpinUnit {
     const ALL: [Self; 4] = [Self::Rpm, Self::RadPerSecond, Self::DegPerSecond, Self::Hertz];
 
+    /// What stands before a unit at the end of a text, and the unit; `None` where none stands there, or one with a prefix, as in
+    /// 3 kHz and 2 mrad/s.
+    #[must_use]
+    pub fn at_end(text: &str) -> Option<(&str, Self)> {
+        let lower = text.to_ascii_lowercase();
+        let unit = Self::ALL.into_iter().find(|unit| lower.ends_with(&unit.name().to_ascii_lowercase()))?;
+        let before = &text[..text.len() - unit.name().len()];
+        (!before.ends_with(char::is_alphabetic)).then(|| (before.trim_end(), unit))
+    }
+
     fn name(self) -> &'static str {
         match self {
             Self::Rpm => "rpm",
@@ -215,6 +225,12 @@ impl SpinUnit {
 }
 
 impl Spin {
+    /// A number of a unit.
+    #[must_use]
+    pub fn new(value: Number, unit: SpinUnit) -> Self {
+        Self { value, unit }
+    }
+
     /// The number that was given, in its unit.
     #[must_use]
     pub fn number(&self) -> &Number {
@@ -308,15 +324,8 @@ impl FromStr for Spin {
 
     fn from_str(text: &str) -> Result<Self, SpinError> {
         let trimmed = text.trim();
-        let lower = trimmed.to_ascii_lowercase();
-        let unit = SpinUnit::ALL.into_iter().find(|unit| lower.ends_with(&unit.name().to_ascii_lowercase()));
-        let unit = unit.ok_or_else(|| SpinError::Unit { text: trimmed.to_owned() })?;
-        let value = &trimmed[..trimmed.len() - unit.name().len()];
-        // 3 kHz, 2 mrad/s: the unit is another one.
-        if value.ends_with(char::is_alphabetic) {
-            return Err(SpinError::Unit { text: trimmed.to_owned() });
-        }
-        Ok(Self { value: value.trim_end().parse()?, unit })
+        let (value, unit) = SpinUnit::at_end(trimmed).ok_or_else(|| SpinError::Unit { text: trimmed.to_owned() })?;
+        Ok(Self { value: value.parse()?, unit })
     }
 }
 
