@@ -249,5 +249,6 @@ fn tried(document: &FindDocument) -> String {
         ),
     };
     let is_changed = document.found && showing == 0;
-    text + if is_changed { "; the witness was found by changing those that came nearest" } else { "" }
+    let changed = if tried == 1 { "it" } else { "those that came nearest" };
+    text + &if is_changed { format!("; the witness was found by changing {changed}") } else { String::new() }
 }

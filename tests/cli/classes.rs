@@ -197,3 +197,16 @@ fn the_ball_is_the_border_of_symmetric_bodies() {
     let found = bifdiag("classes --at --A 1.009,1.009,1.686 --r 0.969,0.726,0.528").succeeds();
     found.printing("the moments A1, A2 and A3 are equal there");
 }
+
+/// Beside a more special body, nearer than doubles tell it, no borders are named: they would be those of that one.
+#[test]
+fn borders_beside_a_more_special_body_are_not_sought() {
+    let at = |second: &str| bifdiag(&format!("classes --at --A 1,{second},1.5 --r 0,0,1")).succeeds();
+    for second in ["1.00000000000000000001", "1.0000000000000001", "1.00000000000001", "1.00000001"] {
+        at(second).printing("its borders are not sought: a more special body is within 1e-8 of it");
+    }
+    for second in ["1", "1.0000001", "1.0001"] {
+        at(second).printing("distance at most");
+    }
+    bifdiag("classes --at --A 5,7,9 --r 1e-12,1,2").succeeds().printing("its borders are not sought");
+}

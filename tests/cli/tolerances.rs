@@ -121,7 +121,9 @@ fn tolerances_of_zero_are_not_reported_as_such() {
     let text = bifdiag("critical-spin --A 1,1,1 --r 0,0,1 --tolerance weight=1%").succeeds();
     text.printing("every part with the weight times 1 ± 0.01 (bounds, not samples; what is not named is exact):");
     let text = bifdiag("critical-spin --A 1,1,2 --r 0,0,1 --axis z --tolerance axis=1%,across=2%").succeeds();
-    text.printing("within 1 ± 0.01 of the moment about the axis, 1 ± 0.02 of the two moments across the axis (bounds");
+    text.printing(
+        "with the moment about the axis times 1 ± 0.01, the two moments across the axis times 1 ± 0.02 (bounds",
+    );
     for twice in ["axis=1%,axis=2%", "moments=1%,across=2%"] {
         let refused = bifdiag("critical-spin --A 1,1,2 --r 0,0,1 --axis z --tolerance").and(twice).refused();
         refused.telling("another item sets the same");

@@ -123,8 +123,14 @@ pub fn classify_in(atlas: &Atlas, h: &Number, l: &Number) -> Result<(Classificat
             candidates.push(components.to_vec());
         }
     }
-    let on_curve = atlas::on_straight_curve(body, h, l);
-    Ok((Classification::open(on_curve, candidates, margin), false))
+    Ok((beside_curve(body, [h, l], candidates, margin), false))
+}
+
+/// What is known of a point too near to a curve: whether it lies on a straight one is decided exactly.
+fn beside_curve(body: &Body, [h, l]: [&Number; 2], candidates: Vec<Components>, margin: Margin) -> Classification {
+    let is_on_it = atlas::on_straight_curve(body, h, l);
+    let margin = if is_on_it { Margin { h: 0.0, ..margin } } else { margin };
+    Classification::open(is_on_it, candidates, margin)
 }
 
 /// The points of all curves over one x, by rising h, beside an energy.
@@ -208,7 +214,7 @@ impl<'a> AtMomentum<'a> {
             }
         }
         let margin = self.margin(self.nearest());
-        Ok(Some(Classification::open(atlas::on_straight_curve(body, h, l), candidates, margin)))
+        Ok(Some(beside_curve(body, [h, l], candidates, margin)))
     }
 }
 

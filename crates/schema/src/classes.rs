@@ -114,6 +114,7 @@ pub struct StandingDocument {
     /// For a special body: the classes of generic bodies beside it, the most frequent first. Rare ones may be missing.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub generic: Vec<ClassBesideDocument>,
-    /// The borders of the class around the body, by rising distance; none for a body without a class.
+    /// The borders of the class around the body, by rising distance; none for a body without a class, nor for one within 1e-8 of a more
+    /// special one.
     pub borders: Vec<ClassBorderDocument>,
 }

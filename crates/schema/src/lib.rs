@@ -113,6 +113,6 @@ pub enum Accuracy {
     /// Never undecided: `f64` where its error bounds suffice, exact arithmetic elsewhere.
     #[default]
     Exact,
-    /// `f64` with error bounds alone; undecided where they do not suffice.
+    /// `f64` with error bounds; undecided where they do not suffice.
     Fast,
 }

@@ -63,6 +63,18 @@ impl SpecialStratum {
         SPECIAL_STRATA.iter().find(|stratum| (stratum.equal, stratum.open) == (equal, open))
     }
 
+    /// True where a body is so far from more special ones that borders beside it are found in doubles: moments that differ, and components of r
+    /// that are not 0, do so by enough.
+    #[must_use]
+    pub fn is_resolved(body: &Body) -> bool {
+        /// For A with the sum 2 and r of length 1.
+        const RESOLVED: f64 = 1e-8;
+        let place = ReducedBody::of_body(body);
+        let [a, r] = place.values();
+        let mut gaps = [a[1] - a[0], a[2] - a[1]].into_iter().chain(r);
+        Self::of(&place) == Self::of_body(body) && gaps.all(|gap| gap == 0.0 || gap >= RESOLVED)
+    }
+
     /// The stratum of a body, decided exactly; `None` for a generic one.
     #[must_use]
     pub fn of_body(body: &Body) -> Option<&'static Self> {

@@ -121,7 +121,7 @@ class Classification(behaviour.Classification):
         ``candidates`` holds every possible region.
     accuracy : str
         The requested level of accuracy. ``"exact"``: Never undecided: ``f64`` where its error bounds suffice, exact
-        arithmetic elsewhere. ``"fast"``: ``f64`` with error bounds alone; undecided where they do not suffice.
+        arithmetic elsewhere. ``"fast"``: ``f64`` with error bounds; undecided where they do not suffice.
     region : str or None
         Id of the region in the body's atlas; None unless regular, with ``--no-region``, and where no atlas gives it
         (``note`` says so).

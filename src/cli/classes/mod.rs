@@ -8,7 +8,7 @@ use bifdiag_schema::{ClassDocument, ClassesDocument, StandingDocument};
 use bifdiag_survey::border::class_of;
 use bifdiag_survey::nearest::{HERE, NearestOptions, nearest};
 use bifdiag_survey::space::{BodySet, ReducedBody};
-use bifdiag_survey::strata::BESIDE;
+use bifdiag_survey::strata::{BESIDE, SpecialStratum};
 use clap::Args;
 
 use super::export::answer;
@@ -129,7 +129,8 @@ fn standing(arguments: &ClassesArguments) -> Result<(), Failure> {
     };
     let class = class_of(&subject.body, Accuracy::Exact).map(|(_, class)| class);
     let around = |class: &Class| nearest(ReducedBody::of_body(&subject.body), class.clone(), &options);
-    let borders = class.as_ref().map_or_else(|_| Vec::new(), around);
+    let is_resolved = SpecialStratum::is_resolved(&subject.body);
+    let borders = class.as_ref().ok().filter(|_| is_resolved).map_or_else(Vec::new, around);
     let command = subject
         .command("classes")
         .flag("at", true)
@@ -142,14 +143,14 @@ fn standing(arguments: &ClassesArguments) -> Result<(), Failure> {
         let mut text = Report::default();
         head(&subject, &mut text);
         match &class {
-            Ok(_) => standing_report(&mut text, &document),
+            Ok(_) => standing_report(&mut text, &document, is_resolved),
             Err(error) => text.line(format!("the body has no class: {error}")),
         }
         text.text()
     })
 }
 
-fn standing_report(report: &mut Report, document: &StandingDocument) {
+fn standing_report(report: &mut Report, document: &StandingDocument, is_resolved: bool) {
     let name = document.name.as_deref().unwrap_or_default();
     report.line(format!("class {name}"));
     if document.known {
@@ -177,7 +178,11 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
         ));
     }
     if document.borders.is_empty() {
-        report.line("no border of its class was found");
+        report.line(if is_resolved {
+            "no border of its class was found"
+        } else {
+            "its borders are not sought: a more special body is within 1e-8 of it, too near to tell borders apart in doubles"
+        });
         return;
     }
     report.line("");

@@ -366,7 +366,7 @@ pub fn preset() -> impl TypedValueParser<Value = &'static Preset> {
 /// The values of `--accuracy`.
 const LEVELS: [Named<Accuracy>; 2] = [
     ("exact", "Never undecided: f64 where its error bounds suffice, exact arithmetic elsewhere", Accuracy::Exact),
-    ("fast", "f64 with error bounds alone; may say undecided or refuse", Accuracy::Fast),
+    ("fast", "f64 with error bounds; may say undecided or refuse", Accuracy::Fast),
 ];
 
 /// What became of the words of version 1.
