@@ -42,7 +42,7 @@ pub struct SphereArguments {
     /// Use the sample point of this region instead of --h and --l
     #[arg(long, value_name = "ID", conflicts_with_all = ["energy", "momentum"], help_heading = "Point")]
     pub region: Option<String>,
-    /// Direction from which the first view is taken, in principal axes (default: the one that shows most)
+    /// Direction from which the first view is taken, in principal axes (default: one whose rim cuts U least)
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::direction)]
     #[arg(help_heading = "Output", hide_short_help = true)]
     pub view: Option<[f64; 3]>,

@@ -118,7 +118,7 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
 /// A steady rotation over the spin.
 struct Followed {
     rows: Vec<Row>,
-    /// Just below and above each change, where lines of the picture end.
+    /// Just below and above each change, where lines of the picture end, and in ranges that are narrow.
     beside: Vec<Row>,
     /// In rpm, where the frequencies of two modes cross.
     crossings: Vec<f64>,
@@ -301,12 +301,21 @@ fn row(rotation: &AxisRotation, spin: &Spin, subject: &Subject) -> Row {
 /// than `CROSSED`.
 const FINE: u32 = 1 << 24;
 
-/// The spins just below and just above some in rpm, as far as they lie between 0 and the largest.
+/// The spins just below and just above some in rpm, which rise, and some between those that are near to each other; as far as they
+/// lie between 0 and the largest.
 fn beside(largest: &Spin, spins: impl Iterator<Item = f64>) -> Vec<Spin> {
-    let parts = spins.map(|rpm| rpm / largest.in_rpm() * f64::from(FINE));
+    // Ranges of fewer rows of the table get so many of their own.
+    const BETWEEN: u32 = 24;
+    let near = f64::from(BETWEEN) / f64::from(STEPS) * f64::from(FINE);
+    let parts: Vec<f64> = spins.map(|rpm| rpm / largest.in_rpm() * f64::from(FINE)).collect();
+    let ends = parts.iter().flat_map(|part| [part.ceil() - 1.0, part.floor() + 1.0]);
+    let narrow = parts.windows(2).filter(|ends| ends[1] - ends[0] < near);
+    let inside = narrow.flat_map(|ends| {
+        (1..BETWEEN).map(|k| (ends[0] + (ends[1] - ends[0]) * f64::from(k) / f64::from(BETWEEN)).round())
+    });
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 1 to FINE")]
     let spin = |part: f64| (1.0..=f64::from(FINE)).contains(&part).then(|| largest.part(part as u32, FINE));
-    parts.flat_map(|part| [part.ceil() - 1.0, part.floor() + 1.0]).filter_map(spin).collect()
+    ends.chain(inside).filter_map(spin).collect()
 }
 
 /// Frequencies that come so near to each other, in parts of their sum, cross: they do not turn away from each other.
