@@ -146,7 +146,7 @@ fn caption(site: &Site, answer: &Answer) -> String {
     let region = site.region.as_ref().map_or_else(String::new, |region| format!(", region {region}"));
     let special = match answer {
         Answer::Critical(classes) if is_pole_line(classes) => ", on a pole line: a pole lies on ∂U, P changes here",
-        Answer::Critical(_) => ", on a curve: U changes here",
+        Answer::Critical(_) => ", on a curve of the bifurcation diagram",
         Answer::Undecided(_) => ", not decided",
         Answer::Regular(_) | Answer::Forbidden => "",
     };

@@ -193,8 +193,8 @@ fn on_a_pole_line_the_section_changes() {
         sphere(&format!("--A 2,1.1,1 --r 0.6,0,0.8 --l 1.36 --h={h}")).printing("a pole lies on ∂U, P changes here");
     }
     // A pole line that is a critical curve, and a critical curve alone.
-    sphere("--A 2,2,1 --r 0,0,1 --h 1.5 --l 1").printing("U changes here");
-    sphere("--A 2,1,1 --r 0,0,0 --h 0.25 --l 1").printing("U changes here");
+    sphere("--A 2,2,1 --r 0,0,1 --h 1.5 --l 1").printing("on a curve of the bifurcation diagram");
+    sphere("--A 2,1,1 --r 0,0,0 --h 0.25 --l 1").printing("on a curve of the bifurcation diagram");
 }
 
 /// Without weight U is the same everywhere at these moments: rounding drew thousands of patches.

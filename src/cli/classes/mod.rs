@@ -99,7 +99,8 @@ fn table(ClassesDocument { classes, others, .. }: &ClassesDocument) -> String {
     let mut report = Report::default();
     report.line(table.text());
     report.line(
-        "distance: from the class's example to the nearest body of another class that the survey found; there may be nearer ones",
+        "distance: from the class's example to the nearest body of another class that the survey found, special bodies included; there \
+        may be nearer ones",
     );
     let existing = classes.iter().filter(|class| class.physical).count();
     report.line(format!("{}, {existing} of them of physical bodies", counted(classes.len(), "class", "classes")));
