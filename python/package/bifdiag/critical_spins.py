@@ -39,8 +39,8 @@ class SpinRanges(Table):
     stable : masked array (n,) of bool
         Stable at each of these spins but the isolated ones; masked where that is open.
     stable_by : array (n,) of str
-        Why, as in `Equilibria`; ``""`` where no reason is given; ``"spectrum"`` where ``stable`` is masked: all eigenvalues are
-        imaginary, and no more is known.
+        Why, as in `Equilibria`; ``""`` where no reason is given; ``"spectrum"`` where ``stable`` is masked: all
+        eigenvalues are imaginary, and no more is known.
     survives_friction : masked array (n,) of bool
         It stays stable with a small friction that conserves l; masked where nothing is known of that, and of families,
         of which it is not told: there it survives where ``stable_by`` is ``"energy"``.
