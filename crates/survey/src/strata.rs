@@ -55,6 +55,9 @@ pub const SPECIAL_STRATA: [SpecialStratum; 17] = [
 ];
 
 impl SpecialStratum {
+    /// Bodies nearer to a more special one are not [resolved](Self::is_resolved), for A with the sum 2 and r of length 1.
+    pub const RESOLVED: f64 = 1e-8;
+
     /// The stratum of a body; `None` for a generic one.
     #[must_use]
     pub fn of(place: &ReducedBody) -> Option<&'static Self> {
@@ -67,12 +70,10 @@ impl SpecialStratum {
     /// that are not 0, do so by enough.
     #[must_use]
     pub fn is_resolved(body: &Body) -> bool {
-        /// For A with the sum 2 and r of length 1.
-        const RESOLVED: f64 = 1e-8;
         let place = ReducedBody::of_body(body);
         let [a, r] = place.values();
         let mut gaps = [a[1] - a[0], a[2] - a[1]].into_iter().chain(r);
-        Self::of(&place) == Self::of_body(body) && gaps.all(|gap| gap == 0.0 || gap >= RESOLVED)
+        Self::of(&place) == Self::of_body(body) && gaps.all(|gap| gap == 0.0 || gap >= Self::RESOLVED)
     }
 
     /// The stratum of a body, decided exactly; `None` for a generic one.

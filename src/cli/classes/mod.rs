@@ -180,9 +180,12 @@ fn standing_report(report: &mut Report, document: &StandingDocument, is_resolved
     }
     if document.borders.is_empty() {
         report.line(if is_resolved {
-            "no border of its class was found"
+            "no border of its class was found".to_owned()
         } else {
-            "its borders are not sought: a more special body is within 1e-8 of it, too near to tell borders apart in doubles"
+            format!(
+                "its borders are not sought: a more special body is within {:e} of it, too near to tell borders apart in doubles",
+                SpecialStratum::RESOLVED
+            )
         });
         return;
     }
