@@ -130,3 +130,15 @@ fn an_axis_across_all_fast_ones_is_near_to_none() {
         bifdiag(&again).and("x").and("--to").and("3 rad/s").inside(directory.path()).succeeds();
     }
 }
+
+/// A top whose unstable range ends below the first row of the table grows at rest by 1/s, the root of r/A1.
+#[test]
+fn growth_below_the_first_row_is_drawn() {
+    let directory = tempfile::tempdir().unwrap();
+    let line = "campbell --A 1,1,1.2 --r 0,0,1 --axis z --to";
+    bifdiag(line).and("20000 rpm").inside(directory.path()).succeeds().printing("15.915494 rpm: complex to elliptic");
+    let picture = fs::read_to_string(directory.path().join("bifdiag-out/campbell.svg")).unwrap();
+    let labels: Vec<&str> = picture.split("<text").filter_map(|text| text.split(['<', '>']).nth(1)).collect();
+    let panel = labels.split(|label| *label == "spin in rpm").nth(2).unwrap();
+    assert!(panel.contains(&"1"), "{panel:?}");
+}

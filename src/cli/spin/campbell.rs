@@ -148,10 +148,11 @@ fn permanent(subject: &Subject, axis: PermanentAxis, kind: &AxisKind, largest: &
         let omega = spin.exact_rad_per_s() * subject.unit_of_time();
         rotation.frequencies_and_growth(&(&omega * &omega)).0
     };
+    let at_changes = changes.iter().map(|(rpm, ..)| *rpm);
     Ok(Followed {
         crossings: crossings(&rows, largest, pair),
         rows,
-        beside: beside(largest, changes.iter().map(|(rpm, ..)| *rpm)).iter().map(at).collect(),
+        beside: beside(largest, std::iter::once(0.0).chain(at_changes)).iter().map(at).collect(),
         start: None,
         changes,
         notes: nearest.iter().map(followed_text).collect(),
@@ -301,13 +302,14 @@ fn row(rotation: &AxisRotation, spin: &Spin, subject: &Subject) -> Row {
 /// than `CROSSED`.
 const FINE: u32 = 1 << 24;
 
-/// The spins just below and just above some in rpm, which rise, and some between those that are near to each other; as far as they
-/// lie between 0 and the largest.
-fn beside(largest: &Spin, spins: impl Iterator<Item = f64>) -> Vec<Spin> {
+/// Of the ranges that begin at some spins in rpm, which rise, and end at the next or at the largest: the spins just within both
+/// ends, and some between the ends of a range that is narrow.
+fn beside(largest: &Spin, starts: impl Iterator<Item = f64>) -> Vec<Spin> {
     // Ranges of fewer rows of the table get so many of their own.
     const BETWEEN: u32 = 24;
     let near = f64::from(BETWEEN) / f64::from(STEPS) * f64::from(FINE);
-    let parts: Vec<f64> = spins.map(|rpm| rpm / largest.in_rpm() * f64::from(FINE)).collect();
+    let starts = starts.map(|rpm| rpm / largest.in_rpm() * f64::from(FINE)).filter(|part| *part < f64::from(FINE));
+    let parts: Vec<f64> = starts.chain([f64::from(FINE)]).collect();
     let ends = parts.iter().flat_map(|part| [part.ceil() - 1.0, part.floor() + 1.0]);
     let narrow = parts.windows(2).filter(|ends| ends[1] - ends[0] < near);
     let inside = narrow.flat_map(|ends| {
