@@ -210,3 +210,23 @@ fn borders_beside_a_more_special_body_are_not_sought() {
     }
     bifdiag("classes --at --A 5,7,9 --r 1e-12,1,2").succeeds().printing("its borders are not sought");
 }
+
+/// The class that is listed is the next one on the line through the body and the border, though f64 does not tell it.
+#[test]
+fn the_class_beyond_is_that_beside_the_border() {
+    let found = bifdiag("classes --at --A 5,7,9 --r 0,1e-7,2 --json").succeeds().json();
+    let borders = found["borders"].as_array().unwrap();
+    assert!(!borders.is_empty());
+    let numbers =
+        |value: &Value| -> Vec<f64> { value.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect() };
+    for border in borders {
+        let beyond = |from: [f64; 3], to: &Value| {
+            let entries = from.iter().zip(numbers(to)).map(|(x, y)| (y + 1e-4 * (y - x)).to_string());
+            entries.collect::<Vec<_>>().join(",")
+        };
+        let [a, r] =
+            [beyond([10.0 / 21.0, 14.0 / 21.0, 18.0 / 21.0], &border["A"]), beyond([0.0, 5e-8, 1.0], &border["r"])];
+        let there = bifdiag(&format!("classes --at --lines 1 --A {a} --r {r} --json")).succeeds().json();
+        assert_eq!(there["name"], border["class"], "{border}");
+    }
+}

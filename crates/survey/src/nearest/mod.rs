@@ -233,10 +233,9 @@ impl BorderSearch {
             let options = BorderOptions { tolerance: 1e-9, by_zeros: true, ..BorderOptions::default() };
             let segment = BodySegment::new(same.0.body().clone(), found.0.body().clone());
             let (met, vanishing) = border::find_between(&segment, [same, found], &options).ok()?;
-            let at = last + met.t * (s - last);
-            let [_, class] = met.classes;
-            let border = border_at(&line, at, class, met.event.kind, direction.to_vec());
-            let near = DVector::from_column_slice(direction) * at;
+            let near = DVector::from_column_slice(direction) * (last + met.t * (s - last));
+            // The class of the node may lie beyond further borders.
+            let border = self.at(&near).into_iter().next()?;
             let foot = self.around.foot(&near, vec![Level { function: vanishing, value: 0.0 }]);
             let is_nearer = |foot: &NearestBorder| {
                 foot.class == border.class && foot.event == border.event && foot.distance < border.distance
