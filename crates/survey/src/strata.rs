@@ -1,6 +1,7 @@
 //! Bodies that are special: two moments are equal, or r lies in a principal plane, on an axis, or vanishes.
 
 use std::collections::BTreeMap;
+use std::f64::consts::FRAC_1_SQRT_2;
 
 use bifdiag_body::Body;
 use bifdiag_diagram::class::ClassName;
@@ -55,7 +56,8 @@ pub const SPECIAL_STRATA: [SpecialStratum; 17] = [
 ];
 
 impl SpecialStratum {
-    /// Bodies nearer to a more special one are not [resolved](Self::is_resolved), for A with the sum 2 and r of length 1.
+    /// Bodies nearer to a more special one are not [resolved](Self::is_resolved): √(|ΔA|² + ∠²), for A with the sum 2 and the
+    /// angle between the two r.
     pub const RESOLVED: f64 = 1e-8;
 
     /// The stratum of a body; `None` for a generic one.
@@ -66,14 +68,15 @@ impl SpecialStratum {
         SPECIAL_STRATA.iter().find(|stratum| (stratum.equal, stratum.open) == (equal, open))
     }
 
-    /// True where a body is so far from more special ones that borders beside it are found in doubles: moments that differ, and components of r
-    /// that are not 0, do so by enough.
+    /// True where a body is so far from more special ones that borders beside it are found in doubles.
     #[must_use]
     pub fn is_resolved(body: &Body) -> bool {
         let place = ReducedBody::of_body(body);
         let [a, r] = place.values();
-        let mut gaps = [a[1] - a[0], a[2] - a[1]].into_iter().chain(r);
-        Self::of(&place) == Self::of_body(body) && gaps.all(|gap| gap == 0.0 || gap >= Self::RESOLVED)
+        // Two moments become equal halfway between them.
+        let mut distances = [a[1] - a[0], a[2] - a[1]].map(|gap| FRAC_1_SQRT_2 * gap).into_iter().chain(r);
+        let is_far = |distance: f64| distance == 0.0 || distance >= Self::RESOLVED;
+        Self::of(&place) == Self::of_body(body) && distances.all(is_far)
     }
 
     /// The stratum of a body, decided exactly; `None` for a generic one.
