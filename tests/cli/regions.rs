@@ -215,3 +215,32 @@ fn fast_refuses_what_it_cannot_bracket() {
     bifdiag(line).succeeds().printing("S2-2D2");
     bifdiag(line).and("--accuracy").and("fast").fails().telling("cannot be told apart in f64");
 }
+
+/// The curve on which a point lies exactly is the one that is named, and what is beside it is not said where another is as near.
+#[test]
+fn fast_names_the_pole_line_on_which_a_point_lies() {
+    let at = |body: &str, h: &str| {
+        let line = format!("classify {body} --l 1/2 --h={h} --accuracy");
+        ["fast", "exact"].map(|accuracy| bifdiag(&line).and(accuracy).succeeds().stdout())
+    };
+    // |r| = 1 and J_r = 34/25.
+    for answer in at("--A 2,11/10,1 --r 3/5,0,4/5", "-247/272") {
+        assert!(
+            answer.contains("critical: exactly on a curve") && answer.contains("0 in h to P+ (error bound 0)"),
+            "{answer}"
+        );
+    }
+    // A principal axis carries r: its curve is the pole line.
+    for answer in at("--A 2,11/10,1 --r 0,0,1", "9/8") {
+        assert!(answer.contains("0 in h to L-.1 (error bound 0)"), "{answer}");
+    }
+    // r is so near to axis 1 that a curve runs within rounding of the pole line.
+    let body = "--A 2,11/10,1 --r 9999999999999999/10000000000000000,1/50000000,0";
+    let h = "1062500000000000132500000000000012625000000000001/1000000000000000020000000000000010000000000000000";
+    let [fast, exact] = at(body, h);
+    assert!(exact.contains("0 in h to P- (error bound 0)") && !exact.contains("region R4"), "{exact}");
+    assert!(
+        fast.contains("where all or some of these meet") && fast.contains("region R4") && fast.contains("0 in h to P-"),
+        "{fast}"
+    );
+}

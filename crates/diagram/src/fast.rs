@@ -1,16 +1,16 @@
-//! Answers of `f64` alone, with error bounds: undecided where these do not suffice. The public answers of `bifdiag_exact`
-//! begin here.
+//! Answers of `f64`, with error bounds: undecided where these do not suffice, but for points at l = 0 or exactly on a straight
+//! curve. The public answers of `bifdiag_exact` begin here.
 
 use dashu_ratio::RBig;
 use thiserror::Error;
 
 use crate::arrangement::{Arrangement, Undecided};
-use crate::atlas::{self, Atlas, Location, Place};
+use crate::atlas::{self, Atlas, Location, Place, StraightCurve};
 use crate::topology::merge::MergeError;
 use crate::topology::{Classification, Component, Components, Margin, Poles, whole_sphere};
 use bifdiag_body::{Body, Number};
 use bifdiag_equilibria::curves::{
-    CriticalSet, CurveId, CurveName, EquilibriaError, MomentumError, Point, Pole, abscissa,
+    Branch, CriticalSet, CurveId, CurveName, EquilibriaError, MomentumError, Point, Pole, abscissa,
 };
 use bifdiag_numbers::symmetric::Real;
 
@@ -123,14 +123,29 @@ pub fn classify_in(atlas: &Atlas, h: &Number, l: &Number) -> Result<(Classificat
             candidates.push(components.to_vec());
         }
     }
-    Ok((beside_curve(body, [h, l], candidates, margin), false))
+    let x = abscissa(&set.frame, l.to_f64())?;
+    let on_it = atlas::straight_curve_at(body, h, l);
+    Ok((beside_curve((set, x), on_it, candidates, margin), false))
 }
 
 /// What is known of a point too near to a curve: whether it lies on a straight one is decided exactly.
-fn beside_curve(body: &Body, [h, l]: [&Number; 2], candidates: Vec<Components>, margin: Margin) -> Classification {
-    let is_on_it = atlas::on_straight_curve(body, h, l);
-    let margin = if is_on_it { Margin { h: 0.0, ..margin } } else { margin };
-    Classification::open(is_on_it, candidates, margin)
+fn beside_curve(
+    (set, x): (&CriticalSet, f64),
+    on_it: Option<StraightCurve>,
+    candidates: Vec<Components>,
+    margin: Margin,
+) -> Classification {
+    let margin = match on_it {
+        Some(StraightCurve::PoleLine(pole)) => {
+            let is_line =
+                |id: &CurveId| set.curves[*id].branch == Branch::Pole(pole) || set.curves[*id].pole == Some(pole);
+            let line = set.curves_over(x).0.into_iter().find(is_line).map(|id| CurveName::of(set, id));
+            Margin { h: 0.0, nearest: line.or(margin.nearest), error_bound: 0.0 }
+        }
+        Some(StraightCurve::AxisLine) => Margin { h: 0.0, ..margin },
+        None => margin,
+    };
+    Classification::open(on_it.is_some(), candidates, margin)
 }
 
 /// The points of all curves over one x, by rising h, beside an energy.
@@ -214,7 +229,8 @@ impl<'a> AtMomentum<'a> {
             }
         }
         let margin = self.margin(self.nearest());
-        Ok(Some(beside_curve(body, [h, l], candidates, margin)))
+        let on_it = atlas::straight_curve_at(body, h, l);
+        Ok(Some(beside_curve((self.set, self.x), on_it, candidates, margin)))
     }
 }
 

@@ -42,7 +42,8 @@ pub enum Status {
     Regular,
     /// Below the lowest critical value: U_hl is empty.
     Forbidden,
-    /// Exactly on a curve (proved); `candidates` holds every region that meets there.
+    /// Exactly on a curve (proved); `candidates` holds every region that meets there, with `fast` those beside curves
+    /// within the error bound too.
     Critical,
     /// Closer to a curve than the error bound (only with `fast`); `candidates` holds every possible region.
     Undecided,

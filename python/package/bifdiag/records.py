@@ -117,8 +117,8 @@ class Classification(behaviour.Classification):
     status : str
         What is known of the point. ``"regular"``: Inside a region; ``components`` holds the answer. ``"forbidden"``: Below
         the lowest critical value: U_hl is empty. ``"critical"``: Exactly on a curve (proved); ``candidates`` holds every
-        region that meets there. ``"undecided"``: Closer to a curve than the error bound (only with ``fast``);
-        ``candidates`` holds every possible region.
+        region that meets there, with ``fast`` those beside curves within the error bound too. ``"undecided"``: Closer to a
+        curve than the error bound (only with ``fast``); ``candidates`` holds every possible region.
     accuracy : str
         The requested level of accuracy. ``"exact"``: Never undecided: ``f64`` where its error bounds suffice, exact
         arithmetic elsewhere. ``"fast"``: ``f64`` with error bounds; undecided where they do not suffice.

@@ -73,7 +73,8 @@ pub fn run(arguments: &ClassifyArguments, timings: &Timings, quiet: bool) -> Res
         if let Some((option, _)) = replaced.into_iter().find(|(_, given)| *given) {
             return Err(Failure::input(format!("--grid and {option} both give the points; leave out one of them")));
         }
-        let idle = [("--no-region", arguments.no_region), ("--json", arguments.json)];
+        let strict = arguments.batch.strict;
+        let idle = [("--no-region", arguments.no_region), ("--json", arguments.json), ("--strict", strict)];
         if let Some((option, _)) = idle.into_iter().find(|(_, given)| *given) {
             return Err(Failure::input(format!("--grid writes the region of each point to --out; leave {option} out")));
         }
@@ -140,6 +141,10 @@ fn report(subject: &Subject, document: &ClassificationDocument) -> String {
     report.line(match document.status {
         Status::Regular => "regular",
         Status::Forbidden => "forbidden: h is below the minimum of the effective potential, U is empty",
+        // Other curves may be within the error bound.
+        Status::Critical if document.accuracy == Accuracy::Fast && document.candidates.len() > 2 => {
+            "critical: exactly on a curve, where all or some of these meet"
+        }
         Status::Critical => "critical: exactly on a curve, where these meet",
         Status::Undecided => "undecided: closer to a curve than the error bound; candidates",
     });

@@ -17,7 +17,7 @@ use bifdiag_numbers::table::Table;
 pub use drawing::{Outline, PolylineOptions, SamplePoint, Tail, View, Window};
 pub(crate) use locate::comparison_error;
 pub use locate::{Location, Place};
-pub use places::{CellError, Sides, Spot, compare_with_r, on_straight_curve};
+pub use places::{CellError, Sides, Spot, StraightCurve, compare_with_r, straight_curve_at};
 pub use region::{Region, Sample};
 pub(crate) use region::{components_below, partition_below, regions};
 pub use way::Passage;

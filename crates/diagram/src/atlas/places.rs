@@ -9,7 +9,7 @@ use super::{Atlas, Component};
 use crate::arrangement::{RegionId, SlabId};
 use crate::topology::Answer;
 use bifdiag_body::{Body, Number};
-use bifdiag_equilibria::curves::{CurveName, MomentumError, abscissa};
+use bifdiag_equilibria::curves::{CurveName, MomentumError, Pole, abscissa};
 use bifdiag_numbers::table::Id;
 use dashu_ratio::RBig;
 use thiserror::Error;
@@ -197,17 +197,27 @@ impl Atlas {
     }
 }
 
-/// True when h = l²/(2 J_r) ∓ r or, for r = 0, h = l²/(2 A_i) holds exactly.
+/// A straight curve of the diagram.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StraightCurve {
+    /// h = l²/(2 J_r) ∓ r, the pole line of ±r̂.
+    PoleLine(Pole),
+    /// h = l²/(2 A_i) of a body with r = 0.
+    AxisLine,
+}
+
+/// The straight curve on which a point lies exactly.
 #[must_use]
-pub fn on_straight_curve(body: &Body, h: &Number, l: &Number) -> bool {
+pub fn straight_curve_at(body: &Body, h: &Number, l: &Number) -> Option<StraightCurve> {
     let x = l.value() * l.value() / RBig::from(2);
     let norm_squared = body.center_squared();
     if norm_squared.is_zero() {
-        return on_axis_line(body, h.value(), &x);
+        return on_axis_line(body, h.value(), &x).then_some(StraightCurve::AxisLine);
     }
     // J_r = Σ r_i² A_i / r².
     let offset = h.value() - x * &norm_squared / body.weighted_moment();
-    &offset * &offset == norm_squared
+    let pole = if offset < RBig::ZERO { Pole::Plus } else { Pole::Minus };
+    (&offset * &offset == norm_squared).then_some(StraightCurve::PoleLine(pole))
 }
 
 /// h = x / A_i for a body with r = 0: x/h is a moment.
