@@ -355,3 +355,17 @@ fn each_end_has_its_own_axis_of_a_pair() {
     let circle = bifdiag("critical-spin --A 2,2,3.5 --r 0,0,0.4 --axis x --json").succeeds().json();
     assert_eq!(circle["families"].as_array().unwrap().len(), 1);
 }
+
+/// What eight digits of rpm do not tell is said as it was given.
+#[test]
+fn a_spin_is_printed_as_given_where_digits_are_lost() {
+    let given = [
+        ("99999998 deg/s", "1.6666666e7 rpm = 1745329.2 rad/s, given as 99999998 deg/s"),
+        ("123456789 rpm", "rad/s, given as 123456789 rpm"),
+        ("10 Hz", "spin 600 rpm = 62.831853 rad/s\n"),
+        ("360 deg/s", "spin 60 rpm = 6.2831853 rad/s\n"),
+    ];
+    for (spin, printed) in given {
+        bifdiag("state --A 1,2,3 --r=1,0,0 --axis=-x --spin").and(spin).succeeds().printing(printed);
+    }
+}

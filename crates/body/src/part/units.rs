@@ -252,11 +252,16 @@ impl Spin {
     /// In rpm, rounded once: a rate that was given in rpm is the number that was given.
     #[must_use]
     pub fn in_rpm(&self) -> f64 {
-        let rpm = match self.unit.half_turns() {
+        self.exact_rpm().to_f64().value()
+    }
+
+    /// In rpm: exact unless it was given in rad/s, then with 60 digits of π.
+    #[must_use]
+    pub fn exact_rpm(&self) -> RBig {
+        match self.unit.half_turns() {
             Some(half_turns) => self.value.value() * half_turns * RBig::from(30),
             None => self.value.value() * RBig::from(30) / half_turn(),
-        };
-        rpm.to_f64().value()
+        }
     }
 
     /// In rad/s: exact if it was given in rad/s, else with 60 digits of π, so that it differs from the simple numbers
