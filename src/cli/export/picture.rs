@@ -179,7 +179,7 @@ fn width(text: &str) -> Result<Width, Failure> {
     };
     let unit = UNITS.into_iter().find_map(|(unit, size)| Some((text.trim().strip_suffix(unit)?, size)));
     let (number, size) = unit.ok_or_else(|| wrong("it has none of the units of a width"))?;
-    let length = float(number.trim()).map_err(|_| wrong("what stands before its unit is not a number"))?;
+    let length = float(number.trim()).map_err(|error| wrong(&error.to_string()))?;
     let millimetres = (length * size * 1e3).round() / 1e3;
-    Width::new(millimetres).ok_or_else(|| wrong(&format!("{millimetres} mm is out of range")))
+    Width::new(millimetres).ok_or_else(|| wrong(&format!("{} is out of range", text.trim())))
 }

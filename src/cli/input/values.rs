@@ -226,7 +226,7 @@ pub fn grid(text: &str) -> Result<Grid, Failure> {
 fn axis(text: &str) -> Result<GridAxis, Failure> {
     let parts: Vec<&str> = text.split(':').collect();
     let [from, to, count] = parts[..] else { return Err(Failure::input(GRID)) };
-    let count = count.parse().ok().filter(|count| *count > 0).ok_or_else(|| Failure::input(GRID))?;
+    let count = count.trim().parse().ok().filter(|count| *count > 0).ok_or_else(|| Failure::input(GRID))?;
     Ok(GridAxis { from: number(from)?, to: number(to)?, count })
 }
 

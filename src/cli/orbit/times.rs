@@ -51,12 +51,12 @@ impl Times {
                 Failure::input(format!("{name} = `{text}` is not a number {}; {shape}", range()))
             })
         };
-        let (from, to) = (end("t0", from)?, end("t1", to)?);
-        if from > to {
+        let [t0, t1] = [end("t0", from)?, end("t1", to)?];
+        if t0 > t1 {
             return Err(Failure::input(format!("t0 = {from} is above t1 = {to}; write the earlier time first")));
         }
         match count.trim().parse() {
-            Ok(count) if (1..=MOST).contains(&count) => Ok(Self::Range { from, to, count }),
+            Ok(count) if (1..=MOST).contains(&count) => Ok(Self::Range { from: t0, to: t1, count }),
             _ => Err(Failure::input(format!("n = `{count}` is not a whole number from 1 to {MOST}"))),
         }
     }
