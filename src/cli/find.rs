@@ -249,6 +249,6 @@ fn tried(document: &FindDocument) -> String {
         ),
     };
     let is_changed = document.found && showing == 0;
-    let changed = if tried == 1 { "it" } else { "those that came nearest" };
+    let changed = if tried == 1 { "the one tried" } else { "those that came nearest" };
     text + &if is_changed { format!("; the witness was found by changing {changed}") } else { String::new() }
 }

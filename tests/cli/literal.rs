@@ -144,7 +144,7 @@ fn what_shows_what_is_sought_is_found() {
     let signature = bifdiag("find --signature S2+T2+T2 --search --seed 532 --samples 500 --physical").succeeds();
     signature.printing("S2+T2+T2 is shown by");
     let changed = bifdiag("find --type k2n0 --search --seed 100 --samples 5 --moment-ratio 3").succeeds();
-    changed.printing("0 show it; the witness was found by changing it");
+    changed.printing("0 show it; the witness was found by changing the one tried");
 }
 
 /// Of events that are near to each other those are named whose order changes across the border.

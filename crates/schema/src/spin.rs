@@ -25,7 +25,7 @@ pub struct SteadyAxisDocument {
     pub axis: [f64; 3],
     /// Vertical angular momentum, in the units of the body.
     pub l: f64,
-    /// At this spin it meets another steady axis; just below it neither exists.
+    /// At this spin it meets another steady axis, or several; at slightly slower spins they do not exist.
     pub fold: bool,
     /// The relative equilibrium, as `critical` lists it at this l.
     #[serde(flatten)]

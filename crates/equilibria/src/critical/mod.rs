@@ -41,7 +41,7 @@ pub struct Equilibrium {
     pub index: u8,
     /// The multiplicity of this entry.
     pub multiplicity: Multiplicity,
-    /// Only at a given spin: two steady axes meet here, and neither exists at slightly slower or faster spins.
+    /// Only at a given spin: steady axes meet here, which at slightly slower spins do not exist.
     pub is_fold: bool,
     /// The type of the flow reduced by l, linearised.
     pub stability: LinearType,
