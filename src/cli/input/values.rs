@@ -317,15 +317,24 @@ pub fn seed(text: &str) -> Result<u64, Failure> {
 pub fn angle(text: &str) -> Result<f64, Failure> {
     use std::f64::consts::PI;
     let Some((factor, divisor)) = text.split_once("pi") else { return float(text) };
-    let factor = match factor.trim().trim_end_matches('*') {
+    let wrong = || {
+        Failure::input(format!(
+            "`{text}` is not an angle; write a number of radians, or a multiple of pi such as pi/2, -pi or 3pi/4"
+        ))
+    };
+    let factor = match factor.trim() {
         "" | "+" => 1.0,
         "-" => -1.0,
-        factor => float(factor)?,
+        factor => float(factor.strip_suffix('*').unwrap_or(factor)).map_err(|_not_a_number| wrong())?,
     };
-    match divisor.trim() {
-        "" => Ok(factor * PI),
-        divisor => Ok(factor * PI / float(divisor.strip_prefix('/').unwrap_or("?"))?),
-    }
+    let divisor = match divisor.trim() {
+        "" => 1.0,
+        divisor => {
+            let divisor = divisor.strip_prefix('/').filter(|divisor| !divisor.contains('/')).ok_or_else(wrong)?;
+            float(divisor).ok().filter(|divisor| *divisor != 0.0).ok_or_else(wrong)?
+        }
+    };
+    Ok(factor * PI / divisor)
 }
 
 /// Euler's angles ϑ, ψ, φ.
