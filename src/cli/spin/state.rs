@@ -201,7 +201,15 @@ fn text(
                         report.line("at this spin the axis of a steady rotation is within 10⁻⁶ rad of it");
                     }
                 }
-                AxisKind::AtOneSpin(_) => report.line("rotation about this axis is steady at this spin only"),
+                kind @ AxisKind::AtOneSpin(_) => match own_spin(subject, document, question, &kind) {
+                    Some(OwnSpin { end: AxisEnd::Plus, is_asked: true, .. }) => {
+                        report.line("rotation about this axis is steady at this spin only");
+                    }
+                    own => {
+                        own.iter().for_each(|own| report.line(own.text()));
+                        report.line("at this spin the axis of a steady rotation is within 10⁻⁶ rad of the vertical");
+                    }
+                },
                 AxisKind::Principal => report.line(
                     "the vertical is a principal axis, but the centre of mass does not lie on it: at this spin the axis of a \
                      steady rotation is within 10⁻⁶ rad of it",
@@ -224,6 +232,35 @@ fn meant(report: &mut Report, steady: &SteadyDocument, vertical: [f64; 3]) {
             listed(steady.axis)
         ));
     }
+}
+
+/// The only spin at which rotation about the vertical is steady.
+struct OwnSpin {
+    /// In rpm, told apart from the one that was asked for.
+    rpm: String,
+    /// Which end is up then.
+    end: AxisEnd,
+    /// Whether it is the one that was asked for, within rounding.
+    is_asked: bool,
+}
+
+impl OwnSpin {
+    fn text(&self) -> String {
+        let end = if self.end == AxisEnd::Minus { "its other end" } else { "this end" };
+        format!("rotation about the vertical is steady at one spin only: {} rpm, with {end} up", self.rpm)
+    }
+}
+
+fn own_spin(subject: &Subject, document: &StateDocument, question: &SpinQuestion, kind: &AxisKind) -> Option<OwnSpin> {
+    let AxisKind::AtOneSpin(axis) = kind else { return None };
+    let exactly = OneSpin::of(&subject.body, axis, &question.exact_up)
+        .map(|one| (bifdiag_documents::spin(one.omega * subject.second()), one.end));
+    let rounded = || bifdiag_documents::nearest_axis(subject, kind).and_then(|near| near.spin.zip(near.up));
+    let (spin, end) = exactly.or_else(rounded)?;
+    let asked = document.spin.rpm;
+    let is_asked = (spin.rpm - asked).abs() <= 4.0 * f64::EPSILON * asked;
+    let [_, rpm] = told_apart([asked, if is_asked { asked } else { spin.rpm }], SPIN_DIGITS);
+    Some(OwnSpin { rpm, end, is_asked })
 }
 
 fn other_text(
@@ -265,18 +302,8 @@ fn other_text(
         AxisKind::AtOneSpin(axis) if axis.squared_spin == Some(0.0) => {
             report.line(rests("the vertical"));
         }
-        AxisKind::AtOneSpin(axis) => {
-            let exactly = OneSpin::of(&subject.body, &axis, &question.exact_up)
-                .map(|one| (bifdiag_documents::spin(one.omega * subject.second()), one.end));
-            let rounded = || bifdiag_documents::nearest_axis(subject, &kind).and_then(|near| near.spin.zip(near.up));
-            if let Some((spin, up)) = exactly.or_else(rounded) {
-                let asked = document.spin.rpm;
-                let is_asked = (spin.rpm - asked).abs() <= 4.0 * f64::EPSILON * asked;
-                let [_, rpm] = told_apart([asked, if is_asked { asked } else { spin.rpm }], 8);
-                let end = if up == AxisEnd::Minus { "its other end" } else { "this end" };
-                report
-                    .line(format!("rotation about the vertical is steady at one spin only: {rpm} rpm, with {end} up"));
-            }
+        AxisKind::AtOneSpin(_) => {
+            own_spin(subject, document, question, &kind).iter().for_each(|own| report.line(own.text()));
         }
         AxisKind::Principal | AxisKind::Other(_) => report.line("rotation about the vertical is steady at no spin"),
         AxisKind::Permanent { .. } | AxisKind::Unknown => {}
