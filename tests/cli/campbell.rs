@@ -123,7 +123,7 @@ fn an_axis_across_all_fast_ones_is_near_to_none() {
     let none = "at fast spins all steady axes are perpendicular to the given one, so that none is nearest to it";
     let body = "--A 3,3,5 --r 1,0,0 --axis y";
     bifdiag(&format!("critical-spin {body}")).succeeds().printing(none);
-    bifdiag(&format!("campbell {body} --to")).and("3 rad/s").refused().telling(none).telling("give one of (");
+    bifdiag(&format!("campbell {body} --to")).and("3 rad/s").refused().telling(none).telling("such as one of (");
     for axis in ["1,0,0", "0,0,1"] {
         let again = format!("campbell --A 3,3,5 --r 1,0,0 --axis {axis} --no-plot --out");
         let directory = tempfile::tempdir().unwrap();

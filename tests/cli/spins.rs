@@ -296,7 +296,7 @@ fn a_body_at_rest_beside_its_equilibrium_is_not_steady() {
 fn an_axis_across_all_steady_axes_has_none_nearest() {
     let (body, why) = ("--A 2,2,3 --r 1,0,2", "at fast spins all steady axes are perpendicular to the given one");
     let refused = bifdiag(&format!("campbell {body} --axis y --no-plot --to")).and("60 rpm").refused();
-    refused.telling(why).telling("give one of (1, 0, 0)");
+    refused.telling(why).telling("such as one of (1, 0, 0)");
     bifdiag(&format!("critical-spin {body} --axis y")).succeeds().printing(&format!("note: {why}"));
     assert!(!bifdiag(&format!("critical-spin {body} --axis x")).succeeds().stdout().contains("note:"));
 }
@@ -368,4 +368,29 @@ fn a_spin_is_printed_as_given_where_digits_are_lost() {
     for (spin, printed) in given {
         bifdiag("state --A 1,2,3 --r=1,0,0 --axis=-x --spin").and(spin).succeeds().printing(printed);
     }
+}
+
+/// Within 10⁻⁶ rad of a steady axis a vertical has its own one spin, which is another.
+#[test]
+fn the_spin_of_a_vertical_near_a_steady_axis_is_its_own() {
+    let own = "rotation about the vertical is steady at one spin only: 9301.0315 rpm, with this end up";
+    for spin in ["10000 rpm", "20000 rpm"] {
+        let near = bifdiag("state --body paper --axis 0.000001,0,1 --spin").and(spin).succeeds();
+        near.printing(own).printing("the axis of a steady rotation is within 10⁻⁶ rad of the vertical");
+    }
+    bifdiag("critical-spin --body paper --axis 0.000001,0,1").succeeds().printing("at one spin only: 9301.0315 rpm");
+    // Ω² = (e×r)·(e×Ae)/|e×Ae|² = 1 exactly for this axis.
+    let exact = bifdiag("state --A 20,45,40 --r 5.4,12.8,0 --axis=-0.6,0.8,0 --spin").and("1 rad/s").succeeds();
+    exact.printing("rotation about this axis is steady at this spin only");
+}
+
+/// Spins beyond f64 are wrong input in a range, too, and are told in the unit that was typed.
+#[test]
+fn ranges_of_spins_beyond_f64_are_refused() {
+    for output in ["", " --json"] {
+        let line = format!("critical --body paper{output} --spin");
+        bifdiag(&line).and("0:1e60:3 rpm").refused().telling(" rpm is too fast").telling("to 2.27273e44 rad/s");
+    }
+    let slow = bifdiag("campbell --body paper --axis 0,0,-1 --no-plot --to").and("5.5e-46 rad/s").refused();
+    slow.telling("give a spin from 9.22747e-39 to 2.27273e44 rad/s");
 }

@@ -170,7 +170,11 @@ pub fn fast_axes(subject: &Subject, families: &[SteadyFamily]) -> String {
         let axis = subject.to_given(family.fast.map(|x| 0.0 - x));
         format!("({})", axis.map(|x| significant(x, 6)).join(", "))
     };
-    families.iter().map(axis).collect::<Vec<_>>().join(" and ")
+    let axes: Vec<String> = families.iter().map(axis).collect();
+    match &axes[..] {
+        [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+        _ => axes.concat(),
+    }
 }
 
 fn one_spin(found: &OneSpin, second: f64) -> SteadySpinDocument {

@@ -18,9 +18,9 @@ use super::batch::{Batch, BatchArguments, LINES_SAY_IT, Query, Wanted, no_point}
 use super::export::{Columns, DataFormat, DataTarget, FileSet, answer};
 use super::failure::{Failure, failed};
 use super::input::{BodyArguments, Numbers};
-use super::terminal::{Timings, print, significant};
+use super::terminal::{Timings, print};
 use spins::{Output, Spins, spin_at};
-use table::{NOT_FOUND, not_found};
+use table::{NOT_FOUND, no_axes_at, not_found};
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -148,19 +148,7 @@ fn at_spin(
 ) -> Result<(), Failure> {
     let omega = spin.exact_rad_per_s() * subject.unit_of_time();
     let found = timings.stage("critical", || RelativeEquilibria::new(&subject.body)?.at_spin(&omega));
-    let found = found.map_err(|error| match error {
-        CriticalError::Spin { smallest, largest, spin: asked } => {
-            let size = if asked < smallest { "slow" } else { "fast" };
-            // No number beyond these can be given.
-            let can_be_given =
-                |omega: f64| significant((omega * subject.second()).clamp(Number::SMALLEST, Number::LARGEST), 6);
-            let [smallest, largest] = [smallest, largest].map(can_be_given);
-            Failure::input(format!(
-                "--spin {spin} is too {size} for this body in f64; use a spin from {smallest} to {largest} rad/s, or 0"
-            ))
-        }
-        error => failed(NOT_FOUND)(error),
-    })?;
+    let found = found.map_err(|error| no_axes_at(subject, spin, error))?;
     let document = bifdiag_documents::steady_axes(subject, spin, &found);
     match out {
         Some(_) => {
@@ -177,7 +165,7 @@ fn spin_lines(subject: &Subject, ends: [&Spin; 2], count: u32) -> Result<(), Fai
     for k in 0..count {
         let spin = spin_at(ends, count, k);
         let omega = spin.exact_rad_per_s() * subject.unit_of_time();
-        let found = prepared.at_spin(&omega).map_err(failed(NOT_FOUND))?;
+        let found = prepared.at_spin(&omega).map_err(|error| no_axes_at(subject, &spin, error))?;
         let mut line = Vec::with_capacity(LINE);
         bifdiag_schema::write_json(&mut line, &bifdiag_documents::steady_axes(subject, &spin, &found))?;
         line.push(b'\n');
@@ -242,7 +230,7 @@ fn ranged_lines(subject: &Subject, ends: [&Number; 2], count: u32) -> Result<(),
             line.push(b'\n');
             Ok::<_, Failure>(line)
         });
-        let lines: Vec<Vec<u8>> = lines.collect::<Result<_, _>>().map_err(failed(NOT_FOUND))?;
+        let lines: Vec<Vec<u8>> = lines.collect::<Result<_, _>>()?;
         print(lines.concat())?;
     }
     Ok(())

@@ -162,6 +162,15 @@ fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriu
             ));
         }
     }
+    let no_minima: Vec<&str> = points
+        .iter()
+        .zip(curves)
+        .filter(|(point, _)| is_degenerate_circle(point))
+        .map(|(_, curve)| curve.as_str())
+        .collect();
+    if !no_minima.is_empty() {
+        report.line(format!("degenerate: {}, no minimum in spite of index 0", no_minima.join(", ")));
+    }
     report.line(with_friction(points, curves));
     if let Some(all) = points.iter().find(|point| point.multiplicity == Multiplicity::Sphere) {
         report.line(if all.omega == 0.0 {
@@ -170,6 +179,12 @@ fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriu
             "sphere: rotation about every axis is a relative equilibrium"
         });
     }
+}
+
+/// A circle across which the Hessian vanishes, as at a cusp, and which is no minimum.
+fn is_degenerate_circle(point: &RelativeEquilibriumDocument) -> bool {
+    let FrictionDocument { conserving_l, growing, .. } = point.friction;
+    point.multiplicity == Multiplicity::Circle && point.index == 0 && conserving_l == Some(Damped::Lost) && growing == 0
 }
 
 /// What friction that conserves l leaves: on which curves the body stays stable, and in how many directions it falls from others.

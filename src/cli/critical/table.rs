@@ -15,6 +15,7 @@ use super::spins::spin_at;
 use crate::cli::export::{Columns, Values};
 use crate::cli::failure::{Failure, failed};
 use crate::cli::input::Numbers;
+use crate::cli::spin::that_can_be_given;
 
 /// What is said where there is no answer.
 pub const NOT_FOUND: &str = "the relative equilibria could not be found";
@@ -23,6 +24,20 @@ pub const NOT_FOUND: &str = "the relative equilibria could not be found";
 pub fn not_found(error: CriticalError) -> Failure {
     match error {
         CriticalError::Momentum(error) => Failure::input(format!("--l: {error}")),
+        error => failed(NOT_FOUND)(error),
+    }
+}
+
+/// A spin beyond f64 is wrong input.
+pub fn no_axes_at(subject: &Subject, spin: &Spin, error: CriticalError) -> Failure {
+    match error {
+        CriticalError::Spin { smallest, largest, spin: asked } => {
+            let size = if asked < smallest { "slow" } else { "fast" };
+            let [smallest, largest] = [smallest, largest].map(|omega| that_can_be_given(subject, omega));
+            Failure::input(format!(
+                "--spin {spin} is too {size} for this body in f64; use a spin from {smallest} to {largest} rad/s, or 0"
+            ))
+        }
         error => failed(NOT_FOUND)(error),
     }
 }
@@ -101,7 +116,8 @@ pub fn at_spins(subject: &Subject, ends: [&Spin; 2], count: u32) -> Result<Colum
     let (mut rows, mut rpm, mut axes, mut angles) = (Rows::default(), Vec::new(), Vec::new(), Vec::new());
     for k in 0..count {
         let spin = spin_at(ends, count, k);
-        let found = prepared.at_spin(&(spin.exact_rad_per_s() * subject.unit_of_time())).map_err(failed(NOT_FOUND))?;
+        let omega = spin.exact_rad_per_s() * subject.unit_of_time();
+        let found = prepared.at_spin(&omega).map_err(|error| no_axes_at(subject, &spin, error))?;
         for point in &found.list {
             rpm.push(spin.in_rpm());
             let up = point.gamma.map(|x| 0.0 - x);

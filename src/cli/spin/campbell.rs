@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use bifdiag_body::part::Spin;
 use bifdiag_diagram::region_changes::rotation_changes;
 use bifdiag_documents::Subject;
-use bifdiag_equilibria::critical::{Multiplicity, RelativeEquilibria};
+use bifdiag_equilibria::critical::{CriticalError, Multiplicity, RelativeEquilibria};
 use bifdiag_equilibria::nonlinear::NonlinearVerdict;
 use bifdiag_equilibria::permanent::{
     AxisKind, AxisRotation, PermanentAxis, angle_between, fastest_along, permanent_axis,
@@ -15,6 +15,7 @@ use bifdiag_plot::{Campbell, CampbellRow, Steadiness, draw_campbell};
 use clap::Args;
 
 use super::axis::{AxisArgument, angle_text, axis, followed_text, listed, one_of, principal_near};
+use super::given::that_can_be_given;
 use crate::cli::export::{Column, Columns, DataFormat, FileSet, PictureArguments, PictureFormat, Values};
 use crate::cli::failure::{Failure, failed};
 use crate::cli::input::BodyArguments;
@@ -168,7 +169,7 @@ fn moving(subject: &Subject, given: &AxisArgument, largest: &Spin) -> Result<Fol
         [family] if !family.is_permanent => family,
         [] => {
             return Err(Failure::input(format!(
-                "--axis: {}; give one of {}",
+                "--axis: {}; give an axis that is near to one of them, such as one of {}",
                 bifdiag_documents::NONE_NEAREST,
                 bifdiag_documents::fast_axes(subject, &families)
             )));
@@ -185,7 +186,7 @@ fn moving(subject: &Subject, given: &AxisArgument, largest: &Spin) -> Result<Fol
     let second = subject.second();
     let at = |spin: &Spin| {
         let omega = spin.exact_rad_per_s() * subject.unit_of_time();
-        let found = prepared.at_spin(&omega).map_err(failed(NOT_FOUND))?;
+        let found = prepared.at_spin(&omega).map_err(|error| no_axes_up_to(subject, largest, error))?;
         Ok::<_, Failure>(found.list.into_iter().find(|point| family.holds(&subject.body, point)))
     };
     let row = |spin: &Spin| {
@@ -228,6 +229,15 @@ fn moving(subject: &Subject, given: &AxisArgument, largest: &Spin) -> Result<Fol
     let ends = std::iter::once(start).chain(changes.iter().map(|(rpm, ..)| *rpm));
     let beside = beside(largest, ends).iter().filter_map(|spin| row(spin).transpose()).collect::<Result<_, _>>()?;
     Ok(Followed { rows, beside, crossings, start: Some(start), changes, notes: vec![note] })
+}
+
+/// The parts of a largest spin beyond f64 have no axes.
+fn no_axes_up_to(subject: &Subject, largest: &Spin, error: CriticalError) -> Failure {
+    let CriticalError::Spin { smallest, largest: most, .. } = error else { return failed(NOT_FOUND)(error) };
+    let [from, to] = [smallest * f64::from(FINE), most].map(|omega| that_can_be_given(subject, omega));
+    Failure::input(format!(
+        "--to {largest}: parts of it are out of range for this body in f64; give a spin from {from} to {to} rad/s"
+    ))
 }
 
 /// Why an axis has no frequencies over the spin where the steady axes that are nearest to it are permanent.

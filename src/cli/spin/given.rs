@@ -1,7 +1,10 @@
-//! A rate of rotation as it was given.
+//! Rates of rotation as they are given.
 
 use bifdiag_body::Number;
 use bifdiag_body::part::{Spin, SpinUnit};
+use bifdiag_documents::Subject;
+
+use crate::cli::terminal::significant;
 
 /// Significant digits of a rate of rotation.
 pub const SPIN_DIGITS: usize = 8;
@@ -17,4 +20,9 @@ pub fn as_given(spin: &Spin, [rpm, rad_per_s]: [&str; 2]) -> String {
     } else {
         format!(", given as {spin}")
     }
+}
+
+/// A rate per unit of time of a body in rad/s, or the nearest one that can be given.
+pub fn that_can_be_given(subject: &Subject, omega: f64) -> String {
+    significant((omega * subject.second()).clamp(Number::SMALLEST, Number::LARGEST), 6)
 }

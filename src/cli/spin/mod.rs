@@ -14,5 +14,5 @@ mod tolerance;
 pub use campbell::{CAMPBELL_EXAMPLES, CampbellArguments, run as campbell};
 pub use critical::{CRITICAL_SPIN_EXAMPLES, CriticalSpinArguments, run as critical_spin};
 pub use down::{SPIN_DOWN_EXAMPLES, SpinDownArguments, run as spin_down};
-pub use given::{SPIN_DIGITS, as_given};
+pub use given::{SPIN_DIGITS, as_given, that_can_be_given};
 pub use state::{STATE_EXAMPLES, StateArguments, run as state};
