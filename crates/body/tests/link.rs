@@ -49,6 +49,10 @@ fn an_mjcf_body_is_read_in_the_frame_of_its_quaternion() {
 #[test]
 fn files_without_the_one_block_are_refused() {
     assert!(matches!(read_link(URDF, None), Err(LinkError::Several { known, .. }) if known == ["top", "tilted"]));
+    let unnamed = URDF.replace(r#" name="top""#, "").replace(r#" name="tilted""#, "");
+    assert!(matches!(read_link(&unnamed, None), Err(LinkError::NoName { kind: "link" })));
+    let of_one_name = URDF.replace("tilted", "top");
+    assert!(matches!(read_link(&of_one_name, None), Err(LinkError::NoName { .. })));
     assert!(matches!(read_link(URDF, Some("base")), Err(LinkError::Unknown { .. })));
     assert!(matches!(read_link("<robot><link name='a'/></robot>", None), Err(LinkError::Nothing { kind: "link" })));
     assert!(matches!(read_link("<sdf/>", None), Err(LinkError::Root { .. })));

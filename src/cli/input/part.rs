@@ -305,8 +305,11 @@ impl PartArguments {
             Failure::input(format!("--part {}: {source}{hint}", path.display())).because(source)
         })?;
         if let Some(mesh) = read.mesh {
-            let own = self.density.as_ref().is_some_and(Quantity::has_unit);
-            let weight = if own { plausible::Weight::OwnDensity } else { plausible::Weight::InUnits };
+            let weight = match &self.density {
+                Some(density) if density.has_unit() => plausible::Weight::OwnDensity,
+                Some(_) => plausible::Weight::InUnits,
+                None => plausible::Weight::Mass,
+            };
             plausible::warn_of_mesh(mesh, &read.properties, &numbers.units, weight);
         }
         let pivot = numbers.pivot.as_ref().map_or([const { RBig::ZERO }; 3], nominal);
@@ -327,16 +330,17 @@ impl PartArguments {
             let hint = match [possible(Products::Tensor)?, possible(Products::Integral)?] {
                 [true, false] => "with --products integral the part could not exist",
                 [false, true] => "with --products tensor the part could not exist",
-                _ => "compare them with those that your program prints, or look up its convention",
+                _ => "look the convention of your program up",
             };
             let [tensor, integral] = [Products::Tensor, Products::Integral].map(|products| moments(list, products));
             let product_count = list[3..].iter().filter(|product| !product.value.is_zero()).count();
             // Other signs of them all are a mirror image unless all three matter.
             if product_count < 3 {
+                let about = if self.inertia_com.is_some() { " about the centre of mass" } else { "" };
                 return Err(Failure::input(format!(
                     "--products is missing: a product of inertia in {option} is not 0, and programs differ in its sign. The \
-                     principal moments are {tensor} with either sign, the principal axes are not; look the convention up: \
-                     --products tensor (Ixy = -∫ x y dm) or integral (Ixy = +∫ x y dm)"
+                     principal moments{about} are {tensor} with either sign, the principal axes are not the same: write \
+                     --products tensor (Ixy = -∫ x y dm) or integral (Ixy = +∫ x y dm); {hint}"
                 )));
             }
             return Err(Failure::input(format!(

@@ -22,7 +22,9 @@ const LENGTHS: [&str; 4] = ["mm", "cm", "in", "m"];
 /// Whence the weight of a mesh is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weight {
-    /// From its mass, or from a density in the units of the part.
+    /// From its mass.
+    Mass,
+    /// From a density in the units of the part.
     InUnits,
     /// From a density with a unit of its own.
     OwnDensity,
@@ -142,15 +144,17 @@ mod tests {
         let bracket = MeshSize { extent: 60.0, volume: 24_000.0 };
         let warning = |mass: f64, text: &str, weight| mesh_warning(bracket, mass, &units(text), weight);
         // 24 cm³ of aluminium.
-        let by_mass = warning(0.065, "kg,m,s", Weight::InUnits).unwrap();
+        let by_mass = warning(0.065, "kg,m,s", Weight::Mass).unwrap();
         assert_eq!(by_mass, "the part is 60 m across: is the file in mm? then give --units kg,mm,s");
         let own = warning(24_000.0 * 2700.0, "kg,m,s", Weight::OwnDensity).unwrap();
         assert_eq!(own, by_mass);
         let restated = warning(24_000.0 * 2700.0, "kg,m,s", Weight::InUnits).unwrap();
         assert_eq!(restated, format!("{by_mass} and the density as 2700kg/m3"));
-        assert_eq!(warning(0.065, "kg,mm,s", Weight::InUnits), None);
-        assert_eq!(warning(65.0, "g,mm,s", Weight::InUnits), None);
-        let light = warning(6.5e-9, "kg,mm,s", Weight::InUnits).unwrap();
+        let heavy = warning(24_000.0 * 2700.0, "kg,m,s", Weight::Mass).unwrap();
+        assert_eq!(heavy, "the part is 60 m across: check --units and the density or mass");
+        assert_eq!(warning(0.065, "kg,mm,s", Weight::Mass), None);
+        assert_eq!(warning(65.0, "g,mm,s", Weight::Mass), None);
+        let light = warning(6.5e-9, "kg,mm,s", Weight::Mass).unwrap();
         assert!(light.contains("mean density of the part is 0.000271 kg/m³: check"), "{light}");
     }
 

@@ -53,6 +53,15 @@ pub enum LinkError {
         /// Those that are there.
         known: Vec<String>,
     },
+    /// Several blocks, none with a name of its own.
+    #[error(
+        "there is more than one {kind} with an inertial block in the file, and none has a name of its own; give each of \
+         them its own name in the file, and choose one by --link NAME"
+    )]
+    NoName {
+        /// `link` or `body`.
+        kind: &'static str,
+    },
     /// Several blocks of one name.
     #[error(
         "--link {name}: more than one {kind} with an inertial block is called so; give each of them its own name in the \
@@ -154,10 +163,12 @@ pub fn read_link(text: &str, name: Option<&str>) -> Result<MassProperties, LinkE
         .filter(|node| node.has_tag_name(kind))
         .filter_map(|node| Some((node.attribute("name").unwrap_or("(unnamed)"), child(node, "inertial")?)))
         .collect();
+    let is_once = |wanted: &str| links.iter().filter(|(name, _)| *name == wanted).count() == 1;
     let known = || links.iter().map(|(name, _)| (*name).to_owned()).collect();
     let (name, block) = match (name, &links[..]) {
         (_, []) => return Err(LinkError::Nothing { kind }),
         (None, [only]) => *only,
+        (None, _) if !links.iter().any(|(name, _)| is_once(name)) => return Err(LinkError::NoName { kind }),
         (None, _) => return Err(LinkError::Several { kind, known: known() }),
         (Some(wanted), _) => {
             let mut found = links.iter().filter(|(name, _)| *name == wanted);
