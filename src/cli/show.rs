@@ -112,7 +112,9 @@ fn is_surface(id: &str) -> bool {
     let of_genus = |text: &str| text.strip_prefix('M').is_some_and(number);
     let named = |text: &str| ["S2", "D2", "T2", "S3", "RP3", "S1XS2", "(S1XS2)#(S1XS2)"].contains(&text);
     let one = |text: &str| named(text) || holed(text) || summed(text) || of_genus(text) || is_type(text);
-    one(&upper) || upper.split('+').all(one)
+    // A sum is of types alone, or of surfaces alone.
+    let parts = || upper.split('+');
+    one(&upper) || (parts().all(one) && (parts().all(is_type) || !parts().any(is_type)))
 }
 
 /// The name that the program prints for a surface or for sections, whatever was typed.
@@ -130,6 +132,13 @@ fn printed_name(typed: &str) -> String {
     typed.split('+').map(one).collect::<Vec<_>>().join("+")
 }
 
+/// Such as `k2n1`: the boundary circles and the poles of a component.
+fn kind(component: &ComponentDocument) -> String {
+    // Without weight there are no poles, and a scan counts them so.
+    let poles = component.poles.as_ref().map_or(0, Vec::len);
+    format!("k{}n{poles}", component.boundary_circles)
+}
+
 /// The regions that have a component or a signature of this name.
 fn regions_with<'a>(document: &'a AtlasDocument, name: &str) -> Vec<&'a RegionDocument> {
     let name = &printed_name(name);
@@ -141,15 +150,13 @@ fn regions_with<'a>(document: &'a AtlasDocument, name: &str) -> Vec<&'a RegionDo
     };
     let has = |region: &&RegionDocument| {
         let component = |component: &ComponentDocument| {
-            // Without weight there are no poles, and a scan counts them so.
-            let poles = component.poles.as_ref().map_or(0, Vec::len);
-            let kind = format!("k{}n{poles}", component.boundary_circles);
             let section = component.section.as_deref().is_some_and(is);
-            is(&component.accessible_region) || is(&component.energy_surface) || is(&kind) || section
+            is(&component.accessible_region) || is(&component.energy_surface) || is(&kind(component)) || section
         };
         let sum =
-            |part: fn(&ComponentDocument) -> &str| region.components.iter().map(part).collect::<Vec<_>>().join("+");
-        let sums = [sum(|of| &of.accessible_region), sum(|of| &of.energy_surface), region.shown()];
+            |part: fn(&ComponentDocument) -> String| region.components.iter().map(part).collect::<Vec<_>>().join("+");
+        let sums =
+            [sum(|of| of.accessible_region.clone()), sum(|of| of.energy_surface.clone()), sum(kind), region.shown()];
         sums.iter().any(|sum| sorted(sum) == sorted(name)) || region.components.iter().any(component)
     };
     document.regions.iter().filter(has).collect()

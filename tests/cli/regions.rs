@@ -244,3 +244,16 @@ fn fast_names_the_pole_line_on_which_a_point_lies() {
         "{fast}"
     );
 }
+
+/// Where f64 does not decide all events its regions have other numbers, which is said.
+#[test]
+fn regions_that_fast_numbers_otherwise_are_said_to_be() {
+    let point = |body: &str, rest: &str| bifdiag(&format!("classify {body} {rest}")).succeeds();
+    let body = "--A 0.5509846155438964,0.5618428335204717,0.8871725509356319 \
+                --r 0.00014355195477903674,0.02687475197781329,0.9996387983161554";
+    point(body, "--h 162.25 --l 13.4375").printing("region R14");
+    let fast = point(body, "--h 162.25 --l 13.4375 --accuracy fast");
+    fast.printing("region R12").printing("regions are numbered as by bifdiag atlas --accuracy fast");
+    let decided = point("--body paper", "--h 3.8 --l 3.25 --accuracy fast").stdout();
+    assert!(!decided.contains("numbered"), "{decided}");
+}

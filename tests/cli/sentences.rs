@@ -432,6 +432,8 @@ fn errors_name_what_is_wrong() {
 fn surfaces_are_found_by_all_their_names() {
     bifdiag("show M1 --body paper").succeeds().printing("T2 occurs in the regions R2, R4, R5, R8");
     bifdiag("show D2+D2 --body paper").succeeds().printing("D2+D2 occurs in the regions R5, R8, R9");
+    bifdiag("show k1n1+k1n1 --body paper").succeeds().printing("k1n1+k1n1 occurs in the region R8");
+    bifdiag("show k1n1+k1n0 --body paper").succeeds().printing("occurs in the region R5");
     bifdiag("show S3+S3 --body paper").succeeds().printing("S3+S3 occurs in the regions R5, R8, R9");
     let stray = "--A 1.5,1,0.8 --r 0,1,4.52772148842394e-12";
     bifdiag(&format!("show S2 {stray}")).succeeds().printing("sample: ~h").printing("outside its region");

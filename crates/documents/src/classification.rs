@@ -41,6 +41,10 @@ pub fn margin(margin: &Margin) -> MarginDocument {
     MarginDocument { h: margin.h, nearest, error_bound: margin.error_bound }
 }
 
+/// What is said where ids of regions are not those of the exact atlas.
+const NUMBERED_OTHERWISE: &str = "regions are numbered as by bifdiag atlas --accuracy fast: f64 does not decide all events of this body, and other \
+     answers may number them otherwise";
+
 /// The answer for a point (h, l) of a body, with its regions if an atlas is prepared.
 #[must_use]
 pub fn classification(
@@ -69,7 +73,13 @@ pub fn classification(
     };
     let euler = "r = 0: the poles ±r̂ do not exist and S vanishes identically, so P_hl is not defined";
     let unnamed = why_not.map(|why| format!("the ids of the regions are not known: {why}"));
-    let notes: Vec<String> = body.is_euler().then(|| euler.to_owned()).into_iter().chain(unnamed).collect();
+    // Numbers depend on events that f64 does not decide.
+    let is_numbered_otherwise = accuracy == Accuracy::Fast
+        && places.is_some()
+        && prepared.and_then(Solver::atlas).is_some_and(|atlas| !atlas.arrangement().undecided.is_empty());
+    let numbered = is_numbered_otherwise.then(|| NUMBERED_OTHERWISE.to_owned());
+    let notes: Vec<String> =
+        body.is_euler().then(|| euler.to_owned()).into_iter().chain(unnamed).chain(numbered).collect();
     let of_u = found.components();
     let command = subject.command("classify").option("h", h.text()).option("l", l.text());
     ClassificationDocument {

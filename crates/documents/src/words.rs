@@ -40,7 +40,7 @@ pub fn component(component: &ComponentDocument) -> [String; 3] {
         0 => "the rotations of space".to_owned(),
         1 => "a three-sphere".to_owned(),
         2 => "a sphere times a circle".to_owned(),
-        circles => format!("{} of them, summed", circles - 1),
+        circles => format!("the connected sum of {} copies of a sphere times a circle", circles - 1),
     };
     let section = match (&component.section, component.genus) {
         (Some(name), Some(0)) => format!("P: {name}, a sphere"),

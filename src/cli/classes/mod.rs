@@ -145,7 +145,7 @@ fn standing(arguments: &ClassesArguments) -> Result<(), Failure> {
         head(&subject, &mut text);
         match &class {
             Ok(_) => standing_report(&mut text, &document, is_resolved),
-            Err(error) => text.line(format!("the body has no class: {error}")),
+            Err(error) => text.line(format!("its class is not known: {error}")),
         }
         text.text()
     })
