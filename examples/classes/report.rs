@@ -151,7 +151,7 @@ fn kind(event: &str) -> Option<(usize, String)> {
     if event.starts_with("the cusp of ") && event.contains("passes through") {
         return Some((if event.contains(" P") { 2 } else { 1 }, through(event)?));
     }
-    if let Some(curves) = event.strip_prefix("the curves ").and_then(|rest| rest.strip_suffix(" meet in one point")) {
+    if let Some(curves) = event.strip_prefix("curves of ").and_then(|rest| rest.strip_suffix(" meet in one point")) {
         let few = curves.split(", ").count() <= 3;
         return few.then(|| (if curves.contains('P') { 4 } else { 3 }, curves.to_owned()));
     }

@@ -158,12 +158,12 @@ fn borders_are_named_by_the_events_that_change_places() {
     beside(
         "--A 0.02498,0.5549,0.1008 --r=0.0273,0.127,0.0313",
         "8bad287eccc6",
-        "the curves G0, G1, P- meet in one point",
+        "curves of G0, G1, P- meet in one point",
     );
     beside(
         "--A 0.1869,0.003841,0.7235 --r=0.331,-0.0214,1.4",
         "19fd16c21e93",
-        "the curves G0, G1, P- meet in one point",
+        "curves of G0, G1, P- meet in one point",
     );
 }
 

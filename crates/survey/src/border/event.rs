@@ -157,7 +157,7 @@ impl fmt::Display for BorderEventKind {
             Self::Swallowtail { branches } => {
                 write!(f, "a swallowtail is born or vanishes on branch {}", joined(branches, ", "))
             }
-            Self::TriplePoint { branches } => write!(f, "the curves {} meet in one point", joined(branches, ", ")),
+            Self::TriplePoint { branches } => write!(f, "curves of {} meet in one point", joined(branches, ", ")),
             Self::CuspOnCurve { cusp, encounter, curves } => {
                 write!(f, "the {} {encounter} {}", EventLabel::Cusp(*cusp), joined(curves, ", "))
             }
