@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use bifdiag_body::Number;
 use bifdiag_documents::CommandLine;
 use bifdiag_documents::words::counted;
 use bifdiag_schema::{Accuracy, FindDocument};
@@ -61,7 +62,7 @@ pub struct FindArguments {
     /// Draw all N bodies, even after a match; implies --search
     #[arg(long, help_heading = "Work", hide_short_help = true)]
     pub all: bool,
-    /// Start the sequence of bodies at N (default: 0); implies --search
+    /// Seed of the sequence of bodies (default: 0); implies --search
     #[arg(long, value_name = "N", help_heading = "Work", hide_short_help = true)]
     pub seed: Option<u64>,
     /// Required accuracy of the answers
@@ -73,7 +74,7 @@ pub struct FindArguments {
 }
 
 fn moment_ratio(text: &str) -> Result<f64, String> {
-    let ratio = text.parse::<f64>().ok().filter(|ratio| *ratio >= 1.0 && ratio.is_finite());
+    let ratio = text.parse().ok().map(|ratio: Number| ratio.to_f64()).filter(|ratio| *ratio >= 1.0);
     ratio.ok_or_else(|| "a ratio is a number of 1 or more, such as 10".to_owned())
 }
 

@@ -29,7 +29,7 @@ Examples:
 pub struct PartBodyArguments {
     #[command(flatten)]
     pub part: PartArguments,
-    /// Draw the part into DIR/part.svg
+    /// Draw the part into DIR (part.svg)
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub out: Option<PathBuf>,
     #[command(flatten)]

@@ -46,7 +46,7 @@ pub struct SphereArguments {
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::direction)]
     #[arg(help_heading = "Output", hide_short_help = true)]
     pub view: Option<[f64; 3]>,
-    /// Write the picture to DIR
+    /// Write the picture to DIR (default: bifdiag-out)
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub out: Option<PathBuf>,
     #[command(flatten)]

@@ -57,7 +57,7 @@ fn pattern(known: Steadiness, color: RGBColor) -> Vec<Dash> {
 fn meaning(known: Steadiness) -> &'static str {
     match known {
         Steadiness::Lasting => "stable, with friction too",
-        Steadiness::Frictionless => "stable without friction",
+        Steadiness::Frictionless => "stable without friction, single spins aside",
         Steadiness::Open => "stability not decided",
         Steadiness::Unstable => "unstable",
     }

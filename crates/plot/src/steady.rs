@@ -73,7 +73,7 @@ impl Steadiness {
     fn meaning(self) -> &'static str {
         match self {
             Self::Lasting => "stable, with friction too",
-            Self::Frictionless => "stable without friction",
+            Self::Frictionless => "stable without friction, single spins aside",
             Self::Open => "no eigenvalue grows, stability itself not decided",
             Self::Unstable => "unstable",
         }

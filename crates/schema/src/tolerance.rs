@@ -37,8 +37,8 @@ pub struct ToleranceDocument {
 /// A number of a part with an uncertainty.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct MeasuredDocument {
-    /// Ixx, …, com x, …, mass, g, products as entries of the tensor; `pivot x` where that is uncertain, and `com x -
-    /// pivot x` where both are, or the pivot is not the origin.
+    /// Ixx, …, com x, …, mass, g, products as entries of the tensor; `pivot x` where that alone is uncertain, and
+    /// `com x - pivot x` where com is and the pivot is uncertain or not the origin.
     pub name: String,
     /// The nominal value, exact.
     pub value: String,

@@ -113,7 +113,7 @@ pub struct SampleArguments {
     /// Take N bodies of a low-discrepancy sequence
     #[arg(long, value_name = "N", help_heading = "Bodies", value_parser = clap::value_parser!(u64).range(1..1 << 53))]
     pub samples: Option<u64>,
-    /// Start of the sequence; 0: in the middle
+    /// Seed of the sequence
     #[arg(long, value_name = "N", default_value_t = 0, help_heading = "Bodies", hide_short_help = true)]
     pub seed: u64,
     /// Scan only part i of n of the bodies

@@ -164,7 +164,8 @@ pub(super) struct Scene<'a> {
 fn steps(way: &[SlowdownDocument], curves: &BTreeMap<&str, usize>) -> Vec<Step> {
     let mut steps = Vec::new();
     for (number, stretch) in way.iter().enumerate() {
-        let curve = curves.get(stretch.curve.as_str());
+        // A rotation that falls at once stays on its curve for a moment only.
+        let curve = curves.get(stretch.curve.as_str()).filter(|_| stretch.l[0] != stretch.l[1]);
         steps.extend(curve.map(|&curve| Step::Along(curve, [stretch.l[1], stretch.l[0]])));
         if let Some(next) = way.get(number + 1) {
             steps.push(Step::Fall([[stretch.h[1], stretch.l[1]], [next.h[0], next.l[0]]]));

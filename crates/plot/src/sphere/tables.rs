@@ -91,8 +91,10 @@ fn energies(h: &[f64]) -> Vec<String> {
 }
 
 /// Columns that are left out where all would be too high, the least first: from which on, and a note on them.
-const LEFT_OUT: [(usize, &str); 2] =
-    [(6, "periods and growth: bifdiag critical prints them"), (4, "types and stability: bifdiag critical prints them")];
+const LEFT_OUT: [(usize, &str); 2] = [
+    (6, "periods and growth: bifdiag critical prints them"),
+    (4, "types, stability, periods and growth: bifdiag critical prints them"),
+];
 
 /// One row for each relative equilibrium, as each has its letter in the views, and as many columns as find room.
 pub(super) fn equilibria(scene: &SphereScene<'_>, [width, height]: [f64; 2]) -> Table {
