@@ -206,7 +206,9 @@ fn text(
                         report.line("rotation about this axis is steady at this spin only");
                     }
                     own => {
-                        own.iter().for_each(|own| report.line(own.text()));
+                        if let Some(own) = own {
+                            report.line(own.text());
+                        }
                         report.line("at this spin the axis of a steady rotation is within 10⁻⁶ rad of the vertical");
                     }
                 },
@@ -303,7 +305,9 @@ fn other_text(
             report.line(rests("the vertical"));
         }
         AxisKind::AtOneSpin(_) => {
-            own_spin(subject, document, question, &kind).iter().for_each(|own| report.line(own.text()));
+            if let Some(own) = own_spin(subject, document, question, &kind) {
+                report.line(own.text());
+            }
         }
         AxisKind::Principal | AxisKind::Other(_) => report.line("rotation about the vertical is steady at no spin"),
         AxisKind::Permanent { .. } | AxisKind::Unknown => {}
