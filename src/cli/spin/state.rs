@@ -4,7 +4,7 @@ use bifdiag_body::Number;
 use bifdiag_body::part::Spin;
 use bifdiag_documents::{CommandLine, StateQuestion, Subject};
 use bifdiag_equilibria::critical::ExactSpin;
-use bifdiag_equilibria::permanent::{AxisKind, OneSpin, angle_between};
+use bifdiag_equilibria::permanent::{AxisKind, NearestAxis, OneSpin, angle_between};
 use bifdiag_exact::{self as exact, Accuracy, Solver, SpinQuestion};
 use bifdiag_numbers::symmetric;
 use bifdiag_schema::{AxisEnd, SpinChangeDocument, SpinDocument, StateDocument, SteadyDocument};
@@ -201,12 +201,13 @@ fn text(
                         report.line("at this spin the axis of a steady rotation is within 10⁻⁶ rad of it");
                     }
                 }
-                kind @ AxisKind::AtOneSpin(_) => match own_spin(subject, document, question, &kind) {
+                AxisKind::AtOneSpin(axis) => match own_spin(subject, document, question, &axis) {
                     Some(OwnSpin { end: AxisEnd::Plus, is_asked: true, .. }) => {
                         report.line("rotation about this axis is steady at this spin only");
                     }
                     own => {
-                        if let Some(own) = own {
+                        // The spin is that of the nearest axis that has one.
+                        if let Some(own) = own.filter(|_| axis.angle <= OTHER) {
                             report.line(own.text());
                         }
                         report.line("at this spin the axis of a steady rotation is within 10⁻⁶ rad of the vertical");
@@ -253,16 +254,17 @@ impl OwnSpin {
     }
 }
 
-fn own_spin(subject: &Subject, document: &StateDocument, question: &SpinQuestion, kind: &AxisKind) -> Option<OwnSpin> {
-    let AxisKind::AtOneSpin(axis) = kind else { return None };
-    let exactly = OneSpin::of(&subject.body, axis, &question.exact_up)
-        .map(|one| (bifdiag_documents::spin(one.omega * subject.second()), one.end));
-    let rounded = || bifdiag_documents::nearest_axis(subject, kind).and_then(|near| near.spin.zip(near.up));
-    let (spin, end) = exactly.or_else(rounded)?;
-    let asked = document.spin.rpm;
-    let is_asked = (spin.rpm - asked).abs() <= 4.0 * f64::EPSILON * asked;
-    let [_, rpm] = told_apart([asked, if is_asked { asked } else { spin.rpm }], SPIN_DIGITS);
-    Some(OwnSpin { rpm, end, is_asked })
+fn own_spin(
+    subject: &Subject,
+    document: &StateDocument,
+    question: &SpinQuestion,
+    axis: &NearestAxis,
+) -> Option<OwnSpin> {
+    let one = OneSpin::of(&subject.body, axis, &question.exact_up)?;
+    let (own, asked) = (bifdiag_documents::spin(one.omega * subject.second()).rpm, document.spin.rpm);
+    let is_asked = (own - asked).abs() <= 4.0 * f64::EPSILON * asked;
+    let [_, rpm] = told_apart([asked, if is_asked { asked } else { own }], SPIN_DIGITS);
+    Some(OwnSpin { rpm, end: one.end, is_asked })
 }
 
 fn other_text(
@@ -304,8 +306,8 @@ fn other_text(
         AxisKind::AtOneSpin(axis) if axis.squared_spin == Some(0.0) => {
             report.line(rests("the vertical"));
         }
-        AxisKind::AtOneSpin(_) => {
-            if let Some(own) = own_spin(subject, document, question, &kind) {
+        AxisKind::AtOneSpin(axis) => {
+            if let Some(own) = own_spin(subject, document, question, &axis) {
                 report.line(own.text());
             }
         }
