@@ -60,7 +60,7 @@ pub struct SteadyAxesDocument {
 pub enum SteadyStart {
     /// At rest, where the body hangs or stands.
     Rest,
-    /// Together with another family; just below this spin neither exists.
+    /// Together with another family, or several; just below this spin they do not exist.
     Fold,
     /// On another family, from which a pair or a circle of axes leaves.
     Fork,

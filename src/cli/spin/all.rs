@@ -160,7 +160,7 @@ fn legend(report: &mut Report, families: &[&SteadyFamilyDocument]) {
     }
     let has = |start| families.iter().any(|family| family.start == start);
     if has(SteadyStart::Fold) {
-        report.line("fold: at this spin two steady axes appear in one place; just below it neither exists");
+        report.line("fold: at this spin steady axes appear in one place; just below it they do not exist");
     }
     if has(SteadyStart::Fork) {
         report.line("fork: at this spin the axes leave another steady axis");
