@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use bifdiag_body::Number;
+use bifdiag_body::{Number, ParseNumberError};
 use bifdiag_documents::CommandLine;
 use bifdiag_documents::words::counted;
 use bifdiag_schema::{Accuracy, FindDocument};
@@ -74,8 +74,9 @@ pub struct FindArguments {
 }
 
 fn moment_ratio(text: &str) -> Result<f64, String> {
-    let ratio = text.parse().ok().map(|ratio: Number| ratio.to_f64()).filter(|ratio| *ratio >= 1.0);
-    ratio.ok_or_else(|| "a ratio is a number of 1 or more, such as 10".to_owned())
+    let ratio: Number = text.parse().map_err(|error: ParseNumberError| error.to_string())?;
+    let ratio = ratio.to_f64();
+    if ratio >= 1.0 { Ok(ratio) } else { Err("a ratio is a number of 1 or more, such as 10".to_owned()) }
 }
 
 pub fn run(arguments: &FindArguments, quiet: bool) -> Result<(), Failure> {

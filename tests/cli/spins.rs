@@ -379,6 +379,9 @@ fn the_spin_of_a_vertical_near_a_steady_axis_is_its_own() {
         near.printing(own).printing("the axis of a steady rotation is within 10⁻⁶ rad of the vertical");
     }
     bifdiag("critical-spin --body paper --axis 0.000001,0,1").succeeds().printing("at one spin only: 9301.0315 rpm");
+    // Beside the cone a vertical has no spin.
+    let beside = bifdiag("state --body paper --axis 0.0000001,0.0000009,1 --spin").and("20000 rpm").succeeds().stdout();
+    assert!(!beside.contains("steady at one spin only"), "{beside}");
     // Ω² = (e×r)·(e×Ae)/|e×Ae|² = 1 exactly for this axis.
     let exact = bifdiag("state --A 20,45,40 --r 5.4,12.8,0 --axis=-0.6,0.8,0 --spin").and("1 rad/s").succeeds();
     exact.printing("rotation about this axis is steady at this spin only");
@@ -387,10 +390,27 @@ fn the_spin_of_a_vertical_near_a_steady_axis_is_its_own() {
 /// Spins beyond f64 are wrong input in a range, too, and are told in the unit that was typed.
 #[test]
 fn ranges_of_spins_beyond_f64_are_refused() {
-    for output in ["", " --json"] {
+    for output in ["", " --json", " --out a.csv", " --out a.svg"] {
         let line = format!("critical --body paper{output} --spin");
         bifdiag(&line).and("0:1e60:3 rpm").refused().telling(" rpm is too fast").telling("to 2.27273e44 rad/s");
     }
     let slow = bifdiag("campbell --body paper --axis 0,0,-1 --no-plot --to").and("5.5e-46 rad/s").refused();
     slow.telling("give a spin from 9.22747e-39 to 2.27273e44 rad/s");
+}
+
+/// Four families begin in one place where a symmetry makes two folds of one.
+#[test]
+fn a_fold_does_not_count_its_axes() {
+    let symmetric = bifdiag("critical-spin --A 4,3,2 --r 1,0,1").succeeds();
+    let symmetric = symmetric.printing("2 below 11.356091 rpm, 6 at faster spins");
+    symmetric.printing("fold: at this spin steady axes appear in one place; just below it they do not exist");
+}
+
+/// Exactly at its cusp a circle has index 0 and is no minimum.
+#[test]
+fn a_degenerate_circle_is_said_to_be_no_minimum() {
+    let sentence = "degenerate: S12.1, no minimum in spite of index 0";
+    bifdiag("critical --A 3,3,21/4 --r 0,0,6 --l 8").succeeds().printing(sentence);
+    let beside = bifdiag("critical --A 3,3,21/4 --r 0,0,6 --l 8.01").succeeds().stdout();
+    assert!(!beside.contains("degenerate"), "{beside}");
 }

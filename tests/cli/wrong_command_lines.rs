@@ -56,8 +56,11 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("orbit --body paper --gamma 0,0.6,0.8 --omega 1,0,2 --phi pi*2", &["`pi*2` is not an angle"]),
     ("orbit --body paper --gamma 0,0.6,0.8 --omega 1,0,2 --phi *pi", &["`*pi` is not an angle"]),
     ("orbit --body paper --euler 1,pi/0,0 --omega 1,0,0", &["`pi/0` is not an angle"]),
-    ("critical --body paper --l 0:1e100:3", &["l = 5e99 is too large"]),
-    ("critical --body paper --l 0:1e100:3 --json", &["l = 5e99 is too large"]),
+    ("critical --body paper --l 0:1e100:3", &["--l: l = 5e99 is too large"]),
+    ("critical --body paper --l 0:1e100:3 --json", &["--l: l = 5e99 is too large"]),
+    ("orbit --body paper --gamma 0,0.6,0.8 --omega 1,0,2 --phi pi/1e200", &["`1e200` is out of range"]),
+    ("find --type M4 --moment-ratio 1e200", &["`1e200` is out of range"]),
+    ("find --type M4 --moment-ratio 9/10", &["a ratio is a number of 1 or more"]),
     ("show D2+k1n1 --body paper", &["nothing of that name"]),
     ("orbit --body paper --times 1e100:1:3", &["t0 = 1e100 is above t1 = 1"]),
     ("orbit --body paper --euler 9,0,0 --omega 1,0,0", &["--euler: theta = 9", "from 0 to pi"]),
@@ -83,7 +86,7 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("--inertia 1,1,1,0,q,0 --com 0,0,1 --mass 2 --g 9.81", &["Ixz: `q` is not a number"]),
     (
         "--inertia 1,1,1,2,0,0 --com 0,0,1 --mass 2 --g 9.81",
-        &["--products is missing", "-1, 1, 3 with either sign, the principal axes are not", "∫ x y dm"],
+        &["--products is missing", "-1, 1, 3 with either sign, but the principal axes differ", "∫ x y dm"],
     ),
     (
         "--inertia 1,1,1,0,0,0 --com 0,1 --mass 2 --g 9.81",

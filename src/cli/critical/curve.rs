@@ -11,7 +11,7 @@ use bifdiag_schema::Reason;
 use dashu_ratio::RBig;
 
 use super::spins::spin_at;
-use super::table::{NOT_FOUND, from_center};
+use super::table::{NOT_FOUND, from_center, no_axes_at};
 use crate::cli::export::{FileSet, PictureArguments, PictureFormat};
 use crate::cli::failure::{Failure, failed};
 use crate::cli::terminal::{Report, Timings, counted, print};
@@ -51,6 +51,10 @@ pub fn draw(
 fn scene(subject: &Subject, ends: [&Spin; 2], count: u32) -> Result<SteadyScene, Failure> {
     let body = &subject.body;
     let prepared = RelativeEquilibria::new(body).map_err(failed(NOT_FOUND))?;
+    for end in ends {
+        let omega = end.exact_rad_per_s() * subject.unit_of_time();
+        prepared.at_spin(&omega).map_err(|error| no_axes_at(subject, end, error))?;
+    }
     let families = prepared.families().ok_or_else(|| Failure::work(NOT_FOUND))?;
     let angle = |gamma: [f64; 3]| from_center(body, gamma.map(|x| 0.0 - x));
     let rpm = |omega: f64| Spin::rpm(omega * subject.second());

@@ -198,15 +198,20 @@ fn lines(queries: &[Query]) -> Vec<Result<Vec<u8>, Failure>> {
 fn of_one_body(queries: &[Query]) -> Vec<Result<Vec<u8>, Failure>> {
     let prepared = RelativeEquilibria::new(&queries[0].subject.body);
     let answer = |query: &Query| match &prepared {
-        Ok(prepared) => line(&query.subject, prepared, &query.l),
+        Ok(prepared) => line(&query.subject, prepared, &query.l, |error| unanswered(&error)),
         Err(error) => Err(unanswered(error)),
     };
     queries.iter().map(answer).collect()
 }
 
 /// The answer at one momentum on one line.
-fn line(subject: &Subject, prepared: &RelativeEquilibria<'_>, l: &Number) -> Result<Vec<u8>, Failure> {
-    let found = prepared.at(l).map_err(|error| unanswered(&error))?;
+fn line(
+    subject: &Subject,
+    prepared: &RelativeEquilibria<'_>,
+    l: &Number,
+    unanswered: impl FnOnce(CriticalError) -> Failure,
+) -> Result<Vec<u8>, Failure> {
+    let found = prepared.at(l).map_err(unanswered)?;
     let mut text = Vec::with_capacity(LINE);
     bifdiag_schema::write_json(&mut text, &bifdiag_documents::critical(subject, l, &found))?;
     Ok(text)
@@ -226,7 +231,7 @@ fn ranged_lines(subject: &Subject, ends: [&Number; 2], count: u32) -> Result<(),
     let numbers: Vec<u32> = (0..count).collect();
     for block in numbers.chunks(BLOCK) {
         let lines = block.par_iter().map(|&k| {
-            let mut line = line(subject, &prepared, &Numbers::at(ends, count, k))?;
+            let mut line = line(subject, &prepared, &Numbers::at(ends, count, k), not_found)?;
             line.push(b'\n');
             Ok::<_, Failure>(line)
         });

@@ -162,12 +162,13 @@ fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriu
             ));
         }
     }
-    let no_minima: Vec<&str> = points
+    let mut no_minima: Vec<&str> = points
         .iter()
         .zip(curves)
         .filter(|(point, _)| is_degenerate_circle(point))
         .map(|(_, curve)| curve.as_str())
         .collect();
+    no_minima.dedup();
     if !no_minima.is_empty() {
         report.line(format!("degenerate: {}, no minimum in spite of index 0", no_minima.join(", ")));
     }

@@ -325,13 +325,14 @@ pub fn angle(text: &str) -> Result<f64, Failure> {
     let factor = match factor.trim() {
         "" | "+" => 1.0,
         "-" => -1.0,
-        factor => float(factor.strip_suffix('*').unwrap_or(factor)).map_err(|_not_a_number| wrong())?,
+        "*" => return Err(wrong()),
+        factor => float(factor.strip_suffix('*').unwrap_or(factor))?,
     };
     let divisor = match divisor.trim() {
         "" => 1.0,
         divisor => {
             let divisor = divisor.strip_prefix('/').filter(|divisor| !divisor.contains('/')).ok_or_else(wrong)?;
-            float(divisor).ok().filter(|divisor| *divisor != 0.0).ok_or_else(wrong)?
+            Some(float(divisor)?).filter(|divisor| *divisor != 0.0).ok_or_else(wrong)?
         }
     };
     Ok(factor * PI / divisor)
