@@ -223,6 +223,10 @@ fn fast_names_the_pole_line_on_which_a_point_lies() {
         let line = format!("classify {body} --l 1/2 --h={h} --accuracy");
         ["fast", "exact"].map(|accuracy| bifdiag(&line).and(accuracy).succeeds().stdout())
     };
+    let at_rest = |body: &str, h: &str| {
+        let line = format!("classify {body} --l 0 --h={h} --accuracy");
+        ["fast", "exact"].map(|accuracy| bifdiag(&line).and(accuracy).succeeds().stdout())
+    };
     // |r| = 1 and J_r = 34/25.
     for answer in at("--A 2,11/10,1 --r 3/5,0,4/5", "-247/272") {
         assert!(
@@ -233,6 +237,10 @@ fn fast_names_the_pole_line_on_which_a_point_lies() {
     // A principal axis carries r: its curve is the pole line.
     for answer in at("--A 2,11/10,1 --r 0,0,1", "9/8") {
         assert!(answer.contains("0 in h to L-.1 (error bound 0)"), "{answer}");
+    }
+    // At rest all that is listed meets.
+    for answer in at_rest("--A 1,2,3 --r 0.6,0.8,0", "-1") {
+        assert!(answer.contains("critical: exactly on a curve, where these meet"), "{answer}");
     }
     // r is so near to axis 1 that a curve runs within rounding of the pole line.
     let body = "--A 2,11/10,1 --r 9999999999999999/10000000000000000,1/50000000,0";
@@ -254,6 +262,8 @@ fn regions_that_fast_numbers_otherwise_are_said_to_be() {
     point(body, "--h 162.25 --l 13.4375").printing("region R14");
     let fast = point(body, "--h 162.25 --l 13.4375 --accuracy fast");
     fast.printing("region R12").printing("regions are numbered as by bifdiag atlas --accuracy fast");
+    let forbidden = point(body, "--h -100 --l 1 --accuracy fast").stdout();
+    assert!(!forbidden.contains("numbered"), "{forbidden}");
     let decided = point("--body paper", "--h 3.8 --l 3.25 --accuracy fast").stdout();
     assert!(!decided.contains("numbered"), "{decided}");
 }

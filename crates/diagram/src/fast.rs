@@ -103,8 +103,8 @@ pub fn classify_in(atlas: &Atlas, h: &Number, l: &Number) -> Result<(Classificat
     let unknown = |place: &Place| matches!(place, Place::Region(region) if atlas.components(*region).is_err());
     let Location { place, distance, nearest, error_bound, named, .. } = atlas.locate(h.to_f64(), l.to_f64())?;
     let set = &atlas.arrangement().set;
+    let x = abscissa(&set.frame, l.to_f64())?;
     if !atlas.arrangement().undecided.is_empty() || unknown(&place) {
-        let x = abscissa(&set.frame, l.to_f64())?;
         if let Some(found) = AtMomentum::new(set, h, x).decided() {
             return Ok(found);
         }
@@ -123,7 +123,6 @@ pub fn classify_in(atlas: &Atlas, h: &Number, l: &Number) -> Result<(Classificat
             candidates.push(components.to_vec());
         }
     }
-    let x = abscissa(&set.frame, l.to_f64())?;
     let on_it = atlas::straight_curve_at(body, h, l);
     Ok((beside_curve((set, x), on_it, candidates, margin), false))
 }

@@ -75,6 +75,7 @@ pub fn classification(
     let unnamed = why_not.map(|why| format!("the ids of the regions are not known: {why}"));
     // Numbers depend on events that f64 does not decide.
     let is_numbered_otherwise = accuracy == Accuracy::Fast
+        && found.answer != Answer::Forbidden
         && places.is_some()
         && prepared.and_then(Solver::atlas).is_some_and(|atlas| !atlas.arrangement().undecided.is_empty());
     let numbered = is_numbered_otherwise.then(|| NUMBERED_OTHERWISE.to_owned());

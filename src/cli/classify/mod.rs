@@ -6,6 +6,7 @@ mod proof;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use bifdiag_body::Number;
 use bifdiag_documents::Subject;
 use bifdiag_exact::{Solver, classify};
 use bifdiag_schema::{Accuracy, ClassificationDocument, ComponentDocument, Status};
@@ -138,11 +139,12 @@ fn report(subject: &Subject, document: &ClassificationDocument) -> String {
     if let Some(region) = &document.region {
         report.line(format!("region {region}"));
     }
+    let is_turning = document.l.parse().is_ok_and(|l: Number| !l.value().is_zero());
     report.line(match document.status {
         Status::Regular => "regular",
         Status::Forbidden => "forbidden: h is below the minimum of the effective potential, U is empty",
-        // Other curves may be within the error bound.
-        Status::Critical if document.accuracy == Accuracy::Fast && document.candidates.len() > 2 => {
+        // Other curves may be within the error bound, but not at l = 0.
+        Status::Critical if document.accuracy == Accuracy::Fast && document.candidates.len() > 2 && is_turning => {
             "critical: exactly on a curve, where all or some of these meet"
         }
         Status::Critical => "critical: exactly on a curve, where these meet",
