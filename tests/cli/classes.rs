@@ -202,7 +202,7 @@ fn the_ball_is_the_border_of_symmetric_bodies() {
 #[test]
 fn borders_beside_a_more_special_body_are_not_sought() {
     let at = |second: &str| bifdiag(&format!("classes --at --A 1,{second},1.5 --r 0,0,1")).succeeds();
-    for second in ["1.00000000000000000001", "1.0000000000000001", "1.00000000000001", "1.00000001"] {
+    for second in ["1.00000000000000000001", "1.0000000000000001", "1.00000000000001", "1.00000001", "1.00000001999"] {
         at(second).printing("its borders are not sought: a more special body is within 1e-8 of it");
     }
     for second in ["1", "1.0000001", "1.0001"] {

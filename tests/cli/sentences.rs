@@ -387,7 +387,7 @@ fn refusals_and_tables_say_what_is_so() {
     assert!(spins.stdout().lines().all(|row| !(row.contains("Ixx") && row.contains("e-1"))), "{}", spins.stdout());
     // One product of inertia moves the axes only.
     let one = "body --inertia-com 0.02,0.03,0.04,0.001,0,0 --com 0,0,0.2 --mass 1.5";
-    bifdiag(one).refused().telling("0.01990098, 0.03009902, 0.04 with either sign, the principal axes are not");
+    bifdiag(one).refused().telling("0.01990098, 0.03009902, 0.04 with either sign, but the principal axes differ");
     let way = bifdiag("spin-down --A 1,1,2 --r 0,0,1 --from L-.1").succeeds();
     assert!(way.stdout().contains("L-.1 ends at l = 2 in a pitchfork, from which S12.1 continues"), "{}", way.stdout());
     let border = bifdiag("scan border --A 2.2,1.7,1.3 --r 0.3,0,0.7 --vary r2=0:0.5").succeeds();

@@ -72,7 +72,7 @@ fn margin(plane: &Plane<'_>, nearest: Option<CriticalValue>, x: &RBig) -> Margin
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum PlaceError {
     /// There is no atlas.
-    #[error("no atlas of this body was made; bifdiag atlas makes one or says why there is none")]
+    #[error("no atlas of this body was made")]
     NoAtlas,
     /// With [`crate::Accuracy::Fast`] there is none.
     #[error("f64 does not tell apart the regions of this body")]

@@ -74,7 +74,7 @@ impl Steadiness {
         match self {
             Self::Lasting => "stable, with friction too",
             Self::Frictionless => "stable without friction, single spins aside",
-            Self::Open => "no eigenvalue grows, stability itself not decided",
+            Self::Open => "no eigenvalue grows, stability itself not shown",
             Self::Unstable => "unstable",
         }
     }

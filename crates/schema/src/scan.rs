@@ -108,7 +108,7 @@ pub struct DesignDocument {
     /// Number of points of the low-discrepancy sequence, or of the bodies of a list; absent for a grid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub samples: Option<u64>,
-    /// Where the sequence starts.
+    /// Seed of the sequence.
     #[serde(default)]
     pub seed: u64,
 }

@@ -76,7 +76,7 @@ pub struct Design {
     pub vary: Vec<ParameterRange>,
     /// Number of points of the low-discrepancy sequence, or of the bodies of a list; absent for a grid.
     pub samples: Option<u64>,
-    /// Where the sequence starts.
+    /// Seed of the sequence.
     pub seed: u64,
 }
 

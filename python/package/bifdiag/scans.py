@@ -87,7 +87,7 @@ def scan(
     threads : int, optional
         None: one; 0: one per core. The file does not depend on it.
     seed : int
-        Start of the sequence of bodies.
+        Seed of the sequence of bodies.
     vary : str or list of str
         Ranges of the parameters ``A1``, ``A2``, ``A3``, ``r1``, ``r2``, ``r3``: ``"A2=1:2:101"`` is a grid of 101 values,
         both ends included, ``"A2=1:2"`` is sampled. Of `body`, or of the family ``"katok"``.

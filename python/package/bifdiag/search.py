@@ -104,7 +104,7 @@ def find(
     samples : int
         Largest number of bodies tried.
     seed : int, optional
-        Where the sequence of bodies starts; searches even if an answer is known.
+        Seed of the sequence of bodies; searches even if an answer is known.
     accuracy : {"exact", "fast"}
         Accuracy of the answer.
     threads : int, optional

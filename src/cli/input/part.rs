@@ -330,22 +330,22 @@ impl PartArguments {
             let hint = match [possible(Products::Tensor)?, possible(Products::Integral)?] {
                 [true, false] => "with --products integral the part could not exist",
                 [false, true] => "with --products tensor the part could not exist",
-                _ => "look the convention of your program up",
+                _ => "look up the convention of your program",
             };
+            let about = if self.inertia_com.is_some() { " about the centre of mass" } else { "" };
             let [tensor, integral] = [Products::Tensor, Products::Integral].map(|products| moments(list, products));
             let product_count = list[3..].iter().filter(|product| !product.value.is_zero()).count();
             // Other signs of them all are a mirror image unless all three matter.
             if product_count < 3 {
-                let about = if self.inertia_com.is_some() { " about the centre of mass" } else { "" };
                 return Err(Failure::input(format!(
                     "--products is missing: a product of inertia in {option} is not 0, and programs differ in its sign. The \
-                     principal moments{about} are {tensor} with either sign, the principal axes are not the same: write \
+                     principal moments{about} are {tensor} with either sign, but the principal axes differ; write \
                      --products tensor (Ixy = -∫ x y dm) or integral (Ixy = +∫ x y dm); {hint}"
                 )));
             }
             return Err(Failure::input(format!(
                 "--products is missing: a product of inertia in {option} is not 0, and programs differ in its sign. The \
-                 principal moments would be {tensor} with --products tensor (Ixy = -∫ x y dm), {integral} with --products \
+                 principal moments{about} would be {tensor} with --products tensor (Ixy = -∫ x y dm), {integral} with --products \
                  integral (Ixy = +∫ x y dm); {hint}"
             )));
         }

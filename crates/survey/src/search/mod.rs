@@ -35,7 +35,7 @@ pub struct SearchOptions {
     pub samples: u64,
     /// Draw all of them, although something was found before.
     pub all: bool,
-    /// Where the sequence of bodies starts.
+    /// Seed of the sequence of bodies.
     pub seed: u64,
     /// What the answer must be worth.
     pub accuracy: Accuracy,
