@@ -6,7 +6,7 @@ with the program. A component with four boundary circles and n poles is there fo
 (every saddle and minimum, and n of the energies of the poles) and the lowest of all that must lie above (four maxima,
 and the other energies of poles). The room is the length of that interval over |r|. An evolution strategy (one parent, one child, the 1/5 rule)
 makes it as large as it can over A, r and x; each line is one run. The runs go to plates with r in the principal plane of axes 2 and 3:
-"limit" stays there (r1 = 1e-6 r3, A1 + A2 - A3 = 1e-9) and goes on from the best of them with the simplex method of Nelder
+"limit" stays there (r1 = 1e-9 r3, A1 + A2 - A3 = 1e-12; the room is less than its supremum by about 0.3 r1) and goes on from the best of them with the simplex method of Nelder
 and Mead over A2, r2 and x, with a new simplex in each round.
 """
 
@@ -24,16 +24,16 @@ def state(a, r, mu):
     return s * j * j / 2, j, phi / s, [x / y / s for x, y in zip(r, u)]
 
 
-def grid(a, n=90):
-    """mu on the four intervals, dense at their ends."""
+def grid(a, n=130):
+    """mu on the four intervals, dense at their ends, where the roots are for a small component of r."""
     for k in range(n):
-        yield 0, a[0] - math.exp(-16 + 21 * k / (n - 1))
+        yield 0, a[0] - math.exp(-24 + 29 * k / (n - 1))
     for i in (0, 1):
         for k in range(n):
-            t = 1 / (1 + math.exp(15 - 30 * k / (n - 1)))
+            t = 1 / (1 + math.exp(23 - 46 * k / (n - 1)))
             yield 1 + i, a[i] + t * (a[i + 1] - a[i])
     for k in range(n):
-        yield 3, a[2] + math.exp(-16 + 21 * k / (n - 1))
+        yield 3, a[2] + math.exp(-24 + 29 * k / (n - 1))
 
 
 def is_maximum(a, x, gamma, j, r):
@@ -144,7 +144,7 @@ PLATES = {1: (1.0525556806703666, 0.0699685627104626, 1.5750924380578566), 2: (1
 
 def plate(v):
     a2 = 1 + math.exp(v[0])
-    return (1.0, a2, 1 + a2 - 1e-9), (1e-6, math.exp(v[1]), 1.0)
+    return (1.0, a2, 1 + a2 - 1e-12), (1e-9, math.exp(v[1]), 1.0)
 
 
 def simplex(value, start, sizes, steps, rng):

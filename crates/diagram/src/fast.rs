@@ -104,10 +104,10 @@ pub fn classify_in(atlas: &Atlas, h: &Number, l: &Number) -> Result<(Classificat
     let Location { place, distance, nearest, error_bound, named, .. } = atlas.locate(h.to_f64(), l.to_f64())?;
     let set = &atlas.arrangement().set;
     let x = abscissa(&set.frame, l.to_f64())?;
-    if !atlas.arrangement().undecided.is_empty() || unknown(&place) {
-        if let Some(found) = AtMomentum::new(set, h, x).decided() {
-            return Ok(found);
-        }
+    if (!atlas.arrangement().undecided.is_empty() || unknown(&place))
+        && let Some(found) = AtMomentum::new(set, h, x).decided()
+    {
+        return Ok(found);
     }
     let margin = Margin { h: distance, nearest: Some(CurveName::of(set, nearest)), error_bound };
     let decided = |components| Ok((Classification::decided(components, margin), named));
