@@ -42,8 +42,8 @@ pub fn margin(margin: &Margin) -> MarginDocument {
 }
 
 /// What is said where ids of regions are not those of the exact atlas.
-const NUMBERED_OTHERWISE: &str = "regions are numbered as by bifdiag atlas --accuracy fast: f64 does not decide all events of this body, and other \
-     answers may number them otherwise";
+const NUMBERED_OTHERWISE: &str = "regions are numbered as by bifdiag atlas --accuracy fast: f64 does not decide all events of this body, and \
+     other answers may number them otherwise";
 
 /// The answer for a point (h, l) of a body, with its regions if an atlas is prepared.
 #[must_use]

@@ -4,7 +4,7 @@ use bifdiag_body::Number;
 use bifdiag_equilibria::critical::{SteadyFamily, SteadyStretch};
 use bifdiag_equilibria::permanent::{AxisKind, NearestAxis, OneSpin, SpinStretch};
 use bifdiag_exact::{AxisSpins, EndUp};
-use bifdiag_numbers::decimal::significant;
+use bifdiag_numbers::decimal::{enumerated, significant};
 use bifdiag_schema::{
     AxisEnd, CommandLine, CriticalSpinDocument, FrictionDocument, NearestAxisDocument, NonlinearDocument,
     NonlinearVerdict, Reason, SpinStretchDocument, SpinType, SteadySpinDocument, Verdict,
@@ -171,10 +171,7 @@ pub fn fast_axes(subject: &Subject, families: &[SteadyFamily]) -> String {
         format!("({})", axis.map(|x| significant(x, 6)).join(", "))
     };
     let axes: Vec<String> = families.iter().map(axis).collect();
-    match &axes[..] {
-        [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
-        _ => axes.concat(),
-    }
+    enumerated(&axes)
 }
 
 fn one_spin(found: &OneSpin, second: f64) -> SteadySpinDocument {

@@ -164,6 +164,15 @@ pub fn counted<N: Copy + Display + PartialEq + From<u8>>(number: N, one: &str, s
     format!("{number} {word}")
 }
 
+/// Names as a list in a sentence, such as r1, r2 and r3.
+#[must_use]
+pub fn enumerated(names: &[String]) -> String {
+    match names {
+        [others @ .., last] if !others.is_empty() => format!("{} and {last}", others.join(", ")),
+        _ => names.concat(),
+    }
+}
+
 /// A bound x ≥ 0 as [`significant`] writes it, but rounded up.
 #[must_use]
 pub fn bound(x: f64, digits: usize) -> String {

@@ -6,6 +6,7 @@ use bifdiag_body::BodyAxis;
 use bifdiag_diagram::arrangement::{Change, Event};
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_equilibria::curves::{BranchName, CriticalSet, CurveId, CurveName};
+use bifdiag_numbers::decimal::enumerated;
 
 /// What happens at a border.
 #[derive(Clone, Debug, PartialEq)]
@@ -259,10 +260,7 @@ fn joined<T: fmt::Display>(names: &[T], between: &str) -> String {
 /// Numbers of axes, such as r1 and r3.
 fn listed(letter: &str, axes: &[BodyAxis]) -> String {
     let names: Vec<String> = axes.iter().map(|axis| format!("{letter}{axis}")).collect();
-    match names.split_last() {
-        Some((last, others)) if !others.is_empty() => format!("{} and {last}", others.join(", ")),
-        _ => names.concat(),
-    }
+    enumerated(&names)
 }
 
 /// An event with its place, in the body's units.
